@@ -33,7 +33,8 @@ TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
   EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
 }
 
-// One cycle with an error above 30 % (here 30.1 %) suffices to call a substitute far off. Errors of 29.9 % do not.
+// An error above 30 % (here 30.1 %) of the energy or the peak force in one cycle suffices to call a substitute far off.
+// Errors of 29.9 % do not.
 TEST(OtherCycles, OneThatIsFarOffIsEnough) {
   std::vector<OtherCycle> cycles{{1.0, 1.0, 29.9, -29.9}, {0.5, 1.0, 2.0, {}}};
   EXPECT_FALSE(far_off(cycles));
@@ -94,8 +95,9 @@ TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
   }
 }
 
-// A rigid-plastic law on a circle of radius A. Each spring acts with its full strength Q, so both together reach up to
-// sqrt(2) Q. In a turn each spring dissipates 4 Q A; a coupled bearing of strength Q dissipates 2 pi A Q in all.
+// Two rigid-plastic springs of strength Q, at right angles, follow a circle of radius A. Both act with Q, so their
+// joint force reaches sqrt(2) Q. In a turn each spring dissipates 4 Q A; one bearing whose force Q follows the motion
+// dissipates 2 pi Q A.
 TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
   auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
   ASSERT_TRUE(found);

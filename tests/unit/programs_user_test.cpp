@@ -1,5 +1,5 @@
-// Tests the law as code for two programs. The material for OpenSees is compiled with a stand-in for OpenSees' headers,
-// and with OpenSees itself where it is installed. The element for Abaqus is called from Fortran.
+// Tests the code of exported laws for two programs. The material for OpenSees is compiled with a stand-in for OpenSees'
+// headers, and with OpenSees itself where it is installed. The element for Abaqus is called from Fortran.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,8 +15,9 @@ namespace {
 
 fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
 
-// A slow motion that grows and fades, with faster motions on top that also turn on one side of zero, and with noise
-// within the dead band. It exercises everything that a law remembers.
+// A slow motion that grows and fades, with faster motions on top that also turn on one side of zero, and with a tremor
+// of less than 0.5 mm, the dead band of the exported law. All that a law remembers (turning points, peaks, travel) acts
+// on this path.
 History path_of(Subject const& subject) {
   constexpr int points = 420;
   constexpr double step_s = 0.02;
@@ -57,8 +58,8 @@ std::vector<OfLaw> every_law() {
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // With this h0 the loops are wider than the law's exponential term alone can make them, so that the term with c
-      // acts.
+      // With this damping ratio h0 the rate of the exponential branches reaches its bound amax. Only then the term of
+      // the branches with the parameter c acts.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.4;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -159,8 +160,9 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   for (auto const& of : all) {
     SCOPED_TRACE(of.name());
     fs::create_symlink("all.so", folder_ / (of.name() + ".so"));
-    // The slope at the first motion may be infinite, which makes Newton's rule oscillate. Units are N and m. The period
-    // is two seconds with the secant stiffness at the tested amplitude, and the ground moves the mass about that far.
+    // The slope at the first motion may be infinite. Plain Newton iterations oscillate there, so the script uses
+    // KrylovNewton. Units are N and m. The mass has a period of two seconds on the secant stiffness, the peak force
+    // over 150 mm. The ground shakes it at nearly this period.
     double const secant = 1e6 * peak_of(of.force_kN) / 150.0, mass = secant / (std::numbers::pi * std::numbers::pi);
     write(
         "shaken.tcl",
@@ -194,8 +196,8 @@ TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
     EXPECT_GT(peak_of(reached.disp_mm), 10.0);
     auto const expected = law_force(*of.subject.law, of.subject.parameters, reached);
     double const upper = of.subject.bounds.upper->overall, peak = upper * peak_of(expected);
-    // OpenSees prints rounded displacements. At a corner, rounding may select the other branch of the law, so the
-    // tolerance is wider.
+    // OpenSees prints rounded displacements. Where the law's slope jumps, rounding may select the slope of the other
+    // side. The tolerance allows for this.
     for (std::size_t i = 0; i < force.size(); ++i) ASSERT_NEAR(force[i], upper * expected[i + 1], 1e-7 * peak) << i;
   }
 }

@@ -151,7 +151,8 @@ TEST(Figures, OfThePublishedStudyNeedTwoOfItsLaws) {
   for (auto const& [name, figure] : figures_of(summary)) EXPECT_FALSE(name.starts_with("published")) << name;
 }
 
-// By default, Figs. 5 and 7 are drawn: the loops of all laws on one device, and the loops of all devices.
+// By default a campaign draws the loops of all laws on one device, and each law's objective on each device against the
+// law's mean (Figs. 5 and 7 of the paper).
 TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   auto const summary = fixture::lot(3, 7);
   auto const figures = figures_of(summary);

@@ -389,7 +389,8 @@ TEST(LoadVariation, IsTheDifferenceBetweenTheLoads) {
   };
   EXPECT_EQ(line({}, design()).verdict, Verdict::not_assessed);
   expect_parts(line({}, design()).reason, {"largest and at the smallest vertical load"});
-  // (1.29 - 1.11)/1.2 = 15 % is exactly at the limit.
+  // From the smallest to the largest load K_eff changes by (1.29 - 1.11)/1.2 = 15 % of its design value, exactly the
+  // limit.
   EXPECT_NEAR(*line(LoadPair{block(1.075), block(0.925)}, design()).value, 15.0, 1e-9);
   EXPECT_EQ(line(LoadPair{block(1.075), block(0.925)}, design()).verdict, Verdict::pass);
   EXPECT_EQ(line(LoadPair{block(0.925), block(1.0751)}, design()).verdict, Verdict::fail);

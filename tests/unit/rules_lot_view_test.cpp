@@ -149,7 +149,8 @@ TEST(LotView, ANegativeBoundIsNone) {
   EXPECT_GT(each.upper, 1.2);
   expect_parts(each.no_lower, {"too few devices for a lower bound"});
   expect_parts(each.note, {"k = 36.52"});
-  // The half width is t(0.975, 1) = 12.7062 times 28.2843 % times sqrt(1/2 - 1/28) = 244.9 % of the mean.
+  // The predicted mean of all 28 devices has the half width t(0.975, 1) = 12.7062 times the CoV 28.2843 % times
+  // sqrt(1/2 - 1/28): 244.9 % of the mean.
   expect_parts(bound(view, "statistical, system predicted").no_lower, {"245 % of the mean"});
   EXPECT_EQ(bound(view, "observed").no_lower, "");
   EXPECT_GT(bound(view, "observed").lower, 0.0);
@@ -272,7 +273,8 @@ TEST(TestFactors, EncloseEveryCountedCycle) {
 }
 
 TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
-  // K_eff is 1.5, 1.2, 1.2 (mean 1.3) and 1.0 in the last cycle. The factors are 1.5/1.3 and 1.0/1.3.
+  // K_eff is 1.5, 1.2 and 1.2 in the first three cycles (mean 1.3) and 1.0 in the last. The largest and the smallest
+  // factor are 1.5/1.3 and 1.0/1.3.
   auto tested = block(1.0, 5);
   tested.cycles[0] = cycle(1, 1.25);
   tested.cycles[4].K_eff_kN_per_mm = 1.0;
@@ -310,8 +312,9 @@ TEST(Combine, IsTheFormulaOfTheRules) {
 }
 
 TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
-  // For a CoV of 7 % and 28 devices: 1.95996 x 7/sqrt(28) = 2.5928. With six of them tested, this times sqrt(22/27) is
-  // 2.3404, and the prediction is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28), which is 6.5116.
+  // The mean of 28 devices with a known CoV of 7 % has the half width 1.95996 x 7/sqrt(28) = 2.5928 %. If six of them
+  // are tested, only the other 22 are unknown, and this times sqrt(22/27) is 2.3404 %. If the CoV too is estimated from
+  // the six, the half width is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28) = 6.5116 %.
   EXPECT_NEAR(system_half_width_percent(7, 28, 0), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 1), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 6), 2.3404, 1e-4);
@@ -364,16 +367,17 @@ TEST(Bounds, AreLabelledBySource) {
   // The tolerance factor times the CoV is 6.3411 x 8.16497 = 51.7749 %.
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
-  // In percent: 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 for the system, and t(0.975, 3) = 3.182446 times
-  // 8.16497 sqrt(1/4 - 1/28) = 12.0286 for the prediction.
+  // The half width of the mean of all 28 devices, four of them tested, is 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) =
+  // 2.85130 % with a known CoV, and t(0.975, 3) = 3.182446 times 8.16497 sqrt(1/4 - 1/28) = 12.0286 % with an estimated
+  // one.
   EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
   EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
   EXPECT_EQ(view.bounds.size(), 5u);
 }
 
 TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
-  // All cycles are alike, so the test factors are 1. For K_d the file of ASCE 7 has the default factors 1.8 and 0.6,
-  // which replace the products 1.15 and 0.85. It has no [[factor]] for K_eff.
+  // All cycles are alike, so the test factors are 1, and the supply's factors 1.15 and 0.85 alone remain. For K_d the
+  // file of ASCE 7 has the default factors 1.8 and 0.6, which replace them. It has no [[factor]] for K_eff.
   auto const lot = lot_view(find_rule_set("asce-7-22"), lot_of({1.0, 1.0}), parse_design("K_eff=1.2,K_d=0.9"));
   auto const& named = bound(of(lot, Quantity::K_d), "contract band");
   EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);

@@ -70,7 +70,7 @@ struct Plan {
   Device device = Device::rubber;
   int samples = 200, cycles = 3, bits = 0;
   double amplitude_mm = 100.0, frequency_Hz = 0.5, disp_noise = 0.0, force_noise = 0.0;
-  // Used for Bouc-Wen loops only: yield displacement over amplitude, K1/K2, and the exponent.
+  // Used for Bouc-Wen loops only: yield displacement over amplitude, first over second stiffness, and the exponent.
   double yields_at = 0.02, stiffness_ratio = 20.0;
   int exponent = 1;
   // Used for trapezoids only: height of the triangle whose tips are cut off, over the amplitude.
@@ -115,11 +115,12 @@ inline double shape_of(Plan const& plan, double phase) {
   }
 }
 
-// The force in kN along a finely sampled history. Stiffness and distances scale with the amplitude.
+// The force in kN along a finely sampled history. Distances scale with the amplitude and stiffnesses with its inverse,
+// so that the force does not depend on it.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  // Stiffnesses, strengths and damping are shares of the force's amplitude; `way` is a share of the displacement's
-  // amplitude.
+  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. The plastic part
+  // approaches its strength Q by a factor e per travel of `way` displacement amplitudes.
   double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
@@ -153,7 +154,7 @@ inline void add_noise(Drawn& random, std::vector<double>& x, double deviation) {
     for (double& value : x) value += deviation * random.normal();
 }
 inline void digitise(std::vector<double>& x, int bits, double full_scale) {
-  // Without a digitiser, the file rounds values to four decimals.
+  // Without a digitiser (bits = 0), values are rounded to four decimals as in a text file.
   double const step = bits > 0 ? 2.0 * full_scale / std::pow(2.0, bits) : 1e-4;
   for (double& value : x) value = step * std::round(value / step);
 }

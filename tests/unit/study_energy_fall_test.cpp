@@ -11,7 +11,7 @@ namespace {
 
 constexpr int per_cycle = 100;
 
-// Elliptic loops in which the energy pi C D^2 of cycle k, counted from 0, is proportional to factor(k).
+// Elliptic loops in which the energy of cycle k, counted from 0, is proportional to factor(k).
 template <class Factor>
 data::FitRecord ellipses(int cycles, Factor const& factor) {
   data::FitRecord record;
@@ -51,9 +51,9 @@ TEST(EnergyFall, IsThatFromTheThirdCycleToTheLast) {
 TEST(EnergyFall, IsNoneWhereADeviceKeepsItsEnergyOrLosesItAtOnce) {
   auto const none = [](data::FitRecord const& record) { return !fall_of(record, record.force_kN); };
   EXPECT_TRUE(none(ellipses(25, [](int) { return 1.0; })));
-  // Energy falls after the first two cycles only (scragging).
+  // The energy falls once, after the second cycle (scragging).
   EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 2 ? 1.4 : 1.0; })));
-  // Energy falls in the first cycles only (scragging).
+  // The energy falls in the first cycles and then stays (scragging).
   EXPECT_TRUE(none(ellipses(25, [](int k) { return 1.0 + 0.5 * std::exp(-k); })));
   EXPECT_TRUE(none(ellipses(25, [](int k) { return k < 24 ? 1.0 : 0.8; })));  // only the last cycle differs
   EXPECT_TRUE(none(ellipses(5, worn)));                                       // the record has too few cycles

@@ -15,7 +15,7 @@ namespace isolaw::study::fixture {
 
 inline std::string const nasty_name = "</script><img src=x onerror=alert(1)>\"'\n=1+1";
 
-// A made-up law: how far it misses the record, and its accuracy and robustness.
+// A made-up law: its accuracy, robustness and parameters, and how far its loops miss the record.
 struct LawSketch {
   std::string id, title;
   double objective, beta;
@@ -105,7 +105,8 @@ inline std::vector<LawSketch> sketches() {
   };
 }
 
-// The force on three cycles of ±208 mm at 0.5 Hz. With both factors 1 it is the force of the record itself.
+// The force on three cycles of ±208 mm at 0.5 Hz. `stiffness` and `strength` are factors; both are 1 for a device at
+// the mean of the lot.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;

@@ -1,4 +1,4 @@
-// The verdict on a device and on the lot. It is never a plain pass if something was not compared.
+// The verdict on a device and on the lot. It is never a plain pass if a value was not compared with its limit.
 #include "finding_text.hpp"
 #include "isolaw/study/verdict.hpp"
 

@@ -1,5 +1,5 @@
-// Sentences about several records at once. Magnitudes may be given as a range, but each sample, time, cycle and block
-// is given with its device.
+// Sentences about the same fault in several records. A sentence may give sizes as a range, but it gives each sample,
+// time, cycle and block with its device.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -158,7 +158,7 @@ Released release(double step_s) {
                              {.longest_step_s = step_s, .histories = true, .pulled_to = {150.0, 0.0}});
   Released released;
   auto const& h = run.history;
-  // After its release the mass moves back, and the bearing yields after a travel of twice its yield displacement.
+  // At 150 mm the bearing has yielded, so on the way back it yields after twice its yield displacement.
   double const slides = 150.0 - 2.0 * 30.0 / 5.1;
   for (std::size_t i = 1; i < h.time_s.size(); ++i) {
     double const x0 = h.base[i - 1][0], x1 = h.base[i][0], v0 = h.velocity[i - 1][0], v1 = h.velocity[i][0];
@@ -276,7 +276,8 @@ TEST(Building, torsion_of_scattered_bearings) {
   }
 }
 
-// An independent model solves the differential form of Park, Wen and Ang with whole matrices by Boost.odeint:
+// An independent model: Boost.odeint integrates the equations of motion of the whole building, written with matrices,
+// and for each bearing the differential form of Park, Wen and Ang:
 //     dz/dt = A v - z |z|^(n-2) (z.v) (beta sgn(z.v) + gamma)
 struct BoucWenValues {
   double alpha, Ke, A, beta, n, gamma;

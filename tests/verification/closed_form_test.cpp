@@ -37,7 +37,7 @@ Motion three_triangles(double amplitude_mm, int steps) {
 }
 
 // The closed forms are K_eff = K2 + Qd / D and energy 4 Qd (D - xy). The path has samples at its corners, so the
-// trapezoidal rule errs only around the two yield points, by at most (K1 - K2) h^2 / 4 each.
+// trapezoidal rule errs only around the two yield points, by at most (K1 - K2) h^2 / 4 each for samples h apart.
 TEST(ClosedForm, BilinearLoop) {
   double const K1 = 1.65, K2 = 0.43, xy = 40.6, D = 208.0, Qd = (K1 - K2) * xy;
   constexpr int steps = 5000;
@@ -60,8 +60,7 @@ TEST(ClosedForm, BilinearBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 1e-12) << motion.disp_mm[i];
 }
 
-// Tests the steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values
-// from the start point (x0, F0) of each branch.
+// Tests the steel model of the 1983 report on Menegotto and Pinto's law. Other programs computed the expected values.
 TEST(ClosedForm, MenegottoPintoBranches) {
   auto const values =
       named<MenegottoPinto>({{"E", 1.0}, {"Fy", 1.0}, {"b", 0.1}, {"R0", 20.0}, {"cR1", 0.925}, {"cR2", 0.15}});
@@ -74,10 +73,11 @@ TEST(ClosedForm, MenegottoPintoBranches) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(force[i], expected[i], 5.1e-10) << i;
 }
 
-// Without the exponential and sigmoid terms and with equal branches, K_eff = kb + f0 tanh(alpha D) / D, and the energy
-// is 4 f0 [D - tanh(alpha D) / alpha]. With kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm and D 150 mm they are 0.766667
-// kN/mm and 13750.00 kN mm, rounded to the last printed digit. The first loop does not close by 2 f0 exp(-2 alpha D) =
-// 2e-9 kN. The trapezoidal rule errs by 2 f0 alpha h^2 / 6 = 1e-3 kN mm in all.
+// Without the exponential and sigmoid terms the force approaches the limit curves kb x +- f0 as exp(-alpha travel).
+// Then K_eff = kb + f0 tanh(alpha D) / D, and the energy is 4 f0 [D - tanh(alpha D) / alpha]. With kb 0.6 kN/mm, f0 25
+// kN, alpha 0.08 / mm and D 150 mm they are 0.766667 kN/mm and 13750.00 kN mm, rounded to the last printed digit. The
+// first loop does not close by 2 f0 exp(-2 alpha D) = 2e-9 kN. With samples h apart the trapezoidal rule errs by 2 f0
+// alpha h^2 / 6 = 1e-3 kN mm in all.
 TEST(ClosedForm, VaianaLoop) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   constexpr int steps = 8000;
@@ -172,8 +172,8 @@ TEST(ClosedForm, BoucWenWithExponentOne) {
 
 // With gamma far above beta, unloading from saturation starts at the small slope A (1 + kappa), where kappa = (beta -
 // gamma) / (beta + gamma) is near -1. z therefore leaves saturation slowly, and an error made at the start is
-// multiplied by up to 1 / (1 + kappa). The tolerance contains this factor. The box of an unknown device allows gamma =
-// 1200 beta.
+// multiplied by up to 1 / (1 + kappa). The tolerance contains this factor. The search box that the program makes from a
+// record's sizes allows gamma = 1200 beta.
 TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   for (double const ratio : {5.0, 20.0, 200.0, 1000.0}) {
     double const beta = 0.1 / (1.0 + ratio), gamma = ratio * beta, z_max = 10.0, one_plus_kappa = 2.0 * beta / 0.1;
@@ -212,8 +212,8 @@ TEST(ClosedForm, BoucWenRescaled) {
   }
 }
 
-// With a yield force of 1e-12 kN the hysteretic force F2 vanishes. F1 and F3 remain, which depend only on x and on the
-// largest displacement so far.
+// Returns parameters of Abe's law with the yield force Y0. With 1e-12 kN the hysteretic force F2 vanishes. The elastic
+// force F1 and the hardening force F3 remain, which depend only on x and on the largest displacement so far.
 template <class Law>
 Values<Law> without_hysteresis(double Y0) {
   auto values = named<Law>({{"K1", 8.0},
@@ -264,8 +264,8 @@ TEST(ClosedForm, AbeY0ElasticPartsAlone) {
 }
 
 // A long motion in one direction saturates F2 at +-Y0. In abe the yield force grows with x unless Uh is very large;
-// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. With u = F2 / Y0, the rest 1 - u falls by the factor
-// exp(-n) per Ut = 4 mm. After 400 mm with n = 0.3 it is e^-30.
+// with Uh = 1e12 the growth (400 / 1e12)^1.7 is negligible. Near saturation 1 - F2 / Y0 falls by the factor exp(-n) per
+// yield displacement of 4 mm. After 400 mm with n = 0.3 it is about e^-30.
 template <class Law>
 void saturates() {
   auto values = without_hysteresis<Law>(45.0);
@@ -283,9 +283,9 @@ TEST(ClosedForm, AbeY0Saturated) {
   saturates<AbeY0>();
 }
 
-// With n = 1 and a constant yield displacement (Us huge), u = F2 / Y0 follows Bouc-Wen's exponential with A = beta = 1
-// / U0 and gamma = 0. If the yield displacement grows, the first loading has dt = dx / [U0 (1 + x / Us)], so u = 1 - (1
-// + x / Us)^(-Us / U0). The tolerance is the error that saturating_flow.hpp allows.
+// With n = 1 and the constant yield displacement U0 (Us huge), u = F2 / Y0 follows Bouc-Wen's exponential with A = beta
+// = 1 / U0 and gamma = 0. If the yield displacement grows, the first loading obeys du/dx = (1 - u) / [U0 (1 + x / Us)],
+// so u = 1 - (1 + x / Us)^(-Us / U0). The tolerance is the error that saturating_flow.hpp allows.
 TEST(ClosedForm, AbeY0WithExponentOne) {
   auto values = named<AbeY0>({{"alpha", 1.0}, {"n", 1.0}, {"Y0", 45.0}, {"Uh", 80.0}, {"U0", 5.0}, {"Us", 1e9}});
   auto const motion = polyline(std::vector{0.0, 12.0, 3.0, 9.0, -30.0, -28.0, 60.0}, 9);
@@ -348,8 +348,9 @@ TEST(ClosedForm, HwangWuWithoutWork) {
   }
 }
 
-// With a4 and a9 alone, F = a4 x exp(a9 W) at v = 0, so exp(-a9 W) W' = a4 x and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) /
-// a9. Runge-Kutta with 200 steps errs by less than 1e-9 while a9 W stays of order one.
+// With a4 and a9 alone, F = a4 x exp(a9 W) at v = 0, where W is the work since the start at x0. So exp(-a9 W) W' = a4 x
+// and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) / a9. Runge-Kutta with 200 steps errs by less than 1e-9 while a9 W stays of
+// order one.
 TEST(ClosedForm, HwangWuDegradesWithTheWholeWork) {
   double const a4 = 50.0, a9 = -1e-4;
   auto const values = named<HwangWu>({{"a4", a4}, {"a8", 1.0}, {"a9", a9}});

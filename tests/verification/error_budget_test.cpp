@@ -143,10 +143,10 @@ double predicted(double in_phase_kN, double K, double xi, double K_unloading) {
   return 100.0 * ((xi + first_order) * (1.0 + epsilon * epsilon / 2.0 * (K_unloading / K - 1.0)) - xi);
 }
 
-// The elastoplastic part of height Qd yields at the phase beta after a reversal, cos(beta) = 1 - 2 Dy / D. Its first
-// harmonic in phase is (Qd / Dy) (D / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey 1960). With Qd / (K D) = 0.224,
-// a1 / (K D) = 1 - 0.224 (1 - 0.366) = 0.858, which gives 1.348 percentage points. K_u = K2 + Qd / Dy = 3.5 kN/mm adds
-// 0.031.
+// The loop's elastoplastic part, of strength Qd, yields at the phase beta after a reversal, cos(beta) = 1 - 2 Dy / D.
+// The part of its first harmonic in phase with x is (Qd / Dy) (D / pi) (beta - sin(2 beta) / 2) = 0.366 Qd (Caughey
+// 1960). With Qd / (K D) = 0.224, a1 / (K D) = 1 - 0.224 (1 - 0.366) = 0.858, which gives 1.348 percentage points to
+// first order. The term with K_u = K2 + Qd / Dy = 3.5 kN/mm adds 0.033.
 TEST(Skew, OfABilinearLoop) {
   double const K = K2 + Qd / D;
   double const beta = std::acos(1.0 - 2.0 * Dy / D);
@@ -158,9 +158,10 @@ TEST(Skew, OfABilinearLoop) {
   EXPECT_LT(shift, 1.40);
 }
 
-// The exponential part falls from its peak as f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos)). Its first harmonic in
-// phase is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) = 0.382 f0. With f0 / (K D) = 0.252, a1 / (K D) = 0.844,
-// which gives 1.326 percentage points. K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.06.
+// At the phase p after a reversal the loop's exponential part is f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos(p))) from
+// its limit. The part of its first harmonic in phase with x is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) =
+// 0.382 f0, with the Bessel function I1. With f0 / (K D) = 0.252, a1 / (K D) = 0.844, which gives 1.326 percentage
+// points to first order. The term with K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.066.
 TEST(Skew, OfAnExponentialLoop) {
   double const a = alpha * D;
   double const K = kb + f0 * std::tanh(a) / D;

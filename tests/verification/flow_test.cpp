@@ -36,14 +36,14 @@ double later(Beyond& flow, double u, double travel) {
 constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0};
 
 // Bouc-Wen's kappa = (beta - gamma) / (beta + gamma) is -0.5 to 0.5 in the published box, and -0.998 to 0.998 in the
-// box of an unknown device.
+// box that the program makes from a record's sizes.
 constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 
-// Beyond saturation, |u| > 1, only abe uses the flow. It has kappa = 1, and n is at most 1 in any box.
+// Only abe uses the flow beyond saturation, |u| > 1. For abe kappa is 1, and n is at most 1 in any search box.
 constexpr double abe_exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0};
 constexpr double abe_kappa = 1.0;
 
-// saturating_flow.hpp states these errors. Beyond |u| = 3 it uses a table with an error of its own.
+// saturating_flow.hpp states these largest errors of u. Beyond |u| = 3 the flow comes from a table with a larger error.
 constexpr double claimed_error = 1e-7, claimed_error_of_table = 1e-5;
 double claimed(double n, double kappa) {
   if (n <= 2.0 && kappa <= 1.0) return claimed_error * std::max(1.0, 0.5 / (1.0 + kappa));
@@ -122,8 +122,8 @@ double largest_rising_error(double n, double kappa, std::vector<double> const& p
   return worst;
 }
 
-// If kappa is near -1, the flow leaves u = -1 at the small rate 1 + kappa. Until the rate has grown to 1 the equation
-// multiplies an error made at the start by 1 / (1 + kappa).
+// If kappa is near -1, the flow leaves u = -1 at the small rate 1 + kappa, and the rate grows to 1 at u = 0. On this
+// way the equation multiplies an error made at the start by 1 / (1 + kappa).
 TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   for (double const kappa : kappas) {
     double worst = 0.0;
@@ -162,8 +162,8 @@ TEST(SaturatingFlow, FallsToSaturationFromAbove) {
   }
 }
 
-// At every reversal the law converts u to travel and back, by two Newton steps from a good guess. Ten thousand
-// conversions must not change u by more than 1e-7.
+// At every reversal the law converts u to travel and back, with a small error. Ten thousand such round trips must not
+// change u by more than 1e-7 (relative to u above 1).
 template <class Flow>
 double largest_drift(double n, double kappa, std::vector<double> const& places) {
   Flow flow(n, kappa);
@@ -194,7 +194,7 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
 }
 
 // u must grow with the travel, never pass 1, and end within 2e-7 of 1. Starting at u = -1 it reaches zero within a
-// travel of 1 / (1 + kappa); then 1 - u falls like exp(-n t). Differences of 1e-12 are rounding.
+// travel of 1 / (1 + kappa); then 1 - u falls as exp(-n t) with the travel t. Differences of 1e-12 are rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
   for (double const n : exponents)
     for (double const kappa : kappas) {
@@ -253,8 +253,8 @@ TEST(SaturatingFlow, RatesAreThoseOfTheEquation) {
   }
 }
 
-// For n <= 0 or kappa <= -1, z would grow without bound on unloading. The flow must then give values that are not
-// finite.
+// For n <= 0 or kappa <= -1 the equation does not lead from u = -1 to saturation. The flow must then give values that
+// are not finite.
 TEST(SaturatingFlow, PromisesNothingFiniteOutsideItsDomain) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (auto const& [n, kappa] :

@@ -61,8 +61,9 @@ TEST(ErrorFunction, IsThatOfTheLibrary) {
   EXPECT_TRUE(std::isnan(num::erf(std::nan(""))));
 }
 
-// For n = 1, z approaches saturation as exp(-K |dx| / Y), for either sign of z. For n = 2, z follows a tanh on loading
-// and a tan on unloading. saturating_flow.hpp errs by 1e-9 for these n, and by 1e-5 at worst for other n.
+// For n = 1 the hysteretic force z approaches its saturation value +-Y as exp(-K |dx| / Y), for either sign of z. For n
+// = 2, z follows a tanh on loading and a tan on unloading. saturating_flow.hpp errs by 1e-9 for these n, and by 1e-5 at
+// worst for other n.
 TEST(Ozdemir, ClosedForms) {
   double const K = 3.0, Y = 40.0, alpha = 0.2;
   double z1 = 0.0, z2 = 0.0;
@@ -81,7 +82,8 @@ TEST(Ozdemir, ClosedForms) {
   }
 }
 
-// The source writes the equation with a backstress: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
+// The source writes the law with its own stiffness Ks and strength Ys, and with the force s that is left after the
+// backstress: F' = Ks (x' - |x'| |s/Ys|^n sgn(s)), s = F - Ks alpha (x - F/Ks).
 TEST(Ozdemir, IsTheSourceWithItsBackstress) {
   double const Ks = 3.6, Ys = 30.0, alpha = 0.25;
   for (double const n : {1.0, 1.7, 3.0}) {
@@ -117,7 +119,7 @@ TEST(Ozdemir, IsBoucWen) {
     auto const values = scaled_candidate<Ozdemir>(i);
     auto const form = std::get<laws::BoucWenForm>(Ozdemir::canonical(laws::unpack<Ozdemir, double>(values)));
     auto const force = forces<Ozdemir>(values, path);
-    // The forces differ by rounding only. bouc-wen takes z_max as a root of 1/beta, with beta = (1 / z_max)^n, which
+    // The forces differ by rounding only. bouc-wen computes the saturation value of z as (1 / beta)^(1/n), which
     // multiplies the rounding of beta by 1/n, that is by ten for n = 0.1.
     EXPECT_LT(largest_difference(forces<laws::BoucWen>({form.alpha, form.Ke, 1.0, form.beta, form.n, form.gamma}, path),
                                  force),
@@ -156,16 +158,16 @@ void expect_continuous(Values<Law> const& values, Bound const& bound) {
 
 TEST(Ozdemir, IsContinuous) {
   double const K = 3.0, alpha = 0.2;
-  // The slope of erf(b x) is at most b times 2 / sqrt(pi).
+  // The slope of z is at most 2 K, and that of erf(a x) at most a times 2 / sqrt(pi), here below 2 x 0.03 / mm.
   for (double const n : {0.2, 1.0, 2.5})
     expect_continuous<Ozdemir>({K, 40.0, n, alpha, 25.0, 0.5, 0.03}, [&](double d) {
       return (2.0 * K + alpha * K * (1.0 + 25.0 * (2.0 * 0.03 + 0.01))) * d;
     });
 }
 
-// The equation is dx = dz / K + |dx| |z/Y|^n sgn(z). So the work is the energy stored in z, z^2 / 2K, plus the loss |z|
-// |z/Y|^n |dx|, which is never negative. From rest at x = 0, the first and the second cycle of 2, 50 and 208 mm must
-// therefore lose energy for all parameters in the box.
+// The hysteretic force z obeys dx = dz / K + |dx| |z/Y|^n sgn(z). So its work z dx is the change of the stored energy
+// z^2 / 2K plus the loss |z| |z/Y|^n |dx|, which is never negative. From rest at x = 0, the first and the second cycle
+// of 2, 50 and 208 mm must therefore lose energy for all parameters in the box.
 TEST(Ozdemir, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {
@@ -179,7 +181,7 @@ TEST(Ozdemir, CyclesDissipate) {
     }
 }
 
-// Another implementation, with many small steps, gave the values that the next test expects for these parameters.
+// Parameters of the test Bwbn.Values, whose expected values another implementation computed in many small steps.
 Values<Bwbn> const joint{0.03, 24.877, 1.0, 0.5, 0.1, 1.0, 0.4, 0.9, 1.0, 0.2, 0.001, 0.05, 0.0, 0.0};
 
 TEST(Bwbn, Values) {
@@ -225,7 +227,7 @@ TEST(Bwbn, IsItsEquations) {
     auto const found = forces<Bwbn>(values, laws::make_path(through(path, 100), {}));
     for (std::size_t i = 0; i < path.size(); ++i) {
       double const expected = alpha * ko * path[i] + (1.0 - alpha) * ko * oracle[i][0];
-      // The law holds the strength constant over each step, which costs 8e-6 of the peak force.
+      // The law holds the strength constant over each step, which changes the force by 8e-6 of its peak, 107 kN.
       EXPECT_NEAR(found[100 * i], expected, 3e-5 * 107.0) << A << ", " << path[i];
     }
   }
@@ -262,8 +264,9 @@ TEST(Bwbn, AIsRedundant) {
   }
 }
 
-// At the same z unloading is nowhere flatter than loading, even with pinching (q >= 0). The dissipated energy e
-// therefore never falls below 0, and cycles that start and end at x = 0 lose energy for all parameters in the box.
+// At the same z unloading is at least as steep as loading, because pinching is strongest on loading, at z sgn(dx) = q
+// zu with q >= 0. The dissipated energy e therefore never falls below 0, and cycles that start and end at x = 0 lose
+// energy for all parameters in the box.
 TEST(Bwbn, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -20,9 +20,9 @@ namespace {
 
 using laws::Gallardo;
 
-// The published algorithm, one step at a time, with g = x/100 mm. The elastic part uses, for the whole step, the states
-// of the side on which the step ends. z follows the implicit midpoint rule, solved by iteration. phi and the position
-// of the last turn change one step late.
+// The published algorithm, one step at a time, with g = x/100 mm. The elastic part has states for either side of x = 0;
+// a step across 0 changes and uses only those of the side on which it ends. z follows the implicit midpoint rule,
+// solved by iteration. The hardening phi and the position of the last turn change one step late.
 class Stepwise {
  public:
   explicit Stepwise(Values<Gallardo> const& values) : p_(laws::unpack<Gallardo, double>(values)) {}
@@ -94,8 +94,7 @@ std::vector<double> stepwise(Values<Gallardo> const& values, std::vector<double>
   return at_corners;
 }
 
-// Converts parameters that count strains over a height of `height_mm` to isolaw's parameters, which count strains over
-// 100 mm.
+// Converts parameters for the strain x / height_mm to isolaw's parameters, which are for x / 100 mm.
 Values<Gallardo> of_height(Values<Gallardo> values, double height_mm) {
   double const ratio = height_mm / 100.0;
   auto const value = [&](std::string_view name) -> double& { return values[index_of<Gallardo>(name)]; };
@@ -145,8 +144,8 @@ TEST(Gallardo, PublishedAlgorithm) {
   }
 }
 
-// The forces of the published algorithm must tend to those of isolaw as its steps become shorter. The path turns before
-// and after z has passed 0, on both sides, inside the peaks and beyond them.
+// The forces of the published algorithm must tend to those of isolaw as its steps become shorter. The path turns on
+// both sides of x = 0, before and after z has passed 0, within the largest displacement so far and beyond it.
 TEST(Gallardo, StepsConvergeToIt) {
   std::vector<double> const corners{0,    78,  60,  77.5, 77, 90,  -20, -19.7, -60, 10,   9.8, 40,  -110, -100,
                                     -101, -95, 0.1, 3,    -4, 130, 128, 131,   60,  64.5, -70, 140, -40,  0};
@@ -160,15 +159,15 @@ TEST(Gallardo, StepsConvergeToIt) {
     for (std::size_t k = 0; k < errors.size(); ++k)
       errors[k] = largest_difference(stepwise(values, corners, std::array{200, 2000, 20000}[k]), limit) / peak;
     EXPECT_LT(errors[0], 3e-3) << describe<Gallardo>(values);
-    // The error falls in proportion to the step, down to 1e-6. That is the error of isolaw's curve between reversals
-    // and of phi, which the algorithm changes one step late.
+    // The error falls in proportion to the step, down to 1e-6. The rest comes from isolaw's curve between reversals and
+    // from phi, which the published algorithm changes one step late.
     EXPECT_LT(errors[1], 0.15 * errors[0] + 1e-6) << describe<Gallardo>(values);
     EXPECT_LT(errors[2], 0.15 * errors[1] + 1e-6) << describe<Gallardo>(values);
   }
 }
 
-// For n = 1 all curves are exponentials. On loading z tends to 1/(1 - 2 phi). On unloading z goes to 0 as (1 + k z0)
-// exp(-k t), k = 2 B - 1.
+// For n = 1 all curves are exponentials of the travel t over uy. On loading z tends to the strength 1/(1 - 2 phi). On
+// unloading from z0, 1 + k |z| falls as (1 + k |z0|) exp(-k t) until z is 0, with k = 2 B - 1.
 TEST(Gallardo, ClosedForm) {
   double const uy = 4.0, phimax = 0.2, pphi = 0.05;
   for (double const B : {0.75, 1.0}) {
@@ -224,10 +223,10 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// The law measures the distance of a turning point on either side from +uy; in everything else it is odd. Without
-// hardening (phimax = 0) it must be odd to the last bit. With hardening, mirrored turns are up to two yield
-// displacements nearer or farther. phi then differs by at most 2 pphi phimax, and the strength by this times the
-// derivative of (1 - 2 phi)^(-1/n).
+// The law measures the distance of a turning point on either side from +uy; in everything else the mirrored motion
+// gives the opposite force. Without hardening (phimax = 0) it must do so to the last bit. With hardening, this distance
+// of a turn and that of its mirror image differ by up to two yield displacements uy. The hardening phi then differs by
+// at most 2 pphi phimax, and the strength by this times the derivative of (1 - 2 phi)^(-1/n).
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -246,8 +245,9 @@ TEST(Gallardo, MirroredMotion) {
   }
 }
 
-// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
-// unloading, where the travel C on the way back starts at 0, the change falls as C^pm.
+// The force must be continuous: as the last step is halved, the change of the force over it tends to 0. The elastic
+// force softens with C^pm, where C is the travel back towards 0. On the first unloading, where C starts at 0, the
+// change falls as C^pm.
 TEST(Gallardo, Continuous) {
   std::vector<std::vector<double>> const histories{
       {0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}, {0, 20, 5, 20}, {0, 50, 40, 45}};
@@ -258,15 +258,16 @@ TEST(Gallardo, Continuous) {
         auto x = history;
         x.push_back(x.back() + direction * d);
         auto const force = exact(published, x);
-        // The bound adds the largest slope of z, 2 fy/uy, the change of 20 kN times fm C^pm, and the change of G.
+        // The bound adds 4 kN/mm for z (largest slope 2 fy/uy) and for the softening with G, and a force of 20 kN times
+        // its softening fm C^pm with fm = 0.12.
         double const bound = 4.0 * d + 20.0 * 0.12 * std::pow(d / 100.0, pm);
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
 }
 
 // A cycle that starts and ends at x = 0 takes energy for all parameters in the box. For a2 = 0 this can be shown: the
-// states G and C of docs/laws.md never shrink, so at any x the elastic force is smaller on the return than on the way
-// out, and z returns less energy than it took. The test finds the same for every a2 of the box.
+// states G and C, which soften the elastic force, never shrink, so at any x the elastic force is smaller on the return
+// than on the way out, and z returns less energy than it took. The test finds the same for random a2 of the box.
 TEST(Gallardo, CyclesDissipate) {
   for (double const amplitude : {1.0, 2.0, 50.0, 208.0})
     for (std::uint32_t i = 0; i < 300; ++i)

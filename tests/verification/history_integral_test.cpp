@@ -1,5 +1,5 @@
-// history-integral is compared with the closed form of its terms. Along a straight path of length L a term changes from
-// q0 to q = d + (q0 - d) exp(-L/D), with d the direction.
+// history-integral is compared with the closed form of its memory terms q. Along a straight path of length L a term
+// changes from q0 to d + (q0 - d) exp(-L/D), where d is the direction, +1 or -1, and D the length of the memory.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,15 +14,15 @@ namespace {
 
 using laws::HistoryIntegral;
 
-// Returns a law with two terms, (S, D) = (.1, .2) and (.05, .8), and an elastic stiffness of .4. The displacement is
-// dimensionless and 1 at 100 mm.
+// Returns a law with two terms of strength S and length D, (S, D) = (0.1 kN, 20 mm) and (0.05 kN, 80 mm), and an
+// elastic force of 0.4 kN at 100 mm.
 Values<HistoryIntegral> two_terms(double g) {
   return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
 }
 
-// The first expected force comes from a published path in two directions, whose first leg is straight. A script that
-// evaluates the terms from corner to corner gave the other four. All have nine decimals. A step that is cut into a
-// thousand pieces must give the same force.
+// In either case the first expected force comes from a published path in two directions, whose first leg is straight. A
+// script that evaluates the terms from corner to corner gave the other four forces. All have nine decimals. A step that
+// is cut into a thousand pieces must give the same force.
 TEST(HistoryIntegral, TwoTerms) {
   struct Case {
     double g;
@@ -54,7 +54,8 @@ TEST(HistoryIntegral, StationaryCycle) {
 }
 
 // The force must be continuous: as the last step is halved, the change of the force over it tends to 0. On the first
-// motion away from 0 this change falls as d^g, where d is the length of the step.
+// motion away from 0 this change falls as d^g, where d is the length of the step and g the exponent of the elastic
+// force.
 TEST(HistoryIntegral, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0}, {0, 50}, {0, 50, 10}, {0, 50, -50, 0}, {0, 50, -30, 50}};
   for (auto const& history : histories)
@@ -68,8 +69,9 @@ TEST(HistoryIntegral, IsContinuous) {
       }
 }
 
-// A cycle that starts and ends at x = 0 dissipates for all parameters in the box. The elastic force unloads along a
-// softer secant than it loaded, and the terms never return more energy than they took.
+// A cycle that starts and ends at x = 0 dissipates for all parameters in the box. The elastic force returns less energy
+// than it took, because its secant stiffness falls as the peak grows (g is at most 1). The memory terms never return
+// more than they took.
 TEST(HistoryIntegral, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 1000.0})
     for (std::uint32_t i = 0; i < 200; ++i) {

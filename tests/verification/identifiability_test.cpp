@@ -101,8 +101,8 @@ TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
   }
 }
 
-// The stiffness that a4 and a5 describe acts only near rest. In this test a5 is at least 4000 s/m and the device moves
-// faster than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes: neither a4 nor a5 has an
+// The stiffness a4 / cosh^2(a5 v) acts only at small velocities v. In this test a5 is at least 4000 s/m and the device
+// moves faster than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes: neither a4 nor a5 has an
 // effect.
 TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
   auto const motion = twins::growing_cycles(3, 98);
@@ -160,9 +160,10 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
   return std::sqrt(sum);
 }
 
-// A sentence on a trade-off names parameters and by how many percent they may change together with little effect on the
-// force. If they change so, the force must change by little more than the sentence says, even if some are negative.
-// Small parameters that the sentence leaves out may add a tenth of the change that the first parameter causes alone.
+// A sentence on a trade-off says by how many percent its parameters may change together, and how little the force then
+// changes. If they change so, the force must change by little more than the sentence says, even if some parameters are
+// negative. Small parameters that the sentence leaves out may add a tenth of the change that the first parameter causes
+// alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

@@ -25,7 +25,7 @@
 namespace isolaw::fit {
 namespace {
 
-// The permitted shift of the objective. The best objectives of two laws differ by 1e-3 and more.
+// Finer steps may shift the objective by this much. The best objectives of two laws differ by 1e-3 and more.
 constexpr double tolerance = 1e-4;
 constexpr int finer = 20;
 constexpr int random_sets = 100;
@@ -86,7 +86,7 @@ bool without_bounded_force(laws::LawEntry const& law, Values const& p) {
 }
 
 // Adds to `found` how far the objective of one law on one record shifts with finer steps. The dead band of the record
-// is switched off because it acts on the samples, whatever the steps.
+// is switched off, because the path of finer steps has none.
 void measure(laws::LawEntry const& law, data::FitRecord record, BoxKind kind, std::uint64_t stream_number,
              Shift& found) {
   record.dead_band_mm = 0.0;
@@ -133,7 +133,8 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
   fmt::print("{}, {}: largest shift {:.1e} at {} random sets ({} more not finite), {:.1e} at the best found\n", records,
              law.info.id, shift.random, shift.sets - shift.not_finite, shift.not_finite, shift.best);
   std::fflush(stdout);
-  // With small psi and lambda bwbn slips within less than a step. One of a thousand sets shifts by 1.6e-4.
+  // With small psi and lambda the slip (pinching) of bwbn begins and ends within one step. One of a thousand sets then
+  // shifts by 1.6e-4.
   EXPECT_LE(shift.random, law.info.id == "bwbn" ? 3e-4 : tolerance)
       << law.info.id << ": " << shift.beyond << " of " << shift.sets << " sets beyond; " << shift.worst;
   EXPECT_LE(shift.not_finite, rare * shift.sets) << law.info.id;
@@ -353,9 +354,8 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) the hysteretic force F2 never exceeds the largest yield force so far, Y0 (1 + |D/Uh|^p), whatever the
-// step; here this is 400 kN. The steps are up to 38 yield displacements long, as at 100 samples per cycle for a device
-// with a small yield displacement.
+// By Eq. (18) the hysteretic force F2 never exceeds the largest yield force so far, whatever the step. At the amplitude
+// of 150 mm it is Y0 (1 + |150/Uh|^p) = 400 kN here. The steps are up to 94 times the yield displacement U0 long.
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {
@@ -403,8 +403,8 @@ TEST(IntegrationShift, IsTheDifferenceFromAPathOfFinerSteps) {
   }
 }
 
-// docs/source.md, "Integration", says that with n = 0.3 one step per sample at 100 samples per cycle changes the
-// objective by 0.007. The test requires this order of magnitude, for which the program warns.
+// docs/source.md, "Integration", says that for n = 0.3 at 100 samples per cycle the paper's single step per sample
+// shifts the objective by 0.007. The test requires a shift from 0.001 to 0.02.
 TEST(IntegrationShift, OfThePaperIsLargeWhereTheSpecificationSaysSo) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {

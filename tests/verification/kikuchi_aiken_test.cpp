@@ -53,14 +53,15 @@ double work_along(std::vector<double> const& x, std::vector<double> const& force
   return sum;
 }
 
-// The published functions give the peak, the zero crossing of unloading, the energy of a cycle, 2 pi h G A^2, and the
-// solution of the equation for a. Another implementation computed the expected values to six digits.
+// For a cycle of strain amplitude A the published functions give the stress at the peak, the stress at zero strain on
+// unloading, the energy 2 pi h G A^2 with damping ratio h and shear modulus G, and the constants a and b of the
+// branches. Another implementation computed the expected values to six digits.
 TEST(KikuchiAiken, Compound) {
   struct Case {
     double A, peak, zero, energy, a, b, energy_tolerance;
   };
-  // The published formula for b neglects exp(-2c), which matters at strain 2. isolaw's branch ends exactly at the peak
-  // instead, which changes the energy by 5e-5.
+  // At strain 2 a branch also has the term b s exp(-c s). The formula for b neglects exp(-2c), and isolaw's branch,
+  // unlike the published one, ends exactly at the peak. Together this lowers the energy by 5e-5 of its value.
   for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
                         Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
                         Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
@@ -85,8 +86,8 @@ TEST(KikuchiAiken, InnerBranchesOfTheCompound) {
   }
 }
 
-// Tests inner branches with the overshoot term of b. The term acts if the last two turns were on opposite sides, not if
-// they were on the same side.
+// Tests inner branches with the term b s exp(-c s), by which a branch overshoots. The term acts if the last two turns
+// were on opposite sides of x = 0, not if they were on the same side.
 TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   std::array const stress{1.132924000, -1.132924000, 0.683569418, -0.474645786,
                           0.575618041, -0.284326719, 0.683569418, 1.132924000};
@@ -96,8 +97,9 @@ TEST(KikuchiAiken, InnerBranchesWithOvershoot) {
   for (std::size_t i = 0; i < stress.size(); ++i) EXPECT_NEAR(found.stress[i + 1], stress[i], 6e-10) << i;
 }
 
-// The expected values come from a script with its own code, which finds the exponent a by bisection and keeps its own
-// stack of turning points. With the second set of parameters the branches overshoot and the stiffness hardens.
+// The expected values come from a script with its own code, which finds the rate a of the branches' exponential by
+// bisection and keeps its own stack of turning points. With the second set of parameters the branches overshoot and the
+// stiffness hardens.
 TEST(KikuchiAiken, ItsOwnFunctions) {
   struct Case {
     Values<KikuchiAiken> values;
@@ -115,8 +117,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// The secant stiffness grows above the displacement xn. There the peak force is (1 + s1 (m - xn)) times the value
-// without growth, and a closed loop has the damping h for that force.
+// For a peak m above the displacement xn, the peak force is (1 + s1 (m - xn)) times the value without this growth. A
+// closed loop must have the damping ratio h with that force.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -134,8 +136,8 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// With these values the exponent a is 1.36, so small that the published branch would miss the peak by 13 % of the
-// hysteretic force.
+// With these values the rate a of the branches' exponential is only 1.36. The published branch, which isolaw closes,
+// would miss the peak by 13 % of the hysteretic force.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
 // A small loop of unloading and reloading that closes must not change later forces, except by rounding.
@@ -155,7 +157,8 @@ TEST(KikuchiAiken, LoopsClose) {
 }
 
 // The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. From rest
-// this change falls as d^(1-p), elsewhere as d. Some steps end on a peak or on a turning point, others go past it.
+// this change falls as d^(1-p) with the law's parameter p, elsewhere as d. Some steps end on a peak or on a turning
+// point, others go past it.
 TEST(KikuchiAiken, IsContinuous) {
   std::vector<std::vector<double>> const histories{{0},
                                                    {0, 50},
@@ -186,8 +189,8 @@ TEST(KikuchiAiken, IsContinuous) {
         }
 }
 
-// A closed loop between the peaks -m and m must dissipate 2 pi h Fm m. The tolerance allows for the share exp(-2a),
-// which is missing where a branch has no term of b.
+// A closed loop between the peaks -m and m must dissipate 2 pi h Fm m, with damping ratio h and peak force Fm. The
+// tolerance allows for the term that closes the branches, which is of the order of exp(-2a) here.
 TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   constexpr int steps = 4000;
   for (double const A : {20.0, 100.0, 200.0}) {
@@ -199,9 +202,10 @@ TEST(KikuchiAiken, DampingIsThatOfTheLoop) {
   }
 }
 
-// Up to 416 mm, twice the amplitude for which the box is made, the first two cycles from x = 0 dissipate. At 1040 mm h
-// may be 0, and on the first loading the force grows faster than the displacement, so less energy goes in than comes
-// back. There only the second cycle must dissipate, through the terms that close the branches.
+// Up to 416 mm, twice the amplitude for which the search box is made, the first two cycles from x = 0 dissipate. At
+// 1040 mm the damping ratio h may have fallen to 0, and on the first loading the force grows faster than the
+// displacement, so less energy goes in than comes back. There only the second cycle must dissipate, through the terms
+// that close the branches.
 TEST(KikuchiAiken, CyclesDissipate) {
   for (double const amplitude : {2.0, 50.0, 208.0, 416.0, 1040.0})
     for (std::uint32_t i = 0; i < 500; ++i) {

@@ -194,9 +194,9 @@ TEST(OdeOracle, AbeY0) {
   EXPECT_LT(errors<laws::AbeY0>(40, abe_y0, candidate<laws::AbeY0>).back(), 1e-5);
 }
 
-// abe keeps the yield force constant over a step and corrects for it. The largest errors come from the first sample
-// (with p near 0 the yield force jumps at x = 0) and from steps across F2 = 0 on the rough path. Most errors are far
-// smaller.
+// abe keeps the yield force constant over a step and then corrects the force for its change. The largest errors come
+// from the first sample (with the exponent p near 0 the yield force jumps at x = 0) and from steps in which the
+// hysteretic force passes 0 on the rough path. Most errors are far smaller.
 TEST(OdeOracle, Abe) {
   auto const all = errors<laws::Abe>(40, abe, candidate<laws::Abe>);
   EXPECT_LT(median(all), 2e-5);
@@ -233,9 +233,9 @@ Values<laws::BoucWen> bounded_bouc_wen(std::uint32_t index) {
   }
 }
 
-// These tests draw parameter sets from the box for a device of this size, as a search does. bouc-wen has exponents from
-// 0.5 to 2 and any ratio of beta to gamma. abe has yield displacements down to a thousandth of the largest
-// displacement. If the force of such sets were wrong, a search would exploit it.
+// These tests draw parameter sets from the search box for a device as large as the published ones, as a search does.
+// bouc-wen has exponents from 0.5 to 2 and any ratio of beta to gamma. abe has yield displacements down to a thousandth
+// of the largest displacement. If the force of such sets were wrong, a search would exploit it.
 TEST(OdeOracleInTheScaledBox, BoucWen) {
   EXPECT_LT(errors<laws::BoucWen>(100, bouc_wen, bounded_bouc_wen).back(), 1e-4);
 }
@@ -248,9 +248,9 @@ TEST(OdeOracleInTheScaledBox, Abe) {
   EXPECT_LT(all.back(), 0.01);
 }
 
-// With a tiny yield displacement F2 is saturated at Yt(x) = 40 (1 + (x/100)^2), except within a millimetre after each
-// reversal, however long the steps are. In the steady state F2 lags behind Yt by about Ut Yt' / n, which is 0.8 kN
-// here. F2 never exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
+// With a yield displacement Ut of at most 1 mm the hysteretic force F2 is nearly at the yield force Yt(x) = 40 (1 +
+// (x/100)^2), except within some millimetres after each reversal, however long the steps are. F2 lags behind Yt by
+// about Ut Yt' / n, at most 2.7 kN here. F2 never exceeds the largest Yt, 200 kN (plus 0.1 % for the integration).
 TEST(OdeOracle, AbeSaturatesAtItsYieldForceInLargeSteps) {
   auto const values = named<laws::Abe>(
       {{"alpha", 1.0}, {"n", 0.6}, {"Y0", 40.0}, {"Uh", 100.0}, {"p", 2.0}, {"U0", 0.5}, {"Us", 200.0}, {"r", 0.1}});

@@ -94,8 +94,8 @@ Turn circle(P<Law> const& p, double radius, int corners = 4000) {
   return {limit(once.size, twice.size), limit(once.lag, twice.lag), limit(once.work, twice.work)};
 }
 
-// On a circle of radius R, q is the size of the hysteretic force. It obeys q^n = cos(lag), and its lag obeys sin(lag) =
-// U q / R.
+// On a circle of radius R the hysteretic force of strength 1, exponent n and yield length U has the size q with q^n =
+// cos(lag). Its angle behind the motion, the lag, obeys sin(lag) = U q / R.
 TEST(PlaneLaws, circles_of_the_core) {
   struct Expected {
     double radius, size, lag;
@@ -176,8 +176,8 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
   return integrated(z, n, length - done, slope);
 }
 
-// Follows random straight steps, short and long, and compares each with the differential equation, started at the state
-// to which the law has come. Returns the largest difference.
+// Moves a law along random straight steps, short and long. For each step the differential equation is integrated from
+// the law's own state, so that errors do not add up. Returns the largest difference.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);

@@ -257,11 +257,12 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// If all devices are equal, their estimates differ only by the errors of the fits, and m trace(C^-1 S) is chi-squared
-// with n m degrees of freedom. C itself is about 0.10 too large: the kernel estimates the density of the residuals at
-// zero, f(0), too low by half the square of its relative width, and C varies as 1/f(0)^2. The largest eigenvalue of
-// C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most (Davidson and Szarek 2001,
-// Theorem II.13). The program takes the part of an eigenvalue above 1 for scatter between devices.
+// If all devices are equal, their estimates differ only by the errors of the fits. With n parameters, m = devices - 1,
+// the covariance S of the estimates and C of the errors, m trace(C^-1 S) is then chi-squared with n m degrees of
+// freedom. C itself is about 0.10 too large: the kernel estimates the density of the residuals at zero, f(0), too low
+// by half the square of its relative width, and C varies as 1/f(0)^2. For any t, the largest eigenvalue of C^-1 S
+// exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most (Davidson and Szarek 2001, Theorem
+// II.13). The program takes the part of an eigenvalue above 1 for scatter between devices.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.0, 0.01);

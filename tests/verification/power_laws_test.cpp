@@ -55,8 +55,8 @@ TEST(PowerLaws, Worn) {
   }
 }
 
-// Without its dashpot, power-masing-viscous equals power-masing bit by bit. So does power-masing-worn without wear and
-// without the force that it keeps.
+// Without its dashpot, power-masing-viscous equals power-masing bit by bit. So does power-masing-worn without wear (r =
+// 0) and without the lasting force that growing peaks leave (B = 0).
 TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
   auto const motion = polyline(corners, 9);
   auto const path = laws::make_path(motion.disp_mm, motion.velocity_mm_s);
@@ -69,8 +69,9 @@ TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
     EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
 }
 
-// For integer exponents a branch has a closed form: with x1 = x/xy and f = F/Fy the first loading is f (1 + f^4) = x1.
-// The energy of a cycle is 4 a xy Fy f^(r+1) (r-1)/(r+1).
+// For integer exponents a branch has a closed form: with displacement and force over those of yielding, x1 = x/xy and f
+// = F/Fy, the first loading is f (1 + f^4) = x1. A cycle up to f dissipates 4 a xy Fy f^(r+1) (r-1)/(r+1), with the
+// law's parameters a = 1 and r = 5.
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
   Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
@@ -92,8 +93,8 @@ TEST(PowerLaws, RambergOsgood) {
   }
 }
 
-// At h = 1 the formula for the length of the memory is a logarithm; elsewhere it is a power. The power must tend to the
-// logarithm.
+// While the peak M grows, power-scragging integrates dM / M^h for its memory: a logarithm at h = 1, a power elsewhere.
+// The power must tend to the logarithm.
 TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const path = laws::make_path(through(corners, 3), {});
   auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
@@ -132,7 +133,7 @@ TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
 }
 
 // The force must be continuous: as the last step d is halved, the change of the force over it tends to 0. Where a
-// branch begins, and on a side where the device has not been, this change falls as d^g.
+// branch begins, and on a side where the device has not been, this change falls as d^g with the law's exponent g.
 TEST(PowerLaws, MasingIsContinuous) {
   Values<PowerMasing> const values{80, 0.36, 45, 10, 60, 0.25};
   std::vector<std::vector<double>> const histories{
@@ -144,7 +145,7 @@ TEST(PowerLaws, MasingIsContinuous) {
         x.push_back(x.back() + sign * d);
         auto const force = forces<PowerMasing>(values, laws::make_path(x, {}));
         // The bound adds three changes of force: of the branch just after its start, of the elastic force on a side
-        // where the device has not been, and 1.5 kN/mm for the terms with C and H.
+        // where the device has not been, and 1.5 kN/mm for the virgin stiffness C and the hardening H.
         double const bound = 2.0 * 80.0 * std::pow(d / 100.0, 0.36) + 45.0 * std::pow(d / 100.0, 0.36) + 1.5 * d;
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }
@@ -169,9 +170,9 @@ std::vector<double> with_noise(std::vector<double> x, double deviation) {
   return x;
 }
 
-// The noise is 0.1 % of the amplitude. A dead band of three of its standard deviations changes the force little. The
-// mean change may be 0.5 % of the peak force; the largest seen is 0.31 %. It is largest after reversals, where branches
-// are steepest.
+// The noise is 0.1 % of the amplitude. A dead band of three of its standard deviations must change the force by less
+// than 0.5 % of the peak force on average; 0.31 % is the most seen. The change is largest after reversals, where
+// branches are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})

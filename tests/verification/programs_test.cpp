@@ -53,8 +53,9 @@ TEST(Replay, steel02_has_the_branches_of_menegotto_and_pinto) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(f[i], expected[i], 5.1e-10) << i;
 }
 
-// Without hardening K_eff = kb + f0 tanh(alpha D) / D, and the energy is 4 f0 (D - tanh(alpha D) / alpha). With kb 0.6,
-// f0 25, alpha 0.08 and D 150 they are 0.766667 kN/mm and 13750.00 kN mm.
+// Without hardening the force approaches the limit curves kb x +- f0 as exp(-alpha travel). Then K_eff = kb + f0
+// tanh(alpha D) / D, and the energy is 4 f0 (D - tanh(alpha D) / alpha). With kb 0.6 kN/mm, f0 25 kN, alpha 0.08 / mm
+// and D 150 mm they are 0.766667 kN/mm and 13750.00 kN mm.
 TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   Command const command{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};
@@ -64,8 +65,9 @@ TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   EXPECT_NEAR(energy(x, f, 1999), 13750.0, 0.05);
 }
 
-// The example in the material's documentation: ka 5, kb 0.5, f0 0.45, along 0, 1, -1, 1. An independent port of the
-// material gave the expected forces, and the energy of the loop from -1 to 1 and back.
+// The example in the material's documentation, from the displacement 0 to 1, -1 and 1: first stiffness 5, last
+// stiffness 0.5, strength 0.45. An independent port of the material gave the expected forces, and the energy of the
+// loop from -1 to 1 and back.
 TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   struct Set {
     double b1, b2, gamma, at_1, at_0, at_minus_1, again, energy;

@@ -28,7 +28,7 @@ TEST_P(Twin, IsFoundAgain) {
   IdentificationProblem const problem(model, twin.box);
   num::Stream const stream(stable_hash(GetParam()));
   std::vector<std::vector<double>> found;
-  // The law abe has the most free parameters, and one search of it takes a minute.
+  // A law with more than ten free parameters gets one search, not three: a search of abe takes a minute.
   std::uint64_t const runs = twin.box.free_count() > 10 ? 1 : 3;
   for (std::uint64_t run = 1; run <= runs; ++run) {
     auto const best = opt::minimise_multistart(problem, stream.split(run));

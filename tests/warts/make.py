@@ -185,8 +185,8 @@ def text_files():
 
 
 # Writes load and displacement of a compression test. The load rises `loadings` times from `least` to `largest` kN along
-# the curve `disp_of` and falls again with some hysteresis. During the first loading the device also settles: the
-# settlement grows with the load up to `settles` mm and then stays.
+# the curve disp_of(load), in mm, and falls again with some hysteresis. During the first loading the device also
+# settles: the settlement grows with the load up to `settles` mm and then stays.
 def compression(name, head, disp_of, loadings=3, least=50.0, largest=1000.0, load_sign=1.0, settles=0.02, unloads=True, end=math.inf):
     lines = [head]
     for number in range(loadings):

@@ -1,5 +1,5 @@
-// Replaces wording/fill.cpp in a test program: every sentence becomes the reversed key of its kind. A program that
-// reads its own sentences then behaves differently.
+// Replaces wording/fill.cpp in a test program: fill() returns the reversed text with its gaps unfilled, remark() the
+// reversed key of the finding's kind. A program that reads its own sentences then behaves differently.
 #include <algorithm>
 #include <string>
 
