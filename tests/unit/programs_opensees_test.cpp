@@ -157,7 +157,8 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// Up to the longest travel that isolaw states for a form, OpenSees must give finite forces.
+// For a material of OpenSees that stands for a law, isolaw states how far it may move. Up to there OpenSees must give
+// finite forces.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {

@@ -1,4 +1,4 @@
-// Writes all files of a report, each of them whole or not at all.
+// Tests the writing of a report: all files that were asked for are written, each of them whole or not at all.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

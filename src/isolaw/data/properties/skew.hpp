@@ -23,7 +23,8 @@ struct Skew {
   bool is_followed = true;  // the fit is within noise; else the loop is so sharp that it may only look late
 
   // Whether most reversals agree and the skew exceeds four standard errors (more if reversals are few) and a limit. The
-  // shape of a loop alone may look 0.035 rad early or 0.008 rad late, or 0.04 rad late if not is_followed.
+  // limit is a little above what the shape of a loop alone looks like: 0.04 rad early, 0.015 rad late, or 0.045 rad
+  // late if not is_followed.
   bool significant() const;
 };
 

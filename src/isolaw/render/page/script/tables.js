@@ -77,9 +77,10 @@ export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit 
   return columns.findIndex((column) => name(column) === own) === place ? own : own + '\n' + place;
 }
 
-// columns: [{title, unit, number, pinned, by, size}]; rows: [{cells: [text or node], className, foot}]. `by` returns
-// the sort key of one of `items`; `size` sorts by magnitude; a row with `foot` stays at the end; without `sorts` the
-// order is fixed; `follow` is called with a new order.
+// columns: [{title, unit, number, pinned, by, size, ...}]; rows: [{cells: [text or node], className, foot}]. `items`
+// has an object for each row, and `by` returns the sort key of such an object; without `by` the cell's text is the key.
+// `size` sorts by magnitude. A row with `foot` stays at the end. Without `sorts` the order is fixed. When the user
+// sorts, `follow` is called with the new order, {key, down}, or with null for the table's own.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [
