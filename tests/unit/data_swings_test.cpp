@@ -1,4 +1,5 @@
 #include "isolaw/data/cycles/swings.hpp"
+#include "isolaw/data/properties/swing_properties.hpp"
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,42 @@ TEST(Swings, TheWayToALargerLevelIsOneSwing) {
   ASSERT_NE(up, found.end());
   EXPECT_NEAR(disp[up->first], -30.0, 1e-9);
   EXPECT_NEAR(disp[up->last], 100.0, 1e-9);
+}
+
+// The force is x + 30 cos(2 pi t). Half a loop, 200 mm wide and 30 kN high, has the area pi / 2 * 100 * 30 kN mm.
+TEST(SwingProperties, OfAnEllipse) {
+  auto const h = history(0.001, 10.0, [](double t) { return 100.0 * sine(t); });
+  std::vector<double> force;
+  for (std::size_t i = 0; i < h.time_s.size(); ++i)
+    force.push_back(h.disp_mm[i] + 30.0 * std::cos(2.0 * std::numbers::pi * h.time_s[i]));
+  auto const found = swing_properties(h.disp_mm, force, h.time_s);
+  ASSERT_TRUE(found);
+  auto const swings_counted = 2.0 * static_cast<double>(found->pairs);
+  EXPECT_EQ(found->pairs, 18u);  // 19 swings between 20 turning points
+  EXPECT_NEAR(found->force_kN / swings_counted, 200.0, 1e-6);
+  EXPECT_NEAR(found->energy_kN_mm / swings_counted, 4712.39, 0.1);
+  EXPECT_NEAR(found->K_kN_per_mm, 1.0, 1e-9);
+  EXPECT_NEAR(found->damping_percent, 15.0, 1e-3);
+  auto moved = force;
+  for (auto& f : moved) f += 7.0;
+  EXPECT_NEAR(swing_properties(h.disp_mm, moved, h.time_s)->damping_percent, found->damping_percent, 1e-9);
+  EXPECT_NEAR(swing_properties(h.disp_mm, moved, h.time_s)->K_kN_per_mm, found->K_kN_per_mm, 1e-12);
+  // On the side of positive displacement the device moves further.
+  auto uneven = h.disp_mm;
+  for (auto& x : uneven) x *= x > 0.0 ? 1.1 : 0.9;
+  EXPECT_TRUE(std::isfinite(swing_properties(uneven, force, h.time_s)->damping_percent));
+}
+
+// The cycles of 100 mm are softer than those of 10 mm, and only they count.
+TEST(SwingProperties, AreThoseOfTheLargestSwings) {
+  auto const h = history(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * sine(t); });
+  std::vector<double> force;
+  for (std::size_t i = 0; i < h.time_s.size(); ++i) force.push_back((h.time_s[i] <= 90.0 ? 5.0 : 1.0) * h.disp_mm[i]);
+  auto const found = swing_properties(h.disp_mm, force, h.time_s);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->amplitude_mm, 100.0, 0.1);
+  EXPECT_NEAR(found->K_kN_per_mm, 1.0, 1e-9);
+  EXPECT_FALSE(swing_properties({{0, 1, 0}}, {{0, 1, 0}}, {}));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/properties/swing_properties.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"
@@ -93,6 +94,14 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   if (!device.usable()) return result;
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
+  auto const& properties = result.properties;
+  if (!properties.reported && !properties.is_false)
+    if (auto const swings = data::swing_properties(device.raw.disp_mm, device.raw.force_kN, device.raw.time_s))
+      result.notes.push_back({.kind = FindingKind::largest_swings,
+                              .numbers = {{"pairs", static_cast<double>(swings->pairs)},
+                                          {"amplitude_mm", swings->amplitude_mm},
+                                          {"K_kN_per_mm", swings->K_kN_per_mm},
+                                          {"damping_percent", swings->damping_percent}}});
   result.effects = std::move(budget.effects);
   // Reading a record does not smooth it, so the warnings about smoothing are added here.
   if (smooth > 1) {
@@ -142,14 +151,23 @@ void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
   fitted.energy_fall = energy_fall(measured, record, fitted.force_kN);
-  auto const cycle = compared_cycle(measured, record);
-  if (!cycle) return;
-  auto const& reference = *cycle;
-  auto const computed = data::properties_on(reference, record.disp_mm, fitted.force_kN);
   auto const error = [](double value, double truth) {
     return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
   };
-  fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference.K_eff_kN_per_mm);
+  if (auto const reference = compared_cycle(measured, record)) {
+    auto const computed = data::properties_on(*reference, record.disp_mm, fitted.force_kN);
+    fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference->K_eff_kN_per_mm);
+    fitted.energy_error_percent = error(computed.energy_kN_mm, reference->energy_kN_mm);
+    fitted.damping_error_percent = error(computed.damping_percent, reference->damping_percent);
+    return;
+  }
+  auto swings = data::swings(record.disp_mm, time);
+  std::erase_if(swings,
+                [&](auto const& swing) { return !record.is_scored(swing.first) || !record.is_scored(swing.last); });
+  auto const reference = data::properties_on(swings, record.disp_mm, record.force_kN);
+  if (measured.is_false || !(reference.K_kN_per_mm > 0.0)) return;
+  auto const computed = data::properties_on(swings, record.disp_mm, fitted.force_kN);
+  fitted.K_eff_error_percent = error(computed.K_kN_per_mm, reference.K_kN_per_mm);
   fitted.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
   fitted.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
 }

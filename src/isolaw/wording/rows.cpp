@@ -362,6 +362,9 @@ std::span<Row const> rows() {
       fact(
           average_over_samples, "average-over-samples",
           "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, removes {percent:2} % of the motion at the test's frequency and {third_harmonic_percent:2} % of its third harmonic. This affects only the laws; properties are computed from raw values."),
+      fact(
+          largest_swings, "largest-swings",
+          "the largest swings, to and fro over {amplitude_mm:4} mm on average ({pairs} pair{|s} of neighbours), have a stiffness of {K_kN_per_mm:4} kN/mm and a damping of {damping_percent:3} %."),
       fact(file_format, "file-format", stated),
       fact(header_found, "header-found", stated),
       fact(column_taken, "column-taken", stated),
