@@ -14,7 +14,7 @@
 namespace isolaw::programs {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite_difference = std::numeric_limits<double>::infinity();
 
 double work(std::span<double const> x, std::span<double const> f) {
   double sum = 0.0;
@@ -24,7 +24,7 @@ double work(std::span<double const> x, std::span<double const> f) {
 
 double peak(std::span<double const> f) {
   double most = 0.0;
-  for (double const v : f) most = std::isfinite(v) ? std::max(most, std::abs(v)) : infinite;
+  for (double const v : f) most = std::isfinite(v) ? std::max(most, std::abs(v)) : infinite_difference;
   return most;
 }
 
@@ -51,7 +51,7 @@ std::vector<double> own_force(Subject const& subject, History const& history) {
 
 std::optional<double> percent_of(double value, double truth) {
   if (!(truth > 0.0) || !std::isfinite(truth)) return std::nullopt;
-  return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite;
+  return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite_difference;
 }
 
 std::string share_text(double share) {

@@ -9,8 +9,9 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_return = 0.05;  // fraction of half the range by which the motion comes back from a turning point
-constexpr double rest_band = 0.01;     // fraction of the range within which a motion rests
+constexpr double least_way_back =
+    0.05;                           // fraction of half the range by which the motion comes back from a turning point
+constexpr double rest_band = 0.01;  // fraction of the range within which a motion rests
 constexpr double alike_within = 0.10;
 
 std::vector<std::size_t> turning_points(std::span<double const> x, double back) {
@@ -56,18 +57,18 @@ std::vector<double> moving_intervals(std::span<double const> x, std::span<double
   return intervals;
 }
 
-struct Motion {
+struct SwingingMotion {
   std::vector<double> intervals;
   std::vector<Swing> swings;
 };
 
-Motion motion_in(std::span<double const> x, std::span<double const> time_s) {
+SwingingMotion motion_in(std::span<double const> x, std::span<double const> time_s) {
   if (x.size() < 3) return {};
   auto const [least, most] = std::ranges::minmax(x);
   double const range = most - least;
   if (!(range > 0.0)) return {};
-  auto const turns = turning_points(x, 0.5 * least_return * range);
-  Motion motion{.intervals = moving_intervals(x, time_s, turns, range), .swings = {}};
+  auto const turns = turning_points(x, 0.5 * least_way_back * range);
+  SwingingMotion motion{.intervals = moving_intervals(x, time_s, turns, range), .swings = {}};
   for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
     Swing swing{
         .first = turns[k], .last = turns[k + 1], .half_range_mm = 0.5 * std::abs(x[turns[k + 1]] - x[turns[k]])};
@@ -102,7 +103,7 @@ std::vector<double> sample_weights(std::span<double const> x, std::span<double c
     weights[interval] += 0.5 * weight;
     weights[interval + 1] += 0.5 * weight;
   };
-  auto const motion = weighting == Weighting::swing ? motion_in(x, time_s) : Motion{};
+  auto const motion = weighting == Weighting::swing ? motion_in(x, time_s) : SwingingMotion{};
   if (!motion.swings.empty()) {
     for (auto const& swing : motion.swings)
       for (auto i = swing.first; i < swing.last; ++i)

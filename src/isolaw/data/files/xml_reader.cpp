@@ -18,19 +18,19 @@ std::string_view without_prefix(std::string_view name) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-class Reader {
+class ExpatReader {
  public:
-  Reader(std::string const& place, XmlHandlers const& handlers)
+  ExpatReader(std::string const& place, XmlHandlers const& handlers)
       : place_(place), handlers_(handlers), parser_(XML_ParserCreate(nullptr)) {
     if (parser_ == nullptr) throw std::bad_alloc();
     XML_SetUserData(parser_, this);
-    XML_SetElementHandler(parser_, &Reader::on_start, &Reader::on_end);
-    XML_SetCharacterDataHandler(parser_, &Reader::on_text);
-    XML_SetStartDoctypeDeclHandler(parser_, &Reader::on_doctype);
+    XML_SetElementHandler(parser_, &ExpatReader::on_start, &ExpatReader::on_end);
+    XML_SetCharacterDataHandler(parser_, &ExpatReader::on_text);
+    XML_SetStartDoctypeDeclHandler(parser_, &ExpatReader::on_doctype);
   }
-  Reader(Reader const&) = delete;
-  Reader& operator=(Reader const&) = delete;
-  ~Reader() { XML_ParserFree(parser_); }
+  ExpatReader(ExpatReader const&) = delete;
+  ExpatReader& operator=(ExpatReader const&) = delete;
+  ~ExpatReader() { XML_ParserFree(parser_); }
 
   void parse(std::string_view piece, bool last) {
     constexpr std::int64_t longest_tag = 1 << 20;
@@ -67,7 +67,7 @@ class Reader {
     XML_StopParser(parser_, XML_FALSE);
   }
 
-  static Reader& of(void* user) { return *static_cast<Reader*>(user); }
+  static ExpatReader& of(void* user) { return *static_cast<ExpatReader*>(user); }
   static void on_start(void* user, char const* name, char const** attributes) {
     constexpr int deepest = 64;
     auto& reader = of(user);
@@ -105,7 +105,7 @@ std::string_view Attributes::operator[](std::string_view name) const {
 
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view)> const&)> const& source) {
-  Reader reader(place, handlers);
+  ExpatReader reader(place, handlers);
   source([&](std::string_view piece) { reader.parse(piece, false); });
   reader.parse({}, true);
 }
