@@ -34,7 +34,7 @@ std::string together(laws::LawEntry const& law) {
 }
 void print_markdown() {
   fmt::print(
-      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there, as if it had come there without history; analysis\nprograms start at zero.\n");
+      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there; a law that remembers its path takes the way there from zero\nas its first motion. Analysis programs start at zero.\n");
   for (auto const& law : laws::catalogue()) {
     fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}{}; of `--laws {}`.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,

@@ -1,4 +1,5 @@
-// The list of laws. To add a law, include its header and append its type to AllLaws.
+// The list of laws. To add a law, include its header and add its type to AllLaws, in alphabetical order
+// behind the laws of the paper.
 #pragma once
 
 #include <tuple>

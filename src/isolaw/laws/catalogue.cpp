@@ -90,7 +90,7 @@ std::optional<LawEntry::Unmet> LawEntry::unmet(std::span<double const> values) c
 
 std::string_view memory_of(LawInfo const& law) {
   if (law.traits.masing) return "turning points";
-  return law.traits.remembers ? "peaks and travel of each side" : "its own state, or none";
+  return law.traits.remembers ? "peaks or travel" : "its own state, or none";
 }
 
 std::span<LawEntry const> catalogue() {

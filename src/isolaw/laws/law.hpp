@@ -14,13 +14,16 @@
 //   Constants<T, X>, constants<T, X>(params)      what follows from the parameters alone, computed once
 //   start(params, constants, state, step)         sets the state at the first sample, if it is not State's own values
 //   Memory<X>             if traits.remembers: which parts of the path's memory the law reads (memory/). Its step
-//                         gets them as a fifth argument. A State with a stack sizes it in make_room.
+//                         gets them as a fifth argument. A State with a stack sizes it in make_room. Such a law ignores
+//                         motion within the record's dead band, and its first motion goes from 0 to the first sample.
+//                         What no part of memory/ offers may lie in State, where each candidate computes it anew.
 //   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
 //   crowded               true: a step holds so many values at once that kernels compute fewer lanes
 //   joint_limits          one JointLimit for each condition between several parameters
 //   reduced(params)       for a law with a redundant parameter: parameters that give the same forces, in which
 //                         `redundant`, which trades off with `redundant_with`, is `redundant_value`
-//   canonical(params)     the law of analysis programs that equals this one (canonical.hpp)
+//   canonical(params)     the law of analysis programs that equals this one, or NoForm{what those programs lack}
+//                         (parts/canonical.hpp)
 //
 // Four rules keep one step fast and right for all of them:
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
@@ -152,7 +155,8 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It only estimates
-  // which runs cost more, so that each machine of a campaign gets its share: it may stay when the law changes.
+  // which runs cost more, so that each machine of a campaign gets its share. Without such a processor take that of a
+  // law of similar cost.
   unsigned step_cost = 500;
 };
 

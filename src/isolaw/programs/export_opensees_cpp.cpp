@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "isolaw/laws/online/online.hpp"
 #include "isolaw/programs/cpp_form.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/interface_parts.hpp"
@@ -27,6 +28,15 @@ Variants variants_of(Subject const& subject) {
   if (subject.bounds.lower) add("lower");
   if (subject.bounds.upper) add("upper");
   return variants;
+}
+
+// Whether the slope of the first motion has no bound. Its tangents near the start then differ.
+bool starts_steeply(Subject const& subject) {
+  double const amplitude = subject.design_disp_mm / subject.law->info.length.in_record_units;
+  auto const tangent = [&](double share) {
+    return laws::Online(subject.law->info.id, subject.parameters).trial(share * amplitude, 0.0).by_x;
+  };
+  return tangent(1e-9) > 1.5 * tangent(1e-6);
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ std::string opensees_material(Subject const& subject, UnitSystem const& units) {
              name, variants.names,
              traits.rate_independent ? "The law does not depend on the velocity."
                                      : "The law depends on the velocity, which both pass on.",
-             traits.remembers
+             starts_steeply(subject)
                  ? "// Its first motion has no bounded slope: where that step does not converge, algorithm KrylovNewton or\n"
                    "//   NewtonLineSearch.\n"
                  : "") +
