@@ -355,7 +355,8 @@ TEST_P(Faults, AMillionSamplesDoNotDrift) {
       GetParam(), force.size(), 1e9 * time_s / static_cast<double>(force.size()), since_second / peak,
       since_tenth / peak);
   if (!changes_over_cycles(GetParam())) {
-    constexpr auto hint = "if its loops change over equal cycles, name the law in changes_over_cycles (single_laws.hpp)";
+    constexpr auto hint =
+        "if its loops change over equal cycles, name the law in changes_over_cycles (single_laws.hpp)";
     EXPECT_LE(since_second, 5e-6 * peak) << hint;
     EXPECT_LE(since_tenth, 1e-12 * peak) << hint;
   }
