@@ -1,6 +1,7 @@
 // The campaign's store: everything written can be read, a run is stored whole or not at all, and files that are not
 // stores are refused.
 #include "isolaw/campaign/store.hpp"
+#include "isolaw/data/files/table.hpp"
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>

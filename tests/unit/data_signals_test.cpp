@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "finding_text.hpp"
+#include "isolaw/data/channels/time_gaps.hpp"
 #include "isolaw/data/cycles/holds.hpp"
 #include "isolaw/data/signals/signal_faults.hpp"
 #include "motions.hpp"

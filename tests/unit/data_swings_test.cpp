@@ -12,11 +12,11 @@
 namespace isolaw::data {
 namespace {
 
-struct History {
+struct SampledMotion {
   std::vector<double> time_s, disp_mm;
 };
-History history(double interval_s, double end_s, double (*disp_mm)(double)) {
-  History h;
+SampledMotion sampled_motion(double interval_s, double end_s, double (*disp_mm)(double)) {
+  SampledMotion h;
   auto const count = static_cast<std::size_t>(std::lround(end_s / interval_s)) + 1;
   for (std::size_t i = 0; i < count; ++i) {
     h.time_s.push_back(interval_s * static_cast<double>(i));
@@ -24,7 +24,7 @@ History history(double interval_s, double end_s, double (*disp_mm)(double)) {
   }
   return h;
 }
-double sine(double t) {
+double unit_sine(double t) {
   return std::sin(2.0 * std::numbers::pi * t);
 }
 
@@ -45,7 +45,7 @@ double misfit(std::vector<double> const& weights, std::vector<double> const& mea
 // Ninety small cycles and ten of ten times their amplitude. The force equals the displacement, and a computed force is
 // a fifth too large from 90 s on. The expected misfits come from another program, for samples every 2.5 ms.
 TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
-  auto const h = history(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * sine(t); });
+  auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   auto too_large = h.disp_mm, small_too_large = h.disp_mm;
   for (std::size_t i = 0; i < h.time_s.size(); ++i) (h.time_s[i] >= 90.0 ? too_large : small_too_large)[i] *= 1.2;
   auto const weights = [&](Weighting weighting) { return sample_weights(h.disp_mm, h.time_s, weighting); };
@@ -57,7 +57,7 @@ TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
 }
 
 TEST(Swings, OfOneAmplitudeWeighAsTime) {
-  auto const h = history(0.005, 10.0, [](double t) { return 100.0 * sine(t); });
+  auto const h = sampled_motion(0.005, 10.0, [](double t) { return 100.0 * unit_sine(t); });
   auto too_large = h.disp_mm;
   for (auto& force : too_large) force *= 1.2;
   auto const found = swings(h.disp_mm, h.time_s);
@@ -99,8 +99,10 @@ TEST(Swings, AMotionWithoutTwoTurningPointsIsWeighedByTime) {
 
 // A rest at the end or within the motion has no weight, and takes nothing from the swing that it interrupts.
 TEST(Swings, DoNotCountRest) {
-  auto const moving = history(0.01, 5.0, [](double t) { return 100.0 * sine(t); });
-  auto held = history(0.01, 65.0, [](double t) { return 100.0 * sine(t < 2.5 ? t : t < 62.5 ? 2.5 : t - 60.0); });
+  auto const moving = sampled_motion(0.01, 5.0, [](double t) { return 100.0 * unit_sine(t); });
+  auto held = sampled_motion(0.01, 65.0, [](double t) {
+    return 100.0 * unit_sine(t < 2.5 ? t : t < 62.5 ? 2.5 : t - 60.0);
+  });
   auto const found = swings(held.disp_mm, held.time_s), expected = swings(moving.disp_mm, moving.time_s);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -124,7 +126,7 @@ TEST(Swings, TheWayToALargerLevelIsOneSwing) {
 
 // The force is x + 30 cos(2 pi t). Half a loop, 200 mm wide and 30 kN high, has the area pi / 2 * 100 * 30 kN mm.
 TEST(SwingProperties, OfAnEllipse) {
-  auto const h = history(0.001, 10.0, [](double t) { return 100.0 * sine(t); });
+  auto const h = sampled_motion(0.001, 10.0, [](double t) { return 100.0 * unit_sine(t); });
   std::vector<double> force;
   for (std::size_t i = 0; i < h.time_s.size(); ++i)
     force.push_back(h.disp_mm[i] + 30.0 * std::cos(2.0 * std::numbers::pi * h.time_s[i]));
@@ -148,7 +150,7 @@ TEST(SwingProperties, OfAnEllipse) {
 
 // The cycles of 100 mm are softer than those of 10 mm, and only they count.
 TEST(SwingProperties, AreThoseOfTheLargestSwings) {
-  auto const h = history(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * sine(t); });
+  auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   std::vector<double> force;
   for (std::size_t i = 0; i < h.time_s.size(); ++i) force.push_back((h.time_s[i] <= 90.0 ? 5.0 : 1.0) * h.disp_mm[i]);
   auto const found = swing_properties(h.disp_mm, force, h.time_s);
