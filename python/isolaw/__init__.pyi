@@ -182,6 +182,7 @@ def calibrate(
     samples_per_cycle: int | Literal["all"] | None = 200,
     center: bool = False,
     dead_band: float | Literal["auto"] = "auto",
+    weights: Literal["time", "swing", "travel"] = "time",
     fit_blocks: str = "all",
     fit_cycles: str = "all",
     score_blocks: str = "all",
