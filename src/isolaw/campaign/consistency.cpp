@@ -26,7 +26,7 @@ void require_device(Device const& d) {
   bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
                     same(raw.load_kN, raw.size()) && fit.time_s.size() == fit.size() &&
                     same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size() &&
-                    same(fit.scored, fit.size()) && same(fit.block, fit.size());
+                    same(fit.scored, fit.size()) && same(fit.weights, fit.size()) && same(fit.block, fit.size());
   auto const& vertical = d.vertical;
   if (vertical.load_kN.size() != vertical.disp_mm.size() || !all_finite(vertical.load_kN) ||
       !all_finite(vertical.disp_mm) || (vertical.stated_kN_per_mm && !(*vertical.stated_kN_per_mm > 0.0)))
@@ -35,6 +35,8 @@ void require_device(Device const& d) {
   if (!fits) fail(fmt::format("the channels of device '{}' differ in length", d.name));
   if (!std::ranges::all_of(fit.scored, [](double value) { return value == 0.0 || value == 1.0; }))
     fail(fmt::format("what is scored of device '{}' is neither 0 nor 1", d.name));
+  if (!std::ranges::all_of(fit.weights, [](double value) { return std::isfinite(value) && value >= 0.0; }))
+    fail(fmt::format("the weights of the samples of device '{}' are no weights", d.name));
   if (d.usable() && fit.size() == 0) fail(fmt::format("device '{}' has no record", d.name));
 }
 

@@ -68,6 +68,7 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("fit", "vel_mm_s", device.record.vel_mm_s);
   visit("fit", "force_kN", device.record.force_kN);
   visit("fit", "scored", device.record.scored);
+  visit("fit", "weights", device.record.weights);
   visit("fit", "block", device.record.block);
 }
 

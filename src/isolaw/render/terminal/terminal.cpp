@@ -11,6 +11,7 @@
 
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/wording/table.hpp"
@@ -429,9 +430,9 @@ std::string answer(Summary const& summary, std::string_view directory, int width
   for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
     text += wrapped(i == 0 ? "Look at" : "", wording::sentence(groups[i], 3), margin, width);
   if (every.size() > most)
-    text += wrapped(groups.empty() ? "Look at" : "",
-                    fmt::format("{} more warnings: --details", every.size() - std::min(most, groups.size())), margin,
-                    width);
+    text +=
+        wrapped(groups.empty() ? "Look at" : "",
+                counted(every.size() - std::min(most, groups.size()), "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
     text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory,
