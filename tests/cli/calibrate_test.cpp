@@ -185,6 +185,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
       auto const& fit = law["devices"][d];
       EXPECT_EQ(keys(fit), (Words{"name",
                                   "objective",
+                                  "objective_by_time",
                                   "K_eff_error_percent",
                                   "energy_error_percent",
                                   "damping_error_percent",

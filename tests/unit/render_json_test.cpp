@@ -108,6 +108,7 @@ TEST(SummaryJson, ExactText) {
             "std": null,
             "best": 0.1
           },
+          "objective_by_time": null,
           "K_eff_error_percent": -1.5,
           "energy_error_percent": null,
           "damping_error_percent": null,

@@ -23,6 +23,14 @@
 namespace isolaw::study {
 namespace {
 
+// Whether a record has no cycle to report because its motion is not cyclic, while nothing is wrong with its signals.
+bool is_irregular(data::Properties const& properties) {
+  return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
+    return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||
+           finding.kind == FindingKind::no_cycle_counts;
+  });
+}
+
 using Runs = std::vector<campaign::Run const*>;
 
 Statistic statistic(std::vector<double> const& values) {
@@ -94,8 +102,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   if (!device.usable()) return result;
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
-  auto const& properties = result.properties;
-  if (!properties.reported && !properties.is_false)
+  if (is_irregular(result.properties))
     if (auto const swings = data::swing_properties(device.raw.disp_mm, device.raw.force_kN, device.raw.time_s))
       result.notes.push_back({.kind = FindingKind::largest_swings,
                               .numbers = {{"pairs", static_cast<double>(swings->pairs)},
@@ -165,7 +172,7 @@ void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
   std::erase_if(swings,
                 [&](auto const& swing) { return !record.is_scored(swing.first) || !record.is_scored(swing.last); });
   auto const reference = data::properties_on(swings, record.disp_mm, record.force_kN);
-  if (measured.is_false || !(reference.K_kN_per_mm > 0.0)) return;
+  if (!is_irregular(measured) || !(reference.K_kN_per_mm > 0.0)) return;
   auto const computed = data::properties_on(swings, record.disp_mm, fitted.force_kN);
   fitted.K_eff_error_percent = error(computed.K_kN_per_mm, reference.K_kN_per_mm);
   fitted.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
