@@ -9,10 +9,8 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_way_back =
-    0.05;                           // fraction of half the range by which the motion comes back from a turning point
-constexpr double rest_band = 0.01;  // fraction of the range within which a motion rests
-constexpr double alike_within = 0.10;
+constexpr double least_way_back = 0.05;  // fraction of half the range by which a motion comes back from a turn
+constexpr double rest_band = 0.01;       // fraction of the range within which a motion rests
 
 std::vector<std::size_t> turning_points(std::span<double const> x, double back) {
   std::vector<std::size_t> turns;
@@ -82,15 +80,6 @@ SwingingMotion motion_in(std::span<double const> x, std::span<double const> time
 
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s) {
   return motion_in(disp_mm, time_s).swings;
-}
-
-bool are_alike(std::span<Swing const> swings) {
-  if (swings.empty()) return true;
-  auto const agree = [&](double Swing::*value) {
-    auto const [least, most] = std::ranges::minmax_element(swings, {}, value);
-    return (*most).*value <= (1.0 + alike_within) * ((*least).*value);
-  };
-  return agree(&Swing::half_range_mm) && agree(&Swing::duration);
 }
 
 std::string_view name(Weighting weighting) {

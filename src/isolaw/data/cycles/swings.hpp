@@ -20,9 +20,6 @@ struct Swing {
 // is longer than the median swing and stays within 1 % of the range. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
-// Whether half ranges and durations of all swings agree within 10 %, as in a test of one amplitude and one frequency.
-bool are_alike(std::span<Swing const> swings);
-
 // How much the samples of a record count in the misfit of a law.
 //   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
 //   swing   that time, without rest, times half range / duration of its swing; 0 outside all swings
