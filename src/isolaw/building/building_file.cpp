@@ -156,7 +156,8 @@ std::vector<FileKey> make_keys() {
 std::span<FileKey const> keys_of(std::string_view table) {
   static auto const keys = make_keys();
   auto const first = std::ranges::find(keys, table, &FileKey::table);
-  return {first, std::find_if(first, keys.end(), [&](FileKey const& key) { return key.table != table; })};
+  auto const end = std::find_if(first, keys.end(), [&](FileKey const& key) { return key.table != table; });
+  return std::span(keys).subspan(static_cast<std::size_t>(first - keys.begin()), static_cast<std::size_t>(end - first));
 }
 
 // Reads the tables of a file, one at a time, into one FileTables object.
