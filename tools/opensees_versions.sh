@@ -12,8 +12,8 @@ for version in "${versions[@]}"; do
   folder=$PWD/build/opensees-$version
   python=/usr/bin/python3
   if [[ $version == 3.8.* ]]; then
-    python=$(command -v python3.12 || true)
-    [ -n "$python" ] || { echo "$version: left out, it needs Python 3.12 and there is none"; continue; }
+    python=python3.12
+    "$python" -c '' 2>/dev/null || { echo "$version: left out, it needs Python 3.12 and there is none"; continue; }
   fi
   if ! ISOLAW_OPENSEES_PYTHON=$python tools/opensees.sh "$folder" "$version"; then
     echo "$version: left out, it cannot be installed"
