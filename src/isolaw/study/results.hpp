@@ -169,8 +169,7 @@ inline constexpr Result<LotLaw> lot_law_results[]{
 inline constexpr Result<DeviceFit> fit_results[]{
     {"name", "", "device", "name of the device", get<&DeviceFit::device>},
     {"objective", "-", "OF", "statistics over the usable runs", get<&DeviceFit::objective>},
-    {"objective_by_time", "-", "OF by time",
-     "mean over time, Eq. (27) of Cucuzza et al. 2025, of the best run",
+    {"objective_by_time", "-", "OF by time", "mean over time, Eq. (27) of Cucuzza et al. 2025, of the best run",
      get<&DeviceFit::objective_by_time>},
     {"K_eff_error_percent", "%", "K_eff error",
      "error of the effective stiffness: that of the best fit less that of the record it was fitted to, relative to the record, on the reported cycle; where part of the record is scored (`fit-blocks`, `fit-cycles`), on that part's third counted cycle, or its last, in the block of largest amplitude; without a counted cycle, on the largest swings",
