@@ -16,7 +16,7 @@
 //   Memory<X>             if traits.remembers: which parts of the path's memory the law reads (memory/). Its step
 //                         gets them as a fifth argument. A State with a stack sizes it in make_room. Such a law ignores
 //                         motion within the record's dead band, and its first motion goes from 0 to the first sample.
-//                         What no part of memory/ offers may lie in State, where each candidate computes it anew.
+//                         A memory that no part of memory/ offers lies in State; each candidate computes it.
 //   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
 //   crowded               true: a step holds so many values at once that kernels compute fewer lanes
 //   joint_limits          one JointLimit for each condition between several parameters
