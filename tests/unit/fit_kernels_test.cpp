@@ -91,7 +91,7 @@ class Kernels : public ::testing::TestWithParam<Case> {
   // unstable.
   int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
 
-  // Cycles of the example lot's size. `irregular` has reversals at many samples and small loops within large ones.
+  // Cycles of the example lot's amplitude. `irregular` has reversals at many samples and small loops within large ones.
   data::FitRecord regular() const {
     return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
   }

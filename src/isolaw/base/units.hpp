@@ -23,7 +23,7 @@ inline constexpr Unit m{Dimension::length, "m", 1e3};
 inline constexpr Unit s{Dimension::time, "s", 1.0};
 
 // The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
-// are ignored. "mN" is unknown: load cells report meganewtons, never millinewtons.
+// are ignored. "mN" is unknown nevertheless: without its case, a millinewton would be read as a meganewton.
 std::optional<Unit> parse_unit(std::string_view text);
 
 std::string known_units(Dimension dimension);  // "kN, N, MN, tonf, kgf, daN, kip, lbf"

@@ -27,7 +27,7 @@ EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion,
 // x and y, on a diaphragm of the nominal building. The spectra are means over the motions.
 inline constexpr double spectrum_damping = 0.05;
 std::vector<double> const& spectrum_periods_s();
-// Adds `share` times the spectra of a run to `to`, [diaphragm][period].
+// Adds `share` times the spectra of a run, in g, to `to`, [diaphragm][period].
 void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share);
 
 }  // namespace isolaw::building

@@ -118,7 +118,7 @@ std::string exactly(double value) {
 std::string argument_values(Command const& command, std::string_view separator) {
   std::string text;
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
-    // maxIter must be written without a decimal point.
+    // OpenSees reads maxIter as an integer, which has no decimal point.
     bool const count = (i == 10 && command.name == "BoucWen") || (i == 9 && command.name == "BoucWenOriginal");
     text += separator;
     text += count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]);

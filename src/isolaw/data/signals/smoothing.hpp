@@ -5,7 +5,7 @@
 
 namespace isolaw::data {
 
-// The odd window shrinks symmetrically at both ends of `values`. The cost does not depend on the window.
+// `window`, an odd number of samples, shrinks symmetrically at both ends of `values`. It does not change the cost.
 std::vector<double> moving_average(std::vector<double> const& values, int window);
 
 // Derivative of the parabola through three neighbouring samples, in units of `values` per second. It is exact for

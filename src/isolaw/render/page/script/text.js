@@ -74,7 +74,8 @@ export const spanText = (values, digits, text = fixed) => {
   return low === high ? low : low + ' to ' + high;
 };
 
-// "0.15 to 0.2 kN/mm": at least three significant digits, and as many as the two numbers need to differ.
+// "0.150 to 0.200 kN/mm": three significant digits, or as many as the two numbers need to differ, up to six. Numbers
+// that still agree are written as one.
 export function rangeText([low, high], unit) {
   for (let digits = 3; digits < 7; ++digits)
     if (low === high || significant(low, digits) !== significant(high, digits))
