@@ -84,7 +84,7 @@ export function drawSave({ busy, show }) {
   }
   const summary = state.campaign?.summary;
   const laws = summary?.laws.map(({ id }) => id) ?? [];
-  if (!laws.includes(chosen.law)) chosen.law = summary?.recommendations?.find(({ law }) => laws.includes(law))?.law ?? laws[0] ?? null;
+  if (!laws.includes(chosen.law)) chosen.law = laws.includes(summary?.recommendation?.law) ? summary.recommendation.law : (laws[0] ?? null);
   const title = (id) => state.laws.find((one) => one.id === id)?.title ?? id;
   const devices = summary?.devices.filter(({ status }) => status === 'ok').map(({ name: one }) => one) ?? [];
   // A law for the whole lot exists only if analyses were made and the lot has at least two devices.
@@ -135,12 +135,8 @@ export function drawSave({ busy, show }) {
       { class: 'card form', 'aria-labelledby': 'export-title' },
       element('h3', { id: 'export-title' }, text.export),
       element('p', { class: 'fine' }, summary ? text.exportWhy : text.exportNone),
-      summary &&
-        element(
-          'ul',
-          { class: 'sentences', id: 'answers' },
-          summary.recommendations.map(({ title: purpose, answer, sure }) => element('li', {}, element('b', {}, purpose + ' '), visible(answer), ' ', element('small', {}, visible(sure)))),
-        ),
+      summary?.recommendation &&
+        element('p', { id: 'answers' }, visible(summary.recommendation.answer), ' ', element('small', {}, visible(summary.recommendation.sure))),
       summary &&
         element(
           'div',

@@ -24,10 +24,10 @@ function reportAsShown() {
   const report = JSON.parse(document.getElementById('isolaw-data').textContent);
   const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
   const named = (id) => names[id] ?? id;
-  for (const one of report.findings.recommendations) {
-    one.law = named(one.law);
-    one.ties = one.ties.map(named);
-    for (const standing of one.standings) standing.law = named(standing.law);
+  const { recommendation } = report.findings;
+  if (recommendation) {
+    recommendation.law &&= named(recommendation.law);
+    for (const standing of recommendation.standings) standing.law = named(standing.law);
   }
   for (const law of report.published?.laws ?? []) law.law = named(law.law);
   for (const law of report.laws) {

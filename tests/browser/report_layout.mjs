@@ -52,8 +52,7 @@ function check_front(expect, name, { laws, labels, markers, leaders, plot }) {
 // Returns what the bars of the prediction errors show for each law. This function runs in the page.
 async function look_at_errors() {
   const report = reportAsShown();
-  const purpose = report.findings.recommendations.find(({ standings }) => standings.some(({ error }) => error > 5)).purpose;
-  document.querySelector(`#figure-answer button[value=${purpose}]`).click();
+  document.querySelector('#figure-answer button[value=answer]').click();
   document.getElementById('figure-front').scrollIntoView();
   await new Promise((done) => setTimeout(done, 300));
   const plot = document.querySelector('#figure-front .plot'),
@@ -61,7 +60,7 @@ async function look_at_errors() {
   const drawn = plot.data[0];
   const texts = [...plot.querySelectorAll('.bartext, .ytick text')].map((node) => node.getBoundingClientRect());
   const cut = drawn.y.filter((law, i) => {
-    const { error } = report.findings.recommendations.find((one) => one.purpose === purpose).standings.find((one) => one.law === law);
+    const { error } = report.findings.recommendation.standings.find((one) => one.law === law);
     return 100 * error > 1.01 * drawn.x[i];
   });
   return {
@@ -204,7 +203,7 @@ async function look_at_first() {
   return {
     device, typical: report.typical_device, axis, extent: [Math.min(...measured), Math.max(...measured)], ticked,
     bad: report.laws.filter(({ prediction_grade: grade }) => ['poor', 'unusable'].includes(grade)).map(({ id }) => id),
-    taken: report.findings.recommendations[0].law, withAway, away: away.id, said: loop.querySelector('figcaption').textContent,
+    taken: report.findings.recommendation.law, withAway, away: away.id, said: loop.querySelector('figcaption').textContent,
     panels, first, best, chosen: names(), predicted: figure.querySelector('figcaption').textContent,
     byObjective: report.by_objective.map((i) => report.laws[i].id),
     accuracy: document.querySelector('#figure-objective-devices .plot').data?.filter(({ mode }) => mode === 'markers').map(({ name }) => name),

@@ -519,7 +519,7 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     report.by_objective = [];
     // The page of an inspection has only warnings about devices and records.
     const warnings = report.findings.warnings.filter(({ topic }) => ['refused', 'copies', 'record'].includes(topic));
-    report.findings = { recommendations: [], headline: '', beta_note: '', verdicts: [], converged: [], warnings };
+    report.findings = { recommendation: null, headline: '', beta_note: '', verdicts: [], converged: [], warnings };
   }
   return report;
 }

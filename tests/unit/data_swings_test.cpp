@@ -1,9 +1,11 @@
 #include "isolaw/data/cycles/swings.hpp"
+#include "isolaw/data/cycles/swing_sizes.hpp"
 #include "isolaw/data/properties/swing_properties.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -168,6 +170,81 @@ TEST(SwingProperties, AreThoseOfTheLargestSwings) {
   EXPECT_NEAR(found->amplitude_mm, 100.0, 0.1);
   EXPECT_NEAR(found->K_kN_per_mm, 1.0, 1e-9);
   EXPECT_FALSE(swing_properties({{0, 1, 0}}, {{0, 1, 0}}, {}));
+}
+
+// Around the turns of a slow swing the displacement changes little for longer than a fast swing lasts. That is no rest.
+TEST(Swings, CountTheTurnsOfSlowSwingsAmongFastOnes) {
+  auto const h = sampled_motion(
+      0.01, 35.0, [](double t) { return t < 20.0 ? 10.0 * unit_sine(2.0 * t) : 100.0 * unit_sine(0.2 * (t - 20.0)); });
+  auto const weights = sample_weights(h.disp_mm, h.time_s, Weighting::swing);
+  std::size_t near_turns = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (h.time_s[i] > 22.0 && h.time_s[i] < 33.0 && std::abs(h.disp_mm[i]) > 98.0) {
+      ++near_turns;
+      EXPECT_GT(weights[i], 0.0) << h.time_s[i];
+    }
+  EXPECT_GT(near_turns, 50u);
+}
+
+// A record with levels of 30 and 100 mm. The way from one level up to the next belongs to the large swings.
+TEST(SwingSizes, TakeTheWayUpToALargerLevelForLarge) {
+  auto const h = sampled_motion(0.01, 10.0, [](double t) { return (t < 5.0 ? 30.0 : 100.0) * unit_sine(t); });
+  FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
+  record.force_kN = h.disp_mm;
+  auto const tests = std::array<FitRecord const*, 1>{&record};
+  auto const sizes = swing_sizes(tests, Weighting::time);
+  EXPECT_TRUE(sizes.tell);
+  auto const at = [&](double t) { return static_cast<std::size_t>(std::lround(t / 0.01)); };
+  auto const& test = sizes.tests.front();
+  EXPECT_GT(test.small[at(3.0)], 0.0);
+  EXPECT_EQ(test.large[at(3.0)], 0.0);
+  EXPECT_GT(test.large[at(5.1)], 0.0);  // on the way from -30 to 100 mm
+  EXPECT_EQ(test.small[at(5.1)], 0.0);
+  EXPECT_GT(test.large[at(8.0)], 0.0);
+  // Small and large swings together have the weight of all of them.
+  auto const total = [](std::vector<double> const& w) { return std::accumulate(w.begin(), w.end(), 0.0); };
+  auto const all = scored_swings(record);
+  EXPECT_NEAR(total(test.small) + total(test.large),
+              total(weights_within(all, record.disp_mm, record.time_s, Weighting::time)), 1e-9);
+}
+
+TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
+  auto const told = [](double small_until, double end) {
+    SampledMotion h;
+    for (double t = 0.0; t <= end; t += 0.01) {
+      h.time_s.push_back(t);
+      h.disp_mm.push_back((t < small_until ? 30.0 : 100.0) * unit_sine(t));
+    }
+    FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
+    auto const tests = std::array<FitRecord const*, 1>{&record};
+    return swing_sizes(tests, Weighting::time).tell;
+  };
+  EXPECT_TRUE(told(5.0, 7.0));
+  EXPECT_FALSE(told(5.0, 5.5));   // one swing of 100 mm
+  EXPECT_FALSE(told(2.0, 7.0));   // three swings of 30 mm
+  EXPECT_FALSE(told(0.0, 7.0));   // one amplitude
+  EXPECT_FALSE(told(98.0, 99.8)); // the large swings hold less than a twentieth of the time
+}
+
+// The largest displacement is that of all tests of a device. A test of small swings alone serves the fit of these.
+TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
+  auto const record_of = [](double amplitude_mm) {
+    FitRecord record;
+    for (double t = 0.0; t <= 5.0; t += 0.01) {
+      record.time_s.push_back(t);
+      record.disp_mm.push_back(amplitude_mm * unit_sine(t));
+      record.vel_mm_s.push_back(0.0);
+    }
+    return record;
+  };
+  auto const small = record_of(30.0), large = record_of(100.0);
+  auto const tests = std::array<FitRecord const*, 2>{&small, &large};
+  auto const sizes = swing_sizes(tests, Weighting::time);
+  EXPECT_TRUE(sizes.tell);
+  EXPECT_FALSE(sizes.tests[0].small.empty());
+  EXPECT_TRUE(sizes.tests[0].large.empty());
+  EXPECT_TRUE(sizes.tests[1].small.empty());
+  EXPECT_FALSE(sizes.tests[1].large.empty());
 }
 
 }  // namespace

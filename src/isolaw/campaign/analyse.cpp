@@ -108,7 +108,7 @@ class Analysis {
         [&](std::size_t i) { return std::string_view(tasks[i]->law); },
         [&](std::size_t i, Meter& meter) { return examined(*tasks[i], meter); });
     std::ranges::sort(contents_.device_analyses, {}, by_device_and_law);
-    mark({Phase::determination, Phase::intervals});
+    mark({Phase::determination, Phase::intervals, Phase::larger_swings});
   }
 
   std::optional<DeviceAnalysis> examined(Search const& search, Meter& meter) const {  // nullopt if interrupted
@@ -138,13 +138,22 @@ class Analysis {
     if (!intervals) return std::nullopt;
     meter.count_evaluations(Phase::determination, determination->evaluations);
     meter.count_evaluations(Phase::intervals, intervals->evaluations);
+    meter.lap(Phase::intervals);
+    std::optional<analysis::LargerSwings> larger_swings;
+    if (auto const models = law_on_swings(contents_, search.device, search.law, best.refinement)) {
+      larger_swings = analysis::predict_larger_swings(*models, box, stream.split(2), options_.interrupted);
+      if (interrupted()) return std::nullopt;
+      if (larger_swings) meter.count_evaluations(Phase::larger_swings, larger_swings->evaluations);
+    }
+    meter.lap(Phase::larger_swings);
     auto springs = as_springs(search.law, std::array{search.device}, box, determination->optimum, best.refinement);
     return DeviceAnalysis{.device = search.device,
                           .law = search.law,
                           .refinement = best.refinement,
                           .determination = std::move(*determination),
                           .intervals = std::move(*intervals),
-                          .springs = std::move(springs)};
+                          .springs = std::move(springs),
+                          .larger_swings = std::move(larger_swings)};
   }
 
   // Fits the law as springs around the circle to these devices' records. Returns nullopt if the settings do not ask for
@@ -306,6 +315,17 @@ fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std
   auto const& settings = contents.settings;
   return fit::LawOnRecord(laws::find_law(law), contents.devices[device].record, settings.integration,
                           settings.turning_points, refinement);
+}
+
+std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
+                                                   int refinement) {
+  auto const& settings = contents.settings;
+  auto const tests = std::array{&contents.devices[device].record};
+  auto const sizes = data::swing_sizes(tests, settings.clean.weights);
+  if (!sizes.tell) return std::nullopt;
+  auto models = analysis::swing_models(laws::find_law(law), tests, sizes, settings.integration, settings.turning_points,
+                                       refinement);
+  return models.small.empty() || models.large.empty() ? std::nullopt : std::optional(std::move(models));
 }
 
 bool every_device_examined(Contents const& contents) {

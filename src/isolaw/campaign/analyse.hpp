@@ -18,6 +18,10 @@ fit::SearchBox examined_box(Search const& search);
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
+// The law on the small and on the large swings of the device's test; nullopt if the test does not tell how a law goes
+// on to larger swings.
+std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
+                                                   int refinement);
 
 struct AnalyseOptions {
   std::size_t threads = 1;

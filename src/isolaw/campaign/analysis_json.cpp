@@ -45,12 +45,17 @@ void members(auto const& each, A<analysis::OneLaw> auto& law) {
   each("parameters", law.parameters)("objectives", law.objectives);
   each("mean", law.mean)("worst", law.worst)("evaluations", law.evaluations);
 }
+void members(auto const& each, A<analysis::LargerSwings> auto& l) {
+  each("parameters", l.parameters)("fitted", l.fitted)("predicted", l.predicted);
+  each("least_predicted", l.least_predicted)("evaluations", l.evaluations);
+}
 void members(auto const& each, A<fit::AsSprings> auto& s) {
   each("parameters", s.parameters)("law", s.law)("given", s.given)("fitted", s.fitted);
 }
 void members(auto const& each, A<DeviceAnalysis> auto& a) {
   each("refinement", a.refinement)("determination", a.determination)("intervals", a.intervals);
   each.where_there("springs", a.springs);
+  each.where_there("larger_swings", a.larger_swings);
 }
 void members(auto const& each, A<LotAnalysis> auto& a) {
   each("refinement", a.refinement)("devices", a.devices);

@@ -35,10 +35,10 @@ struct Task {
 };
 
 // If every parameter is fixed, the box is a single point, and this point is the result of the search.
-opt::SearchResult evaluate_fixed(Target const& target, fit::LawOnRecord const& model, Method method) {
+opt::SearchResult evaluate_fixed(fit::SearchBox const& box, fit::LawOnRecord const& model, Method method) {
   opt::SearchResult result;
-  std::vector<double> parameters(target.search->box.parameters.size()), work;
-  target.search->box.expand({}, parameters);
+  std::vector<double> parameters(box.parameters.size()), work;
+  box.expand({}, parameters);
   double const value = model.objective(parameters, work);
   bool const finite = std::isfinite(value);
   result.evaluations = 1;
@@ -50,11 +50,10 @@ opt::SearchResult evaluate_fixed(Target const& target, fit::LawOnRecord const& m
   return result;
 }
 
-opt::SearchResult search_by(Settings const& settings, Target const& target, fit::LawOnRecord const& model, int number,
-                            std::function<bool()> const& interrupted) {
-  if (target.search->box.free_count() == 0) return evaluate_fixed(target, model, settings.method);
-  fit::IdentificationProblem const problem(model, target.search->box);
-  auto const stream = target.stream.split(static_cast<std::uint64_t>(number));
+opt::SearchResult search_by(Settings const& settings, fit::SearchBox const& box, fit::LawOnRecord const& model,
+                            num::Stream const& stream, std::function<bool()> const& interrupted) {
+  if (box.free_count() == 0) return evaluate_fixed(box, model, settings.method);
+  fit::IdentificationProblem const problem(model, box);
   return settings.method == Method::genetic
              ? opt::minimise_genetic(problem, stream, settings.genetic, interrupted)
              : opt::minimise_multistart(problem, stream, settings.multistart, interrupted);
@@ -67,7 +66,8 @@ void fail(Run& run, std::string why) {  // keeps the run's counts and history, d
   run.parameters.clear();
 }
 
-Run finished(Target const& target, fit::LawOnRecord const& model, int number, opt::SearchResult const& result) {
+Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord const& model, int number,
+             opt::SearchResult const& result) {
   Run run{.device = target.search->device,
           .law = target.search->law,
           .number = number,
@@ -81,8 +81,8 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
                   : fmt::format("none of the first {} parameter sets gave a finite force", result.evaluations));
     return run;
   }
-  run.parameters.resize(target.search->box.parameters.size());
-  target.search->box.expand(result.best, run.parameters);
+  run.parameters.resize(box.parameters.size());
+  box.expand(result.best, run.parameters);
   std::vector<double> work;  // scalar code gives the reported numbers, whichever vector code searched
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
@@ -91,7 +91,7 @@ Run finished(Target const& target, fit::LawOnRecord const& model, int number, op
 
 // If more than a thousandth of an optimum's objective is step error, the law is fitted again from this optimum in finer
 // steps, until steps two and four times finer agree. The run fails if finer steps give no finite force.
-void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run) {
+void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;
   std::vector<double> work;
@@ -101,7 +101,6 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
                  four_times = finer.objective(run.parameters, work);
     double const moved = std::max(std::abs(twice - run.objective), std::abs(four_times - run.objective));
     if (moved <= tolerance * run.objective) return;
-    auto const& box = target.search->box;
     fit::IdentificationProblem const problem(finer, box);
     run.refinement = finer.refinement();
     if (box.free_count() > 0) {
@@ -121,6 +120,34 @@ void refit_in_finer_steps(Target const& target, fit::LawOnRecord model, Run& run
               coarse, model.refinement(), finer.refinement()));
     model = finer;
   }
+}
+
+// If a run ended at a bound of the automatic box, searches again with this bound ten times as far, until no such bound
+// is left or the wider box gains nothing. Leaves `run` and `box` as they were best. Returns false if interrupted.
+bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
+                   fit::SearchBox& box, std::function<bool()> const& interrupted) {
+  constexpr int most_rounds = 6;
+  constexpr double least_gain = 1e-3;  // relative; a smaller gain is not worth a wider box
+  if (settings.method != Method::best || settings.box != fit::BoxKind::scaled) return true;
+  for (int round = 1; round <= most_rounds && run.usable(); ++round) {
+    auto wider = fit::box_beyond(box, model.law(), run.parameters, settings.overrides);
+    if (!wider) return true;
+    auto const stream = target.stream.split(static_cast<std::uint64_t>(run.number)).split(static_cast<std::uint64_t>(round));
+    auto const result = search_by(settings, *wider, model, stream, interrupted);
+    if (result.outcome == Outcome::interrupted) return false;
+    auto again = finished(target, *wider, model, run.number, result);
+    again.evaluations += run.evaluations;
+    again.failed_evaluations += run.failed_evaluations;
+    bool const gains = again.usable() && again.objective < (1.0 - least_gain) * run.objective;
+    if (!gains) {
+      run.evaluations = again.evaluations;
+      run.failed_evaluations = again.failed_evaluations;
+      return true;
+    }
+    run = std::move(again);
+    box = std::move(*wider);
+  }
+  return true;
 }
 
 std::vector<Target> targets_of(Contents const& contents) {
@@ -177,6 +204,7 @@ class Computation {
     Meter::restart();
     count_threads(threads, std::min(jobs_, tasks_.size()));
     std::ranges::sort(contents_.runs, {}, [](Run const& r) { return std::tie(r.device, r.law, r.number); });
+    contents_.take_boxes_of_best_runs();
   }
 
   void make_analyses() {
@@ -219,11 +247,17 @@ class Computation {
     auto const& target = targets_[task.target];
     auto const& settings = contents_.settings;
     auto model = law_on_device(contents_, target.search->device, target.search->law);
-    auto const result = search_by(settings, target, model, task.number, [&] { return asked_to_stop(); });
+    auto box = target.search->first_box;
+    auto const stop = [&] { return asked_to_stop(); };
+    auto const stream = target.stream.split(static_cast<std::uint64_t>(task.number));
+    auto const result = search_by(settings, box, model, stream, stop);
     if (result.outcome == Outcome::interrupted) return;
-    auto run = finished(target, model, task.number, result);
+    auto run = finished(target, box, model, task.number, result);
+    if (!search_beyond(settings, target, model, run, box, stop)) return;
     if (run.usable() && settings.method == Method::best && settings.integration == laws::Integration::converged)
-      refit_in_finer_steps(target, std::move(model), run);
+      refit_in_finer_steps(box, std::move(model), run);
+    if (run.usable() && !fit::same_bounds(box, target.search->first_box))
+      for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
     store_.add(run);  // after this nothing may fail, since a task that ran out of memory is repeated

@@ -73,7 +73,7 @@ void check_vertical(Device const& device, std::vector<std::string>& faults, std:
 void check_box(Device const& device, Search const& search, Settings const& settings, std::vector<std::string>& faults) {
   auto const& law = laws::find_law(search.law);
   auto const box = search_box(law, device.record, settings).parameters;
-  bool const same = std::ranges::equal(box, search.box.parameters, [](auto const& a, auto const& b) {
+  bool const same = std::ranges::equal(box, search.first_box.parameters, [](auto const& a, auto const& b) {
     return a.free == b.free && a.scale == b.scale && a.tied_to == b.tied_to && close(a.value, b.value) &&
            close(a.lower, b.lower) && close(a.upper, b.upper);
   });
@@ -93,8 +93,12 @@ class Checker {
     if (!run.usable()) return;
     if (run.history.empty() || (run.refinement == 1 && !close_objectives(run.history.back(), run.objective)))
       complain(where, "its history does not end at its objective");
+    auto const box = box_of(search, run);
     for (std::size_t i = 0; i < run.parameters.size(); ++i) {
-      auto const& p = search.box.parameters[i];
+      auto const& p = box.parameters[i];
+      auto const& first = search.first_box.parameters[i];
+      if (p.lower > first.lower || p.upper < first.upper)
+        complain(where, fmt::format("the box in which it ended does not hold the interval of {}", p.name));
       double const slack = fit::evaluation_tolerance * std::max(std::abs(p.lower), std::abs(p.upper));
       bool const inside = p.free ? run.parameters[i] >= p.lower - slack && run.parameters[i] <= p.upper + slack
                                  : close(run.parameters[i], p.tied_to ? run.parameters[*p.tied_to] : p.value);
@@ -126,6 +130,12 @@ class Checker {
           p.profile.objective, [&](double value) { return value >= found.objective * (1.0 - 1e-3) - 1e-9; });
       if (!rises || !above) complain(where, "a profile is not in order, or falls below its optimum");
     }
+    auto const models = law_on_swings(contents_, a.device, a.law, a.refinement);
+    if (a.larger_swings && !models) complain(where, "it predicts larger swings, and its test has none that tell");
+    if (!a.larger_swings || !models) return;
+    auto const& larger = *a.larger_swings;
+    compare(where + ", on small swings", analysis::mean_objective(models->small, larger.parameters), larger.fitted);
+    compare(where + ", on large swings", analysis::mean_objective(models->large, larger.parameters), larger.predicted);
   }
   void operator()(LotAnalysis const& a) {
     for (std::size_t i = 0; i < a.devices.size() && !a.mean.parameters.empty(); ++i) {
@@ -181,7 +191,9 @@ class Checker {
   }
   void hold(std::string const& where, std::size_t device, std::string const& law, int refinement,
             std::vector<double> const& parameters, double stored) {
-    double const again = law_on_device(contents_, device, law, refinement).objective(parameters, work_);
+    compare(where, law_on_device(contents_, device, law, refinement).objective(parameters, work_), stored);
+  }
+  void compare(std::string const& where, double again, double stored) {
     bool const both_infinite = std::isnan(stored) && !std::isfinite(again);  // a stored NaN stands for no finite force
     double const difference =
         both_infinite || again == stored ? 0.0 : std::abs(again - stored) / std::max(stored, smallest_objective);

@@ -47,7 +47,7 @@ void require_search(Contents const& campaign, Search const& s) {
   if (!s.refusal.empty()) return;
   auto const& device = campaign.devices.at(s.device);
   if (!device.usable()) fail(fmt::format("{} was searched on '{}', which was refused", s.law, device.name));
-  auto const& box = s.box.parameters;
+  auto const& box = s.first_box.parameters;
   if (box.size() != law->parameters.size())
     fail(fmt::format("the box of {} has {} parameters instead of {}", s.law, box.size(), law->parameters.size()));
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -103,6 +103,8 @@ void require_consistent(Contents const& campaign, Run const& r) {
   require_maker(campaign, r.maker);
   if (r.usable() && r.parameters.size() != search->box.parameters.size())
     fail(fmt::format("run {} of {} has {} parameters", r.number, r.law, r.parameters.size()));
+  if (!r.box.empty() && r.box.size() != 2 * search->first_box.parameters.size())
+    fail(fmt::format("run {} of {} has a box that does not fit its parameters", r.number, r.law));
   if (!all_finite(r.parameters)) fail(fmt::format("run {} of {} has a parameter that is not finite", r.number, r.law));
   if (r.usable() != r.failure.empty() || r.usable() != std::isfinite(r.objective))
     fail(fmt::format("run {} of {} is neither a result nor a failure", r.number, r.law));
@@ -114,6 +116,7 @@ void require_consistent(Contents const& campaign, DeviceAnalysis const& a) {
   require_maker(campaign, a.maker);
   require_values(a.determination.optimum, search);
   if (a.springs) require_values(a.springs->parameters, search);
+  if (a.larger_swings) require_values(a.larger_swings->parameters, search);
   auto const free = search.box.free_count();
   auto const is_free = [&](std::size_t i) { return i < search.box.parameters.size() && search.box.parameters[i].free; };
   auto const names = [&](auto const& items) {

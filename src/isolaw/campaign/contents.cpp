@@ -19,6 +19,15 @@ using Key = std::tuple<std::size_t, std::string_view>;
 
 }  // namespace
 
+fit::SearchBox box_of(Search const& search, Run const& run) {
+  auto box = search.first_box;
+  for (std::size_t i = 0; 2 * i + 1 < run.box.size() && i < box.parameters.size(); ++i) {
+    box.parameters[i].lower = run.box[2 * i];
+    box.parameters[i].upper = run.box[2 * i + 1];
+  }
+  return box;
+}
+
 Part parse_part(std::string_view text) {
   auto const slash = text.find('/');
   auto const number = number_in<int>(text.substr(0, slash));
@@ -71,6 +80,13 @@ Run const* Contents::best_run(std::size_t device, std::string_view law) const {
   for (auto run = first; run != last; ++run)
     if (run->usable() && (best == nullptr || run->objective < best->objective)) best = &*run;
   return best;
+}
+
+void Contents::take_boxes_of_best_runs() {
+  for (auto& search : searches) {
+    auto const* best = best_run(search.device, search.law);
+    search.box = best != nullptr ? box_of(search, *best) : search.first_box;
+  }
 }
 
 DeviceAnalysis const* Contents::analysis_of(std::size_t device, std::string_view law) const {

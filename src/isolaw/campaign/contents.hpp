@@ -9,6 +9,7 @@
 
 #include "isolaw/analysis/determination.hpp"
 #include "isolaw/analysis/intervals.hpp"
+#include "isolaw/analysis/larger_swings.hpp"
 #include "isolaw/analysis/one_law.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/settings.hpp"
@@ -51,7 +52,8 @@ struct Search {  // a law that is fitted to a device: its box, or the reason why
   std::size_t device = 0;
   std::string law;
   std::string refusal = {};
-  fit::SearchBox box = {};
+  fit::SearchBox first_box = {};  // in which every run begins
+  fit::SearchBox box = {};        // of the best run, which may be wider; the first one if there is no usable run
 };
 
 // A run of Method::best ends with confirmed, budget_spent or no_finite_value, and a run of Method::genetic with
@@ -74,6 +76,7 @@ struct Run {
   std::string failure = {};             // why the run is not usable; empty for a usable one
   std::vector<double> parameters = {};  // all parameters of the law; empty for a run that is not usable
   std::vector<double> history = {};     // best objective after each generation or descent
+  std::vector<double> box = {};         // lower and upper bound of each parameter; empty: those of the first box
   std::size_t maker = 0;                // index in Contents::makers; the store sets it
 
   bool usable() const { return !parameters.empty(); }
@@ -86,6 +89,7 @@ struct DeviceAnalysis {  // how well one device's test determines a law, examine
   analysis::Determination determination;
   analysis::Intervals intervals;
   std::optional<fit::AsSprings> springs = {};  // the law as springs, if asked for and the optimum has no coupled form
+  std::optional<analysis::LargerSwings> larger_swings = {};  // empty if the test does not tell, or without finite forces
   std::size_t maker = 0;
 };
 
@@ -105,6 +109,8 @@ struct LeftOutAnalysis {  // the law fitted to the lot without one device, judge
   analysis::LeftOut left_out = {};
   std::size_t maker = 0;
 };
+
+fit::SearchBox box_of(Search const& search, Run const& run);  // in which this run ended
 
 inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
@@ -162,6 +168,7 @@ struct Contents {
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
   Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
+  void take_boxes_of_best_runs();  // sets Search::box; needed after runs are added
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device, or nullopt for `whole_lot` if no device has that name. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;

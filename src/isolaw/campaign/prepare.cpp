@@ -103,7 +103,7 @@ Search prepare_search(std::size_t index, Device const& device, std::string const
     fit::LawOnRecord const check(law, device.record, settings.integration, settings.turning_points);
     auto box = search_box(law, device.record, settings);
     fit::require_joint_limits(law, box, settings.overrides);
-    search.box = std::move(box);
+    search.first_box = search.box = std::move(box);
   } catch (Error const& error) {
     search.refusal = error.what();
   }

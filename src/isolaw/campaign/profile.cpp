@@ -24,7 +24,8 @@ PhaseCost take_work() {
 }  // namespace
 
 std::string_view name(Phase phase) {
-  constexpr std::string_view names[]{"read", "search", "determination", "intervals", "lot", "left_out", "report"};
+  constexpr std::string_view names[]{"read",          "search", "determination", "intervals",
+                                     "larger_swings", "lot",    "left_out",      "report"};
   return names[static_cast<std::size_t>(phase)];
 }
 

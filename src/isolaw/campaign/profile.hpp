@@ -13,9 +13,9 @@
 namespace isolaw::campaign {
 
 // `read` ends when the search begins. `report` is all work after the last search or analysis except drawing figures.
-enum class Phase { read, search, determination, intervals, lot, left_out, report };
-inline constexpr std::array phases{Phase::read, Phase::search,   Phase::determination, Phase::intervals,
-                                   Phase::lot,  Phase::left_out, Phase::report};
+enum class Phase { read, search, determination, intervals, larger_swings, lot, left_out, report };
+inline constexpr std::array phases{Phase::read,          Phase::search, Phase::determination, Phase::intervals,
+                                   Phase::larger_swings, Phase::lot,    Phase::left_out,      Phase::report};
 std::string_view name(Phase phase);
 
 struct PhaseCost {

@@ -109,8 +109,8 @@ void write_searches(Connection const& db, Contents const& contents) {
   Statement parameter(db, "INSERT INTO search_parameter VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (auto const& s : contents.searches) {
     search.bind(s.device, s.law, s.refusal).insert();
-    for (std::size_t i = 0; i < s.box.parameters.size(); ++i) {
-      auto const& p = s.box.parameters[i];
+    for (std::size_t i = 0; i < s.first_box.parameters.size(); ++i) {
+      auto const& p = s.first_box.parameters[i];
       parameter.bind(s.device, s.law, i, p.name, p.unit, p.free, p.value, p.lower, p.upper);
       parameter.bind(p.scale == laws::Scale::logarithmic ? "logarithmic" : "linear");
       parameter.bind(p.tied_to ? std::optional(static_cast<double>(*p.tied_to)) : std::nullopt).insert();
@@ -192,11 +192,14 @@ void read_searches(Connection const& db, Contents& contents) {
     p.free = free != 0;
     if (scale == "logarithmic") p.scale = laws::Scale::logarithmic;
     if (other) p.tied_to = static_cast<std::size_t>(std::max(0.0, *other));
-    owner->second.box.parameters.push_back(std::move(p));
+    owner->second.first_box.parameters.push_back(std::move(p));
   }
   for (std::size_t d = 0; d < contents.devices.size(); ++d)
     for (auto const& law : contents.settings.laws)
-      if (auto const s = found.find({d, law}); s != found.end()) contents.searches.push_back(s->second);
+      if (auto const s = found.find({d, law}); s != found.end()) {
+        s->second.box = s->second.first_box;
+        contents.searches.push_back(s->second);
+      }
   if (contents.searches.size() != found.size())
     throw Error({.found = "a law was searched that was not asked for, or on a device that is not there"});
 }
@@ -279,17 +282,17 @@ void write_descriptions(Connection const& db, Contents const& contents) {
 
 RunWriter::RunWriter(Connection const& db)
     : row_(db,
-           "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (device, law, number) DO NOTHING"),
+           "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (device, law, number) DO NOTHING"),
       parameter_(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)"),
       stored_(
           db,
-          "SELECT outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history FROM run WHERE device = ? AND law = ? AND number = ?"),
+          "SELECT outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, box FROM run WHERE device = ? AND law = ? AND number = ?"),
       stored_parameters_(
           db, "SELECT value FROM run_parameter WHERE device = ? AND law = ? AND number = ? ORDER BY position") {}
 
 bool RunWriter::add_if_new(Run const& run) {
   row_.bind(run.device, run.law, run.number, name(run.outcome), run.objective, run.integration_shift, run.refinement);
-  row_.bind(run.evaluations, run.failed_evaluations, run.failure, run.history, run.maker);
+  row_.bind(run.evaluations, run.failed_evaluations, run.failure, run.history, run.box, run.maker);
   if (!row_.insert()) return false;
   for (std::size_t i = 0; i < run.parameters.size(); ++i)
     parameter_.bind(run.device, run.law, run.number, i, run.parameters[i]).insert();
@@ -303,13 +306,14 @@ bool RunWriter::is_there(Run const& run) {
   std::string outcome;
   if (!stored_.again(run.device, run.law, run.number).row()) return false;
   stored_.read(outcome, there.objective, there.integration_shift, there.refinement, there.evaluations);
-  stored_.read(there.failed_evaluations, there.failure, there.history);
+  stored_.read(there.failed_evaluations, there.failure, there.history, there.box);
   stored_parameters_.again(run.device, run.law, run.number);
   while (stored_parameters_.row()) stored_parameters_.read(there.parameters.emplace_back());
   return outcome == name(run.outcome) && same(there.objective, run.objective) &&
          same(there.integration_shift, run.integration_shift) && there.refinement == run.refinement &&
          there.evaluations == run.evaluations && there.failed_evaluations == run.failed_evaluations &&
          there.failure == run.failure && std::ranges::equal(there.history, run.history, same) &&
+         std::ranges::equal(there.box, run.box, same) &&
          std::ranges::equal(there.parameters, run.parameters, same);
 }
 
@@ -351,12 +355,12 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
   next_parameter();
   Statement run(
       db,
-      "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, maker FROM run ORDER BY device, law, number");
+      "SELECT device, law, number, outcome, objective, integration_shift, refinement, evaluations, failed_evaluations, message, history, box, maker FROM run ORDER BY device, law, number");
   while (run.row()) {
     Run r;
     std::string outcome;
     run.read(r.device, r.law, r.number, outcome, r.objective, r.integration_shift, r.refinement);
-    run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.maker);
+    run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.box, r.maker);
     r.outcome = outcome_from(outcome);
     auto const key = std::tie(r.device, r.law, r.number);
     while (more && owner < key) next_parameter();  // parameters of a run that is not in the store
@@ -382,6 +386,7 @@ Analyses read_analyses(Connection const& db) {
 Contents read_contents(Connection const& db) {
   auto contents = read_campaign_and_series(db);
   read_runs(db, [&](Run run) { contents.runs.push_back(std::move(run)); });
+  contents.take_boxes_of_best_runs();
   auto analyses = read_analyses(db);
   contents.device_analyses = std::move(analyses.devices);
   contents.lot_analyses = std::move(analyses.lots);

@@ -26,7 +26,7 @@ CREATE TABLE search_parameter (
 CREATE TABLE run (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, outcome TEXT NOT NULL,
   objective REAL, integration_shift REAL, refinement INTEGER NOT NULL, evaluations INTEGER NOT NULL, failed_evaluations INTEGER NOT NULL,
-  message TEXT NOT NULL, history BLOB NOT NULL, maker INTEGER NOT NULL REFERENCES maker(id),
+  message TEXT NOT NULL, history BLOB NOT NULL, box BLOB NOT NULL, maker INTEGER NOT NULL REFERENCES maker(id),
   PRIMARY KEY (device, law, number)) WITHOUT ROWID;
 CREATE TABLE run_parameter (
   device INTEGER NOT NULL, law TEXT NOT NULL, number INTEGER NOT NULL, position INTEGER NOT NULL, value REAL NOT NULL,

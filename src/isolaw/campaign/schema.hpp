@@ -5,7 +5,7 @@
 
 namespace isolaw::campaign {
 
-inline constexpr int schema_version = 10;
+inline constexpr int schema_version = 11;
 
 StoreKind const& campaign_store();
 

@@ -210,6 +210,46 @@ AtBound at_bound(SearchParameter const& parameter, double value) {
   return u <= bound_tolerance ? AtBound::lower : u >= 1.0 - bound_tolerance ? AtBound::upper : AtBound::no;
 }
 
+std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
+                                              AtBound bound) {
+  constexpr double farther = 10.0;
+  auto const away = [&](double end, double other) {  // away from zero, or towards it, as the end's side of zero says
+    if (end == 0.0) return -other;
+    bool const from_zero = (end > 0.0) == (end > other);
+    return from_zero ? farther * end : end / farther;
+  };
+  auto const& limits = parameter.physical;
+  if (bound == AtBound::lower && interval.lower > limits.lower)
+    interval.lower = std::max(limits.lower, away(interval.lower, interval.upper));
+  else if (bound == AtBound::upper && interval.upper < limits.upper)
+    interval.upper = std::min(limits.upper, away(interval.upper, interval.lower));
+  else
+    return std::nullopt;
+  return interval;
+}
+
+bool same_bounds(SearchBox const& a, SearchBox const& b) {
+  return std::ranges::equal(a.parameters, b.parameters,
+                            [](auto const& p, auto const& q) { return p.lower == q.lower && p.upper == q.upper; });
+}
+
+std::optional<SearchBox> box_beyond(SearchBox const& box, laws::LawEntry const& law, std::span<double const> values,
+                                    std::span<Override const> overrides) {
+  auto wider = box;
+  bool moved = false;
+  for (std::size_t i = 0; i < box.parameters.size(); ++i) {
+    auto const* change = last_override(overrides, law, law.parameters[i].name);
+    if (change != nullptr && change->interval) continue;
+    auto const& p = box.parameters[i];
+    auto const interval = interval_beyond(law.parameters[i], {p.lower, p.upper}, at_bound(p, values[i]));
+    if (!interval) continue;
+    wider.parameters[i].lower = interval->lower;
+    wider.parameters[i].upper = interval->upper;
+    moved = true;
+  }
+  return moved ? std::optional(std::move(wider)) : std::nullopt;
+}
+
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law) {
   auto const& x = record.disp_mm;
   auto const& f = record.force_kN;

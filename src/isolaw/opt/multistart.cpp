@@ -327,18 +327,6 @@ class Descent {
   double damping_ = tuning::usual_damping;
 };
 
-Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws) {
-  Points points(dimension, count);
-  std::vector<std::size_t> slice(count);
-  for (std::size_t k = 0; k < dimension; ++k) {
-    std::iota(slice.begin(), slice.end(), std::size_t{0});
-    for (std::size_t i = count; i > 1; --i) std::swap(slice[i - 1], slice[draws.below(i)]);
-    for (std::size_t i = 0; i < count; ++i)
-      points[i][k] = (static_cast<double>(slice[i]) + draws.uniform()) / static_cast<double>(count);
-  }
-  return points;
-}
-
 // Adds normally distributed steps to about half of the coordinates. Their standard deviation is 10 to a random power.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
@@ -512,6 +500,18 @@ void require_dimension(DeviationProblem const& problem) {
 }
 
 }  // namespace
+
+Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws) {
+  Points points(dimension, count);
+  std::vector<std::size_t> slice(count);
+  for (std::size_t k = 0; k < dimension; ++k) {
+    std::iota(slice.begin(), slice.end(), std::size_t{0});
+    for (std::size_t i = count; i > 1; --i) std::swap(slice[i - 1], slice[draws.below(i)]);
+    for (std::size_t i = 0; i < count; ++i)
+      points[i][k] = (static_cast<double>(slice[i]) + draws.uniform()) / static_cast<double>(count);
+  }
+  return points;
+}
 
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options, std::function<bool()> const& interrupted) {

@@ -43,6 +43,9 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
+// Points scattered evenly over the unit box: along each coordinate, one lies in each of `count` equal intervals.
+Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws);
+
 // Makes one descent from a point near a minimum, for a problem that differs little from one already solved. The result
 // is never above the value at the start; it is not usable if that value is not finite. The first delta is `rounding`
 // times the value at the start; a small delta keeps the descent in its valley. A `brief` descent ends with about four

@@ -303,6 +303,20 @@ void add_lot_law(LawResult& law, campaign::Contents const& contents) {
   law.lot = std::move(lot_law);
 }
 
+void add_larger_swings(LawResult& law) {
+  double sum = 0.0, least = 0.0, count = 0.0;
+  for (auto const& fit : law.devices) {
+    if (!fit.larger_swings_objective) continue;
+    sum += *fit.larger_swings_objective;
+    least += *fit.larger_swings_least;
+    ++count;
+    law.larger_swings_worst = std::max(law.larger_swings_worst.value_or(0.0), *fit.larger_swings_objective);
+  }
+  if (count == 0.0) return;
+  law.larger_swings_objective = sum / count;
+  law.larger_swings_least = least / count;
+}
+
 // The error on each device of the law that was fitted to the other devices.
 void add_left_out(LawResult& law, campaign::Contents const& contents) {
   double sum = 0.0;
@@ -400,6 +414,13 @@ void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::
     fit.springs_objective = found->springs->fitted;
     fit.springs_given_objective = found->springs->given;
   }
+  if (auto const& larger = found->larger_swings) {
+    auto const or_infinite = [](double value) {
+      return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+    };
+    fit.larger_swings_objective = or_infinite(larger->predicted);
+    fit.larger_swings_least = or_infinite(larger->least_predicted);
+  }
   for (auto const& trade_off : determination.trade_offs) fit.trade_offs.push_back(trade_off.sentence);
   fit.interval_level = intervals.level;
   fit.interval_samples = intervals.samples;
@@ -450,6 +471,7 @@ void add_lot_analysis(LawResult& law, campaign::Contents const& contents) {
   add_population(law, entry, contents);
   add_lot_law(law, contents);
   add_left_out(law, contents);
+  add_larger_swings(law);
 }
 
 void add_converged_views(Summary& summary) {

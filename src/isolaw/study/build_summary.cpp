@@ -10,6 +10,7 @@
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/base/version.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/data/cycles/swing_sizes.hpp"
 #include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/properties/swing_properties.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -19,11 +20,13 @@
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/range_test.hpp"
 
 namespace isolaw::study {
 namespace {
 
-// Whether a record has no cycle to report because its motion is not cyclic, while nothing is wrong with its signals.
+// Whether a record has no cycle to report because its motion is not cyclic. Nothing is wrong with the signals of such a
+// TestRecord; the properties of a CycleView do not tell.
 bool is_irregular(data::Properties const& properties) {
   return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
     return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||
@@ -168,9 +171,7 @@ void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
     fitted.damping_error_percent = error(computed.damping_percent, reference->damping_percent);
     return;
   }
-  auto swings = data::swings(record.disp_mm, time);
-  std::erase_if(swings,
-                [&](auto const& swing) { return !record.is_scored(swing.first) || !record.is_scored(swing.last); });
+  auto const swings = data::scored_swings(record);
   auto const reference = data::properties_on(swings, record.disp_mm, record.force_kN);
   if (!is_irregular(measured) || !(reference.K_kN_per_mm > 0.0)) return;
   auto const computed = data::properties_on(swings, record.disp_mm, fitted.force_kN);
@@ -358,6 +359,7 @@ Summary build_summary(campaign::Contents const& contents) {
   auto const& asked = summary.asked = contents.acceptance;
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
                  asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
+  add_range_tests(summary, contents);
   return summary;
 }
 

@@ -106,9 +106,7 @@ building::LawSource law_source(campaign::Contents const& contents, Summary const
 }
 
 std::string recommended_law(Summary const& summary, std::string_view where) {
-  for (auto const& recommendation : recommendations(summary))
-    if (recommendation.purpose == Purpose::untested_device && recommendation.law)
-      return summary.laws[*recommendation.law].id;
+  if (auto const advice = recommendation(summary); advice && advice->law) return summary.laws[*advice->law].id;
   throw Error({.where = std::string(where),
                .found = "the campaign recommends no law",
                .allowed = "laws = [\"...\"] in the building file"});

@@ -8,12 +8,22 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/recommendation.hpp"
 #include "isolaw/study/verdict.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 
 Finding prediction_of(Summary const& summary, LawResult const& law) {
+  if (!law.prediction_grade && law.larger_swings_objective) {
+    Finding finding{.kind = FindingKind::prediction_larger_swings,
+                    .law = law.id,
+                    .numbers = {{"predicted", *law.larger_swings_objective}}};
+    constexpr double visible = 0.9;  // share of the largest error above which another error is not told
+    if (*law.larger_swings_least < visible * *law.larger_swings_objective)
+      finding.numbers.push_back({"least", *law.larger_swings_least});
+    return finding;
+  }
   if (!law.prediction_grade) return {.kind = FindingKind::prediction_unknown, .law = law.id};
   constexpr FindingKind kinds[]{FindingKind::prediction_good, FindingKind::prediction_fair,
                                 FindingKind::prediction_poor, FindingKind::prediction_unusable};
@@ -46,6 +56,14 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     // A refused device has no part in the law, and devices_not_in_lot_law names it already.
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
+  if (auto const spread = spread_of_laws(summary))
+    result.findings.push_back({.kind = FindingKind::laws_disagree,
+                               .numbers = {{"count", static_cast<double>(spread->count)},
+                                           {"disp_mm", spread->disp_mm},
+                                           {"K_low_kN_per_mm", spread->K_low_kN_per_mm},
+                                           {"K_high_kN_per_mm", spread->K_high_kN_per_mm},
+                                           {"energy_low_kN_mm", spread->energy_low_kN_mm},
+                                           {"energy_high_kN_mm", spread->energy_high_kN_mm}}});
   if (law.prediction_unusable()) result.objection = result.prediction;
   return result;
 }

@@ -238,8 +238,7 @@ Findings findings(Summary const& summary) {
     (!is_adequate(law) ? inadequate : !ranked(law) ? unranked : on_front[index] ? front : dominated).push_back(index);
   }
   Findings all;
-  all.recommendations = recommendations(summary);
-  all.verdict = verdict(all.recommendations);
+  all.recommendation = recommendation(summary);
   all.headline = headline(summary, front, best);
   for (std::size_t place = 0; place < front.size(); ++place)
     all.verdicts.push_back(front_verdict(summary, front, place));

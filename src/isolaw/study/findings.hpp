@@ -36,8 +36,7 @@ struct LawVerdict {
 };
 
 struct Findings {
-  std::optional<Finding> verdict;  // the program's answer; empty for an inspection
-  std::vector<Recommendation> recommendations;
+  std::optional<Recommendation> recommendation;  // the program's answer; empty for an inspection
   std::vector<Finding> headline;     // the choice between accuracy and robustness
   std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Finding> warnings;     // most serious first

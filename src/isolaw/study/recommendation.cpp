@@ -15,58 +15,45 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-struct Known {
-  double error = 0.0;
-  std::vector<std::pair<std::string_view, double>> of_devices = {};
-};
-
-template <class ErrorOn>
-Known over_devices(LawResult const& law, double error, ErrorOn error_on) {
-  Known known{.error = error};
-  for (auto const& fit : law.devices)
-    if (auto const value = error_on(fit)) known.of_devices.emplace_back(fit.device, *value);
-  return known;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+double or_infinite(std::optional<double> const& error) {
+  return error.value_or(infinite);
 }
 
-std::optional<double> predicted_of(DeviceFit const& fit) {
-  double sum = 0.0;
-  int count = 0;
-  for (auto const& block : fit.blocks) {
-    if (block.fitted) continue;
-    sum += block.objective;
-    ++count;
-  }
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
-// The mean error on blocks that the law was not fitted to or on devices left out, whichever error is larger.
-std::optional<Known> known_for_untested(LawResult const& law) {
-  auto const& loo = law.loo_objective;
-  auto const& predicted = law.predicted_objective;
-  if (!loo && !predicted) return std::nullopt;
-  if (predicted && (!loo || *predicted >= *loo)) return over_devices(law, *predicted, predicted_of);
-  return over_devices(law, *loo, [](DeviceFit const& fit) { return fit.left_out_objective; });
-}
-
-std::optional<Known> known_of_tests(LawResult const& law) {
-  if (law.objective_converged)
-    return over_devices(law, *law.objective_converged, [](DeviceFit const& fit) { return fit.optimum; });
-  if (!law.objective.mean) return std::nullopt;
+std::optional<double> error_of_fits(LawResult const& law) {
+  if (law.objective_converged) return law.objective_converged;
   double sum = 0.0;
   int count = 0;
   for (auto const& fit : law.devices)
     if (fit.objective.best) sum += *fit.objective.best, ++count;
-  if (count == 0) return std::nullopt;
-  return over_devices(law, sum / count, [](DeviceFit const& fit) { return fit.objective.best; });
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-std::optional<Known> known_for(bool untested, LawResult const& law) {
-  return untested ? known_for_untested(law) : known_of_tests(law);
+// Whether a block of largest amplitude was left out of the fit. The error on the blocks left out then tells how the law
+// goes on to larger amplitudes.
+bool larger_blocks_are_predicted(Summary const& summary, LawResult const& law) {
+  for (auto const& fit : law.devices) {
+    auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
+    if (device == summary.devices.end() || fit.blocks.empty()) continue;
+    double fitted = 0.0, predicted = 0.0;
+    for (auto const& block : fit.blocks) {
+      auto const found = std::ranges::find(device->properties.blocks, block.block, &data::Block::number);
+      if (found == device->properties.blocks.end()) continue;
+      auto& largest = block.fitted ? fitted : predicted;
+      largest = std::max(largest, found->amplitude_mm);
+    }
+    if (predicted > fitted) return true;
+  }
+  return false;
 }
 
-std::size_t calibrated(LawResult const& law) {
-  auto const& parameters = parameters_of(law);
-  return static_cast<std::size_t>(std::ranges::count_if(parameters, &ParameterFit::free));
+std::optional<double> prediction_of_larger(Summary const& summary, LawResult const& law) {
+  if (law.predicted_objective && larger_blocks_are_predicted(summary, law)) return law.predicted_objective;
+  return law.larger_swings_objective;
+}
+
+std::size_t searched_parameters(LawResult const& law) {
+  return static_cast<std::size_t>(std::ranges::count_if(parameters_of(law), &ParameterFit::free));
 }
 
 std::optional<double> share_open(LawResult const& law) {
@@ -80,313 +67,279 @@ std::optional<double> share_open(LawResult const& law) {
   return examined > 0 ? std::optional(static_cast<double>(open) / examined) : std::nullopt;
 }
 
-struct Candidate {
-  std::size_t index = 0;
-  LawResult const* law = nullptr;
-  Known known;
-  std::size_t parameters = 0;
-  std::vector<Finding> weak = {};  // why the choice is uncertain
-};
-
-bool may_be_taken(Summary const& summary, LawResult const& law) {
-  auto const usable = device_names(summary).size();
-  auto const identified = static_cast<std::size_t>(
-      std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; }));
-  return law.objective.mean && identified == usable && is_adequate(law) && law.prediction_holds();
+bool identified_on_every_device(Summary const& summary, LawResult const& law) {
+  auto const identified = std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; });
+  return std::cmp_equal(identified, device_names(summary).size());
 }
 
-bool tie(Known const& best, Known const& other) {
-  std::vector<double> differences;
-  for (auto const& [device, error] : best.of_devices) {
-    auto const found = std::ranges::find(other.of_devices, device, &std::pair<std::string_view, double>::first);
-    if (found != other.of_devices.end()) differences.push_back(found->second - error);
+std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law) {
+  if (!law.objective.mean) return Finding{.kind = FindingKind::out_not_identified, .law = law.id};
+  if (!identified_on_every_device(summary, law)) return Finding{.kind = FindingKind::out_partial, .law = law.id};
+  if (!law.prediction_holds())
+    return Finding{.kind = FindingKind::out_prediction,
+                   .law = law.id,
+                   .words = {{"grade", std::string(name(*law.prediction_grade))}}};
+  if (law.larger_swings_objective && !std::isfinite(*law.larger_swings_objective))
+    return Finding{.kind = FindingKind::out_runs_away, .law = law.id, .words = {{"rule", "not-finite-larger"}}};
+  if (!law.runs_away) return std::nullopt;
+  auto reason = *law.runs_away;
+  reason.kind = FindingKind::out_runs_away;
+  return reason;
+}
+
+// The mean over the devices, of the reported cycle or of the largest swings; infinite if no device has either.
+double measured_damping_percent(Summary const& summary) {
+  double sum = 0.0, count = 0.0;
+  for (auto const& device : summary.devices) {
+    auto const swings = std::ranges::find(device.notes, FindingKind::largest_swings, &Finding::kind);
+    if (auto const& reported = device.properties.reported; reported && reported->damping())
+      sum += reported->damping_percent, ++count;
+    else if (swings != device.notes.end())
+      sum += swings->number("damping_percent"), ++count;
   }
-  if (differences.size() < 2) return other.error - best.error <= tie_share * best.error;
-  auto const count = static_cast<double>(differences.size());
-  double mean = 0.0, squares = 0.0;
-  for (double const d : differences) mean += d / count;
-  for (double const d : differences) squares += (d - mean) * (d - mean);
-  return mean <= tie_errors * std::sqrt(squares / (count - 1.0) / count);
+  return count > 0.0 ? sum / count : infinite;
 }
 
-std::string grade_of_error(double error) {
-  return std::string(name(graded(error, error, error)));
+// Doubts about the cycles: those of the tests, and those that a building may ask for.
+void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::vector<Finding>& doubts) {
+  auto const add = [&](FindingKind kind, double percent) {
+    doubts.push_back({.kind = kind, .law = law.id, .numbers = {{"percent", percent}}});
+  };
+  // A relative error is infinite where the measured value is 0.
+  auto const error = [&](std::optional<double> DeviceFit::*of) {
+    auto const mean = mean_magnitude(law, of);
+    return mean && std::isfinite(*mean) ? *mean : 0.0;
+  };
+  if (double const percent = error(&DeviceFit::K_eff_error_percent); percent > doubtful_stiffness_percent)
+    add(FindingKind::weak_cycle_stiffness, percent);
+  double const measured = measured_damping_percent(summary);
+  double const energy = error(&DeviceFit::energy_error_percent), damping = error(&DeviceFit::damping_error_percent);
+  if (measured >= small_damping_percent && energy > doubtful_energy_percent)
+    add(FindingKind::weak_cycle_energy, energy);
+  else if (measured < small_damping_percent && damping / 100.0 * measured > doubtful_damping_points)
+    add(FindingKind::weak_cycle_damping, damping);
+  if (!law.beyond) return;
+  auto const& beyond = *law.beyond;
+  auto const add_ratio = [&](FindingKind kind, double ratio, double low) {
+    if (ratio >= low && ratio <= high_ratio) return;
+    doubts.push_back({.kind = kind,
+                      .law = law.id,
+                      .numbers = {{"ratio", ratio}, {"asked_mm", beyond.asked_mm}, {"tested_mm", beyond.tested_mm}}});
+  };
+  add_ratio(FindingKind::weak_stiffness_beyond, beyond.stiffness_ratio, low_stiffness_ratio);
+  add_ratio(FindingKind::weak_damping_beyond, beyond.damping_ratio, low_damping_ratio);
 }
 
-std::vector<Finding> weaknesses(Summary const& summary, Candidate const& candidate, Purpose purpose) {
-  auto const& law = *candidate.law;
-  double const error = candidate.known.error;
-  std::vector<Finding> found;
-  if (law.prediction_grade == PredictionGrade::fair)
-    found.push_back({.kind = FindingKind::weak_prediction_fair, .law = law.id});
-  else if (graded(error, error, error) > PredictionGrade::good)
-    found.push_back({.kind = FindingKind::weak_error,
-                     .law = law.id,
-                     .numbers = {{"error", error}},
-                     .words = {{"grade", grade_of_error(error)}}});
-  if (!compares_laws(summary)) found.push_back({.kind = FindingKind::weak_only_law, .law = law.id});
-  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0)
-    found.push_back({.kind = FindingKind::weak_incomplete});
+// The tests of which one side reaches less than half as far as the other.
+std::optional<Finding> one_sided(Summary const& summary) {
+  for (auto const& device : summary.devices) {
+    if (device.record.size() == 0) continue;
+    auto const [least, most] = std::ranges::minmax(device.record.disp_mm);
+    auto const [near, far] = std::minmax(std::max(0.0, most), std::max(0.0, -least));
+    if (near < 0.5 * far)
+      return Finding{.kind = FindingKind::weak_one_sided,
+                     .devices = {device.name},
+                     .numbers = {{"far_mm", far}, {"near_mm", near}}};
+  }
+  return std::nullopt;
+}
+
+std::vector<Finding> doubts_about(Summary const& summary, Standing const& standing) {
+  auto const& law = summary.laws[standing.law];
+  std::vector<Finding> doubts;
+  auto const add = [&](FindingKind kind, std::vector<FindingNumber> numbers = {}) {
+    doubts.push_back({.kind = kind, .law = law.id, .numbers = std::move(numbers)});
+  };
+  if (or_infinite(standing.error) > doubtful_error) add(FindingKind::weak_error, {{"error", or_infinite(standing.error)}});
+  auto const add_times = [&](FindingKind kind, std::optional<double> const& error) {
+    if (error && standing.fits && *error > doubtful_times * *standing.fits)
+      add(kind, {{"times", *error / *standing.fits}});
+  };
+  add_times(FindingKind::weak_larger_swings, law.larger_swings_objective);
+  if (law.prediction_grade == PredictionGrade::fair) add(FindingKind::weak_prediction_fair);
+  else add_times(FindingKind::weak_other_blocks, law.predicted_objective);
+  add_doubts_about_cycles(summary, law, doubts);
+  if (auto found = one_sided(summary)) doubts.push_back(std::move(*found));
+  if (!compares_laws(summary)) add(FindingKind::weak_only_law);
+  if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::weak_incomplete);
   if (law.success_share && *law.success_share < found_share)
-    found.push_back({.kind = FindingKind::weak_search, .law = law.id, .numbers = {{"share", *law.success_share}}});
+    add(FindingKind::weak_search, {{"share", *law.success_share}});
   if (auto const held = pinned(law); held.decides()) {
-    found.push_back(held.finding(law.id));
-    found.back().kind = FindingKind::weak_bounds;
+    doubts.push_back(held.finding(law.id));
+    doubts.back().kind = FindingKind::weak_bounds;
   }
-  // If the law predicted blocks, the parameters that the tests leave undetermined have already proved harmless.
-  if (purpose == Purpose::untested_device && !law.prediction_grade)
+  // If the law predicted something, the parameters that the tests leave undetermined have already proved harmless.
+  if (!law.prediction_grade && !standing.predicts)
     if (auto const share = share_open(law); share && *share > open_share)
-      found.push_back({.kind = FindingKind::weak_open, .law = law.id, .numbers = {{"share", *share}}});
-  return found;
+      add(FindingKind::weak_open, {{"share", *share}});
+  return doubts;
 }
 
-// Prefers a law without weaknesses, then one with fewer parameters, then one that analysis programs have.
-bool preferred(Candidate const& a, Candidate const& b) {
-  if (a.weak.empty() != b.weak.empty()) return a.weak.empty();
-  if (a.parameters != b.parameters) return a.parameters < b.parameters;
-  if (a.law->in_programs != b.law->in_programs) return a.law->in_programs;
-  return a.known.error < b.known.error;
+Standing standing_of(Summary const& summary, std::size_t index) {
+  constexpr std::size_t devices_of_a_lot = 3;
+  auto const& law = summary.laws[index];
+  Standing standing{.law = index,
+                    .fits = error_of_fits(law),
+                    .new_device = law.loo_objective,
+                    .predicts = prediction_of_larger(summary, law),
+                    .error = {},
+                    .parameters = searched_parameters(law),
+                    .reason = ruled_out(summary, law)};
+  bool const is_lot = law.loo_objective && device_names(summary).size() >= devices_of_a_lot;
+  standing.error = is_lot ? standing.new_device : standing.fits;
+  if (standing.error && standing.predicts) standing.error = 0.5 * (*standing.error + *standing.predicts);
+  if (!standing.error && standing.predicts) standing.error = standing.predicts;
+  if (standing.reason) standing.place = Rank::ruled_out;
+  else standing.weak = doubts_about(summary, standing);
+  return standing;
+}
+
+std::vector<Standing> standings_of(Summary const& summary) {
+  std::vector<Standing> standings;
+  for (std::size_t i = 0; i < summary.laws.size(); ++i) standings.push_back(standing_of(summary, i));
+  return standings;
+}
+
+// Puts the laws in order and marks those that tie with the least error. The tied law with the fewest parameters is taken.
+void rank(std::vector<Standing>& standings) {
+  std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
+  auto const out = std::ranges::stable_partition(standings, [](Standing const& s) { return !s.reason; });
+  auto const count = static_cast<std::size_t>(out.begin() - standings.begin());
+  if (count == 0) return;
+  double const most = (1.0 + tie_share) * or_infinite(standings.front().error);
+  std::size_t tied = 0;
+  for (; tied < count && or_infinite(standings[tied].error) <= most; ++tied) standings[tied].place = Rank::tied;
+  std::ranges::stable_sort(standings.begin(), standings.begin() + static_cast<std::ptrdiff_t>(tied), {},
+                           &Standing::parameters);
+  standings.front().place = Rank::taken;
 }
 
 bool predicts_blocks(Summary const& summary) {
   return std::ranges::any_of(summary.laws, [](auto const& law) { return law.predicted_objective.has_value(); });
 }
 
-std::string measure_of(bool untested, LawResult const& law) {
-  if (!untested) return "fitted to each device";
-  bool const of_blocks =
-      law.predicted_objective && (!law.loo_objective || *law.predicted_objective >= *law.loo_objective);
-  return of_blocks ? "on blocks it was not fitted to" : "on a device it was not fitted to";
-}
-
-std::vector<Finding> what_would_decide(Summary const& summary, Purpose purpose, bool open) {
+std::vector<Finding> what_would_decide(Summary const& summary, bool predicts, bool open) {
   constexpr std::size_t few = 5;
   auto const devices = device_names(summary).size();
   std::vector<Finding> steps;
   auto const add = [&](FindingKind kind) { steps.push_back({.kind = kind}); };
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::surer_finish);
   if (open && !compares_laws(summary)) add(FindingKind::surer_other_laws);
-  bool const elsewhere = purpose != Purpose::these_tests;
-  if (elsewhere && !predicts_blocks(summary) && (open || purpose == Purpose::untested_device)) {
+  if (!predicts) {
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
       return device.status == "ok" && device.properties.blocks.size() > 1;
     });
-    add(several ? FindingKind::surer_fit_blocks : FindingKind::surer_other_amplitude);
+    add(several && !predicts_blocks(summary) ? FindingKind::surer_fit_blocks : FindingKind::surer_other_amplitude);
+  } else if (open) {
+    add(FindingKind::surer_further_test);
   }
-  if (elsewhere && open && predicts_blocks(summary)) add(FindingKind::surer_further_test);
-  if (elsewhere && (devices == 1 || (open && devices < few)))
+  if (devices == 1 || (open && devices < few))
     steps.push_back(
         {.kind = FindingKind::surer_more_devices, .numbers = {{"devices_tested", static_cast<double>(devices)}}});
   if (open && steps.empty()) add(FindingKind::surer_amplitude_between);
   return steps;
 }
 
-// The title names the kinds of untested things for which errors are known: devices left out, blocks, or both.
-std::string title_of(Summary const& summary, Purpose purpose) {
-  if (purpose == Purpose::these_tests) return "For these tests";
-  if (purpose == Purpose::simplest) return "Simplest that serves";
-  bool const devices = std::ranges::any_of(summary.laws, [](auto const& law) { return law.loo_objective.has_value(); });
-  if (predicts_blocks(summary)) return devices ? "For devices and blocks not tested" : "For blocks not tested";
-  return devices ? "For a device not tested" : "For what was not tested";
-}
-
-std::vector<Finding> why_none(Summary const& summary, Purpose purpose) {
-  auto const identified =
-      std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); });
-  if (identified == 0) return {{.kind = FindingKind::none_identified}};
-  Names far, failing, partial;
-  for (auto const& law : summary.laws) {
-    if (!law.objective.mean) continue;
-    if (!is_adequate(law))
-      far.push_back(law.id);
-    else if (!law.prediction_holds())
-      failing.push_back(law.id);
-    else if (!may_be_taken(summary, law))
-      partial.push_back(law.id);
+// Why no law is recommended; empty if one is.
+std::vector<Finding> why_none(Summary const& summary, std::vector<Standing> const& standings) {
+  Names failing, partial, running_away, tied;
+  for (auto const& s : standings) {
+    auto const& id = summary.laws[s.law].id;
+    if (!s.reason) {
+      if (s.place != Rank::behind) tied.push_back(id);
+    } else if (s.reason->kind == FindingKind::out_prediction) {
+      failing.push_back(id);
+    } else if (s.reason->kind == FindingKind::out_partial) {
+      partial.push_back(id);
+    } else if (s.reason->kind == FindingKind::out_runs_away) {
+      running_away.push_back(id);
+    }
+  }
+  auto const& best = standings.front();
+  if (!best.reason) {
+    double least = infinite;
+    for (auto const& s : standings)
+      if (!s.reason) least = std::min(least, or_infinite(s.error));
+    if (!(least <= usable_error))
+      return {{.kind = FindingKind::none_describes,
+               .law = summary.laws[best.law].id,
+               .numbers = {{"error", least}, {"most", usable_error}}}};
+    bool const energy_is_off = std::ranges::all_of(standings, [](Standing const& s) {
+      return (s.place != Rank::taken && s.place != Rank::tied) ||
+             std::ranges::find(s.weak, FindingKind::weak_cycle_energy, &Finding::kind) != s.weak.end();
+    });
+    if (!energy_is_off) return {};
+    return {{.kind = FindingKind::none_energy,
+             .other_laws = std::move(tied),
+             .numbers = {{"most", doubtful_energy_percent / 100.0}}}};
   }
   std::vector<Finding> reasons;
   auto const add = [&](FindingKind kind, Names laws) {
     if (!laws.empty()) reasons.push_back({.kind = kind, .other_laws = std::move(laws)});
   };
-  add(FindingKind::none_describes, std::move(far));
   add(FindingKind::none_predicts, std::move(failing));
+  add(FindingKind::none_for_a_building, std::move(running_away));
   add(FindingKind::none_on_every_device, std::move(partial));
-  if (!reasons.empty()) return reasons;
-  if (purpose != Purpose::untested_device) return {{.kind = FindingKind::none_has_error}};
-  return {
-      {.kind = device_names(summary).size() > 1 ? FindingKind::none_left_out : FindingKind::none_beside_one_device}};
+  if (reasons.empty()) reasons.push_back({.kind = FindingKind::none_identified});
+  return reasons;
 }
 
-std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law, bool known, double error) {
-  auto const because = [&](FindingKind kind, std::string_view grade = {}) {
-    Finding reason{.kind = kind, .law = law.id};
-    if (!grade.empty()) reason.words = {{"grade", std::string(grade)}};
-    return std::optional(std::move(reason));
-  };
-  if (!law.objective.mean) return because(FindingKind::out_not_identified);
-  if (!is_adequate(law)) return because(FindingKind::out_inadequate);
-  if (!law.prediction_holds()) return because(FindingKind::out_prediction, name(*law.prediction_grade));
-  if (!may_be_taken(summary, law)) return because(FindingKind::out_partial);
-  if (!known) return because(FindingKind::out_unknown);
-  return error > fair_prediction ? because(FindingKind::out_error, grade_of_error(error)) : std::nullopt;
-}
-
-std::vector<Standing> standings_of(Summary const& summary, bool untested, std::vector<Candidate> const& chosen) {
-  std::vector<Standing> standings, out;
-  for (auto const& c : chosen)
-    standings.push_back({c.index, standings.empty() ? Rank::taken : Rank::tied, c.known.error, {}});
-  auto const first_behind = static_cast<std::ptrdiff_t>(standings.size());
-  for (std::size_t i = 0; i < summary.laws.size(); ++i) {
-    if (std::ranges::find(chosen, i, &Candidate::index) != chosen.end()) continue;
-    auto const& law = summary.laws[i];
-    auto const known = known_for(untested, law);
-    auto const error = known ? std::optional(known->error) : std::nullopt;
-    auto reason = ruled_out(summary, law, known.has_value(), error.value_or(0.0));
-    auto& list = reason ? out : standings;
-    list.push_back({i, reason ? Rank::ruled_out : Rank::behind, error, std::move(reason)});
-  }
-  auto const by_error = [](Standing const& s) { return s.error.value_or(std::numeric_limits<double>::infinity()); };
-  std::ranges::stable_sort(standings.begin() + first_behind, standings.end(), {}, by_error);
-  std::ranges::stable_sort(out, {}, by_error);
-  standings.insert(standings.end(), out.begin(), out.end());
-  return standings;
-}
-
-Recommendation none(Summary const& summary, Purpose purpose, bool untested) {
-  Recommendation answer;
-  answer.purpose = purpose;
-  answer.standings = standings_of(summary, untested, {});
-  answer.why = why_none(summary, purpose);
-  answer.answer = {.kind = FindingKind::no_law_recommended, .words = {{"purpose", std::string(name(purpose))}}};
-  answer.surer = what_would_decide(summary, purpose, true);
-  return answer;
-}
-
-// Names the law that fits the tests best if it was refused for its prediction: readers ask why it was not taken.
-std::optional<Finding> closer_but_refused(Summary const& summary, Candidate const& taken, Purpose purpose) {
-  if (purpose != Purpose::these_tests) return std::nullopt;
-  LawResult const* closest = nullptr;
-  double least = taken.known.error;
-  for (auto const& law : summary.laws) {
-    auto const known = known_of_tests(law);
-    if (!known || known->error >= least || law.prediction_holds() || !is_adequate(law)) continue;
-    closest = &law;
-    least = known->error;
-  }
-  if (closest == nullptr) return std::nullopt;
-  return Finding{.kind = FindingKind::why_closer_refused,
-                 .law = closest->id,
-                 .numbers = {{"error", least}},
-                 .words = {{"grade", std::string(name(*closest->prediction_grade))}}};
-}
-
-bool asks_about_untested(Summary const& summary, Purpose purpose) {
-  if (purpose != Purpose::simplest) return purpose == Purpose::untested_device;
-  return std::ranges::any_of(summary.laws, [](auto const& law) { return known_for_untested(law).has_value(); });
-}
-
-// The laws that may be recommended, that of the least error first.
-std::vector<Candidate> candidates_among(Summary const& summary, bool untested) {
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < summary.laws.size(); ++i) {
-    auto const& law = summary.laws[i];
-    if (!may_be_taken(summary, law)) continue;
-    auto const known = known_for(untested, law);
-    if (!known || known->error > fair_prediction) continue;
-    candidates.push_back({.index = i, .law = &law, .known = *known, .parameters = calibrated(law)});
-  }
-  std::ranges::stable_sort(candidates, {}, [](auto const& c) { return c.known.error; });
-  return candidates;
-}
-
-// The laws with the fewest parameters among those whose error is near the least.
-std::vector<Candidate> simplest_of(std::vector<Candidate> candidates) {
-  double const least = candidates.front().known.error;
-  double const most = least + std::max(simple_share * least, simple_error);
-  std::erase_if(candidates, [&](auto const& c) { return c.known.error > most; });
-  auto const fewest = std::ranges::min_element(candidates, {}, &Candidate::parameters)->parameters;
-  std::erase_if(candidates, [&](auto const& c) { return c.parameters != fewest; });
-  return candidates;
-}
-
-// The laws that are equally good for the purpose, the preferred one first.
-std::vector<Candidate> equally_good(Summary const& summary, Purpose purpose, std::vector<Candidate> const& candidates) {
-  auto chosen = purpose == Purpose::simplest ? simplest_of(candidates) : candidates;
-  std::erase_if(
-      chosen, [least = chosen.front()](auto const& c) { return c.index != least.index && !tie(least.known, c.known); });
-  // A grade comes before an error: a law of grade good is taken before a law of grade fair.
-  auto const grade_of = [](Candidate const& c) { return c.law->prediction_grade.value_or(PredictionGrade::good); };
-  auto const least_grade = std::ranges::min(chosen | std::views::transform(grade_of));
-  std::erase_if(chosen, [&](auto const& c) { return grade_of(c) != least_grade; });
-  for (auto& c : chosen) c.weak = weaknesses(summary, c, purpose);
-  std::ranges::stable_sort(chosen, preferred);
-  return chosen;
-}
-
-std::vector<Finding> why_taken(Summary const& summary, Recommendation const& advice,
-                               std::vector<Candidate> const& candidates, Candidate const& taken, Names const& tied) {
-  auto const& best = candidates.front();
-  bool const simplest = advice.purpose == Purpose::simplest;
-  std::vector<Finding> why{{.kind = FindingKind::why_error,
-                            .law = taken.law->id,
-                            .numbers = {{"error", taken.known.error}},
-                            .words = {{"measure", advice.measure}}}};
-  if (simplest) why.front().numbers.push_back({"parameters", static_cast<double>(taken.parameters)});
-  if (simplest && taken.index != best.index)
-    why.push_back({.kind = FindingKind::why_simpler,
-                   .law = best.law->id,
-                   .numbers = {{"error", best.known.error}, {"parameters", static_cast<double>(best.parameters)}}});
-  if (!tied.empty()) {
-    why.push_back({.kind = FindingKind::why_ties,
-                   .law = taken.law->id,
-                   .other_laws = tied,
-                   .words = {{"tie", device_names(summary).size() > 1 ? "lot" : "device"}}});
-  } else if (!simplest && candidates.size() > 1) {
-    auto const& next = candidates[best.index == taken.index ? 1 : 0];
-    why.push_back({.kind = FindingKind::why_next, .law = next.law->id, .numbers = {{"error", next.known.error}}});
-  }
-  if (auto closer = closer_but_refused(summary, taken, advice.purpose)) why.push_back(std::move(*closer));
+std::vector<Finding> why_taken(Summary const& summary, std::vector<Standing> const& standings) {
+  std::vector<Finding> why;
+  auto const next = std::ranges::find(standings, Rank::behind, &Standing::place);
+  if (next != standings.end() && next->error)
+    why.push_back(
+        {.kind = FindingKind::why_next, .law = summary.laws[next->law].id, .numbers = {{"error", *next->error}}});
+  auto const better = std::ranges::find_if(standings, [&](Standing const& s) {
+    return s.reason && or_infinite(s.error) < or_infinite(standings.front().error);
+  });
+  if (better != standings.end())
+    why.push_back({.kind = FindingKind::why_better_refused,
+                   .law = summary.laws[better->law].id,
+                   .numbers = {{"error", *better->error}}});
   return why;
 }
 
-Recommendation recommend(Summary const& summary, Purpose purpose) {
-  bool const untested = asks_about_untested(summary, purpose);
-  auto const candidates = candidates_among(summary, untested);
-  if (candidates.empty()) return none(summary, purpose, untested);
-  auto const chosen = equally_good(summary, purpose, candidates);
-  auto const& taken = chosen.front();
-  Recommendation advice;
-  advice.purpose = purpose;
-  advice.law = taken.index;
-  advice.error = taken.known.error;
-  advice.measure = measure_of(untested, *taken.law);
-  advice.standings = standings_of(summary, untested, chosen);
-  Names tied;
-  for (auto const& c : chosen | std::views::drop(1)) {
-    advice.ties.push_back(c.index);
-    tied.push_back(c.law->id);
-  }
-  advice.weak = taken.weak;
-  advice.sure = !advice.weak.empty() ? Sure::weak : !advice.ties.empty() ? Sure::tie : Sure::clear;
-  advice.why = why_taken(summary, advice, candidates, taken, tied);
-  advice.answer = {
-      .kind = FindingKind::law_recommended,
-      .law = taken.law->id,
-      .other_laws = tied,
-      .numbers = {{"error", taken.known.error}},
-      .words = {{"measure", advice.measure}, {"sure", std::string(name(advice.sure))}, {"elsewhere", "yes"}}};
-  advice.surer = what_would_decide(summary, purpose, advice.sure != Sure::clear);
-  advice.valid_mm = largest_displacement(summary, *taken.law);
-  if (!taken.law->in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = taken.law->id};
-  return advice;
+Finding answer_of(Summary const& summary, Recommendation const& advice) {
+  auto const& taken = advice.standings.front();
+  auto const& law = summary.laws[taken.law];
+  Finding answer{.kind = FindingKind::law_recommended, .law = law.id};
+  for (auto const& s : advice.standings)
+    if (s.place == Rank::tied) answer.other_laws.push_back(summary.laws[s.law].id);
+  bool const is_lot = taken.new_device.has_value();
+  answer.numbers.push_back({"fits", or_infinite(is_lot ? taken.new_device : taken.fits)});
+  if (taken.predicts)
+    answer.numbers.push_back({taken.predicts == law.larger_swings_objective ? "predicts" : "blocks", *taken.predicts});
+  else if (law.predicted_objective)
+    answer.numbers.push_back({"blocks", *law.predicted_objective});
+  answer.words = {{"fitted_to", is_lot ? "devices" : "tests"},
+                  {"sure", std::string(name(advice.sure))},
+                  {"larger", taken.predicts ? "known" : "unknown"}};
+  return answer;
+}
+
+std::optional<LawSpread> spread_of(Summary const& summary, std::vector<Standing> const& standings) {
+  constexpr std::size_t most = 5;
+  std::vector<Standing const*> best;
+  for (auto const& s : standings)
+    if (!s.reason && s.error && summary.laws[s.law].beyond) best.push_back(&s);
+  std::ranges::stable_sort(best, {}, [](Standing const* s) { return *s->error; });
+  best.resize(std::min(best.size(), most));
+  if (best.size() < 2) return std::nullopt;
+  auto const in = [&](double BeyondTests::*member) {
+    return std::ranges::minmax(
+        best | std::views::transform([&](Standing const* s) { return (*summary.laws[s->law].beyond).*member; }));
+  };
+  auto const K = in(&BeyondTests::K_kN_per_mm), energy = in(&BeyondTests::energy_kN_mm);
+  return LawSpread{.count = best.size(),
+                   .disp_mm = summary.laws[best.front()->law].beyond->asked_mm,
+                   .K_low_kN_per_mm = K.min,
+                   .K_high_kN_per_mm = K.max,
+                   .energy_low_kN_mm = energy.min,
+                   .energy_high_kN_mm = energy.max};
 }
 
 }  // namespace
-
-std::string_view name(Purpose purpose) {
-  constexpr std::string_view names[]{"untested-device", "these-tests", "simplest"};
-  return names[static_cast<std::size_t>(purpose)];
-}
 
 std::string_view name(Rank place) {
   constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
@@ -402,27 +355,35 @@ bool compares_laws(Summary const& summary) {
   return std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); }) > 1;
 }
 
-std::vector<Recommendation> recommendations(Summary const& summary) {
-  std::vector<Recommendation> answers;
-  if (summary.laws.empty()) return answers;
-  for (auto const purpose : {Purpose::untested_device, Purpose::these_tests, Purpose::simplest}) {
-    answers.push_back(recommend(summary, purpose));
-    answers.back().title = title_of(summary, purpose);
-  }
-  // If no law is recommended for untested devices, the other answers warn that their law may not hold elsewhere.
-  if (answers.front().law) return answers;
-  for (auto& each : answers | std::views::drop(1))
-    if (each.law) {
-      std::ranges::find(each.answer.words, "elsewhere", &FindingWord::name)->text = "no";
-      each.answer.words.push_back({"others", "none"});
-    }
-  return answers;
+std::optional<LawSpread> spread_of_laws(Summary const& summary) {
+  return spread_of(summary, standings_of(summary));
 }
 
-std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations) {
-  if (recommendations.empty()) return std::nullopt;
-  auto const &design = recommendations[0], &tests = recommendations[1];
-  return design.law || !tests.law ? design.answer : tests.answer;
+std::optional<Recommendation> recommendation(Summary const& summary) {
+  if (summary.laws.empty()) return std::nullopt;
+  Recommendation advice;
+  advice.standings = standings_of(summary);
+  rank(advice.standings);
+  auto const& best = advice.standings.front();
+  advice.spread = spread_of(summary, advice.standings);
+  advice.why = why_none(summary, advice.standings);
+  if (!advice.why.empty()) {
+    for (auto& s : advice.standings)
+      if (!s.reason) s.place = Rank::behind;
+    advice.answer = {.kind = FindingKind::no_law_recommended};
+    advice.surer = what_would_decide(summary, best.predicts.has_value(), true);
+    return advice;
+  }
+  auto const& law = summary.laws[best.law];
+  advice.law = best.law;
+  bool const ties = advice.standings.size() > 1 && advice.standings[1].place == Rank::tied;
+  advice.sure = !best.weak.empty() ? Sure::weak : ties ? Sure::tie : Sure::clear;
+  advice.why = why_taken(summary, advice.standings);
+  advice.answer = answer_of(summary, advice);
+  advice.surer = what_would_decide(summary, best.predicts.has_value(), advice.sure != Sure::clear);
+  advice.valid_mm = largest_displacement(summary, law);
+  if (!law.in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = law.id};
+  return advice;
 }
 
 }  // namespace isolaw::study

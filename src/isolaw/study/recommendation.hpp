@@ -1,9 +1,8 @@
-// Recommends one law for each purpose, from all results of a campaign. docs/decision.md explains the rule.
+// Recommends one law from all results of a campaign. docs/decision.md explains the rule.
 #pragma once
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,56 +11,61 @@
 
 namespace isolaw::study {
 
-enum class Purpose {
-  untested_device,  // design of a building: devices and amplitudes that were not tested
-  these_tests,      // description of what was measured
-  simplest          // the fewest parameters that are accurate enough
-};
-std::string_view name(Purpose purpose);  // "untested-device", "these-tests", "simplest"
-
 enum class Sure { clear, tie, weak };
 std::string_view name(Sure sure);
 
 enum class Rank { taken, tied, behind, ruled_out };
 std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
+
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  std::optional<double> error;    // misfit on the tests or on what was left out of the fit, as the purpose asks
-  std::optional<Finding> reason;  // why the law is ruled out
+  // Errors as means over the devices: of the fits to what the laws are judged by; on devices that the law was not
+  // fitted to; on larger swings, or on blocks of larger amplitude, that it was not fitted to.
+  std::optional<double> fits, new_device, predicts;
+  // The mean of two errors: on a new device if there are three devices or more, else of the fits; and of `predicts`.
+  // If one of the two is not known, it is the other. It decides which law is taken.
+  std::optional<double> error;
+  std::size_t parameters = 0;      // parameters that were searched
+  std::optional<Finding> reason;   // why the law is ruled out
+  std::vector<Finding> weak = {};  // doubts about a law that is not ruled out
+};
+
+// The laws of least error that are not ruled out, in steady cycles at BeyondTests::asked_mm. A range of laws, no interval.
+struct LawSpread {
+  std::size_t count = 0;
+  double disp_mm = 0.0;
+  double K_low_kN_per_mm = 0.0, K_high_kN_per_mm = 0.0, energy_low_kN_mm = 0.0, energy_high_kN_mm = 0.0;
 };
 
 struct Recommendation {
-  Purpose purpose = Purpose::untested_device;
-  std::string title;                // "For a device not tested"
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
-  Sure sure = Sure::weak;           // weak if the law has a weakness, even if it ties with others
-  std::optional<double> error;      // its misfit on the tests, or on what was left out; 0 is perfect
-  std::string measure;              // what that error was computed on: "fitted to each device"
-  std::vector<std::size_t> ties;    // other laws whose errors hardly differ from this law's, best first
-  std::vector<Standing> standings;  // every law, best first, those ruled out last
+  Sure sure = Sure::weak;           // weak if there is a doubt about the law, even if it ties with others
+  std::vector<Standing> standings;  // every law: the law taken, tied laws, others by error, those ruled out
   Finding answer;                   // recommends this law, or none
   std::vector<Finding> why;
-  std::vector<Finding> weak;        // why the choice is uncertain
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
+  std::optional<LawSpread> spread;  // empty with fewer than two laws
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
+
+  std::vector<Finding> const& weak() const { return standings.front().weak; }  // of the law that is taken
 };
 
 bool compares_laws(Summary const& summary);
-// One recommendation for each purpose, in the order of Purpose. An inspection has none.
-std::vector<Recommendation> recommendations(Summary const& summary);
-// The answer that the page and the terminal show first. An inspection has none.
-std::optional<Finding> verdict(std::vector<Recommendation> const& recommendations);
-// Two laws tie if the mean difference of their errors over the devices is at most tie_errors times its standard error.
-// With a single device they tie if their errors differ by at most the share tie_share of the smaller error.
-inline constexpr double tie_errors = 2.0, tie_share = 0.15;
-// The error of the simplest law may exceed the least error by the share simple_share of it or by simple_error,
-// whichever is larger.
-inline constexpr double simple_share = 0.5, simple_error = 0.02;
-// A choice is weak if less than this share of the law's runs ends near the least objective.
-inline constexpr double found_share = 0.5;
-// A choice is weak if the tests leave more than this share of the parameters undetermined and no blocks were predicted.
-inline constexpr double open_share = 0.5;
+std::optional<LawSpread> spread_of_laws(Summary const& summary);
+// The program's answer. An inspection has none.
+std::optional<Recommendation> recommendation(Summary const& summary);
+
+inline constexpr double tie_share = 0.10;     // laws tie with the least error if theirs is at most this share larger
+inline constexpr double usable_error = 0.30;  // no law is recommended if the least error is larger
+// A choice is weak beyond these limits. Errors on the largest cycle are those of Fit::K_eff_error_percent and so on.
+inline constexpr double doubtful_error = 0.20;
+inline constexpr double doubtful_times = 2.0;  // error on larger swings or other blocks / error of the fit
+inline constexpr double doubtful_stiffness_percent = 15.0, doubtful_energy_percent = 30.0;
+inline constexpr double small_damping_percent = 5.0, doubtful_damping_points = 2.0;
+inline constexpr double low_stiffness_ratio = 0.5, low_damping_ratio = 0.4, high_ratio = 1.5;
+inline constexpr double found_share = 0.5;  // of the law's runs end near the least objective
+inline constexpr double open_share = 0.5;   // of the parameters are left undetermined, and nothing was predicted
 
 }  // namespace isolaw::study

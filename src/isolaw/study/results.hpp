@@ -98,6 +98,11 @@ inline std::optional<double> energy_fall_of_law(DeviceFit const& fit) {
   return fit.energy_fall ? std::optional(fit.energy_fall->percent) : std::nullopt;
 }
 
+template <double BeyondTests::*member>
+Value beyond(LawResult const& law) {
+  return law.beyond ? value_of((*law.beyond).*member) : Value();
+}
+
 inline constexpr Result<LawResult> law_results[]{
     {"id", "", "law", "short name, as on the command line", get<&LawResult::id>},
     {"objective", "-", "OF",
@@ -138,6 +143,23 @@ inline constexpr Result<LawResult> law_results[]{
     {"loo_worst_device", "", "worst device left out", "the device that has it", get<&LawResult::loo_worst_device>},
     {"on_front_loo", "", "on front, left out",
      "the law is on the front of `objective_converged` against `loo_objective`", get<&LawResult::on_front_loo>},
+    {"larger_swings_objective", "-", "OF, larger swings",
+     "objective on the large swings of a test with the law fitted to its small ones ([decision](decision.md)), mean over the devices whose tests tell",
+     get<&LawResult::larger_swings_objective>},
+    {"larger_swings_least", "-", "OF, larger swings, least",
+     "the same with the fit that predicts best among equally good fits", get<&LawResult::larger_swings_least>},
+    {"larger_swings_worst", "-", "OF, larger swings, worst device", "largest of any device",
+     get<&LawResult::larger_swings_worst>},
+    {"tested_mm", "mm", "tested to", "largest displacement of the tests", beyond<&BeyondTests::tested_mm>},
+    {"asked_mm", "mm", "asked for",
+     "displacement of the design, at least `tested_mm`; twice that if none is stated. The four keys below are of steady cycles with it",
+     beyond<&BeyondTests::asked_mm>},
+    {"K_at_asked_kN_per_mm", "kN/mm", "stiffness there", "stiffness of the law", beyond<&BeyondTests::K_kN_per_mm>},
+    {"energy_at_asked_kN_mm", "kN mm", "energy there", "energy of a cycle", beyond<&BeyondTests::energy_kN_mm>},
+    {"stiffness_ratio", "-", "stiffness ratio", "stiffness there over that at `tested_mm`",
+     beyond<&BeyondTests::stiffness_ratio>},
+    {"damping_ratio", "-", "damping ratio", "damping there over that at `tested_mm`",
+     beyond<&BeyondTests::damping_ratio>},
     {"lot", "", "", "the law of the lot: one parameter vector for all devices", nested<LawResult>},
     {"population", "", "", "the population that the devices come from, as estimated", nested<LawResult>},
     {"fitted_objective", "-", "OF, blocks fitted", "objective on the blocks fitted, mean over blocks and devices",
@@ -209,6 +231,11 @@ inline constexpr Result<DeviceFit> fit_results[]{
      "objective on this device with the lot's law that is least bad for the worst", get<&DeviceFit::worst_objective>},
     {"left_out_objective", "-", "all other devices", "objective on this device with the law fitted to all others",
      get<&DeviceFit::left_out_objective>},
+    {"larger_swings_objective", "-", "larger swings",
+     "objective on the large swings of the test with the law fitted to its small ones: the largest among equally good fits",
+     get<&DeviceFit::larger_swings_objective>},
+    {"larger_swings_least", "-", "larger swings, least", "the least among these fits",
+     get<&DeviceFit::larger_swings_least>},
     {"springs_objective", "-", "as springs",
      "objective along the test of springs around the circle, fitted as such (`bidirectional`); buildings use these springs",
      get<&DeviceFit::springs_objective>},

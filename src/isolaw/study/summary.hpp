@@ -84,6 +84,9 @@ struct DeviceFit {
   std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
   std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
+  // Objective on the large swings of the test with parameters fitted to its small swings: the largest among equally
+  // good fits, and the least. Infinite if a force is not finite; empty if the test does not tell.
+  std::optional<double> larger_swings_objective, larger_swings_least;
   // Objectives on the device's test of springs around a circle: with parameters fitted to springs, with the law's own.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
@@ -115,6 +118,15 @@ constexpr std::string_view name(PredictionGrade grade) {
   return names[static_cast<std::size_t>(grade)];
 }
 
+// A law at a displacement beyond the tests, in steady cycles. The law is that of the lot, or of the first device that
+// has one if there is no law of the lot.
+struct BeyondTests {
+  double tested_mm = 0.0;  // the largest displacement of the tests
+  double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
+  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;   // at asked_mm
+  double stiffness_ratio = 0.0, damping_ratio = 0.0;  // value at asked_mm / value at tested_mm
+};
+
 struct LawResult {
   std::string id, title;
   Statistic objective;  // mean of the devices' means; std and best over all devices and runs
@@ -133,6 +145,10 @@ struct LawResult {
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
+  // As for a device, means over the devices that tell, and the largest of them.
+  std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
+  std::optional<BeyondTests> beyond;     // empty if no device was identified
+  std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,
       worst_predicted;                              // means over the blocks; worst_predicted is the largest

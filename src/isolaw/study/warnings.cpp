@@ -1,10 +1,14 @@
 #include "isolaw/study/warnings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "isolaw/fit/box.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/energy_fall.hpp"
@@ -34,6 +38,7 @@ class Collector {
       refusals(*law);
       failures(*law);
       if (auto unfit = inadequacy(*law)) add(std::move(*unfit));
+      if (law->runs_away) add(*law->runs_away);
       held(*law);
       prediction(*law);
       search(*law);
@@ -202,6 +207,8 @@ class Collector {
         finding.numbers = {{"all_devices", fitted}};
       else
         finding.words.push_back({"some", "yes"});
+      if (auto set = set_beyond(law, finding.parameters.front(), finding.word("side")); !set.empty())
+        finding.words.push_back({"set", std::move(set)});
       add(std::move(finding));
     }
     if (law.lot && !scope_.device)
@@ -210,6 +217,21 @@ class Collector {
              .law = law.id,
              .parameters = {parameter},
              .words = {{"side", std::string(name(side))}}});
+  }
+
+  // The option that moves the bound at which the parameter lies on some devices; empty if it is a physical limit.
+  static std::string set_beyond(LawResult const& law, std::string const& parameter, std::string_view side) {
+    auto const& entry = laws::find_law(law.id);
+    auto const& info = entry.parameters[entry.index_of(parameter)];
+    std::optional<laws::Interval> all;
+    for (auto const& fit : law.devices)
+      for (auto const& p : fit.parameters) {
+        if (p.name != parameter || name(p.at_bound) != side) continue;
+        auto const one = fit::interval_beyond(info, laws::Interval{p.lower, p.upper}, p.at_bound);
+        if (one && all) all = laws::Interval{std::min(all->lower, one->lower), std::max(all->upper, one->upper)};
+        if (one && !all) all = one;
+      }
+    return all ? fmt::format("--set {}.{}={:.4g}:{:.4g}", law.id, parameter, all->lower, all->upper) : std::string();
   }
 
   void integration(LawResult const& law) {

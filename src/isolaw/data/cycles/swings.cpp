@@ -14,22 +14,22 @@ constexpr double rest_band = 0.01;       // fraction of the range within which a
 
 std::vector<std::size_t> turning_points(std::span<double const> x, double back) {
   std::vector<std::size_t> turns;
-  std::size_t low = 0, high = 0;
+  std::size_t lowest = 0, highest = 0;
   int direction = 0;  // 1 upwards, -1 downwards, 0 until the motion has come back from its first extreme
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (direction >= 0 && x[i] > x[high]) high = i;
-    if (direction <= 0 && x[i] < x[low]) low = i;
-    if (direction >= 0 && x[high] - x[i] >= back) {
-      turns.push_back(high);
+    if (direction >= 0 && x[i] > x[highest]) highest = i;
+    if (direction <= 0 && x[i] < x[lowest]) lowest = i;
+    if (direction >= 0 && x[highest] - x[i] >= back) {
+      turns.push_back(highest);
       direction = -1;
-      low = i;
-    } else if (direction <= 0 && x[i] - x[low] >= back) {
-      turns.push_back(low);
+      lowest = i;
+    } else if (direction <= 0 && x[i] - x[lowest] >= back) {
+      turns.push_back(lowest);
       direction = 1;
-      high = i;
+      highest = i;
     }
   }
-  std::erase_if(turns, [&](std::size_t turn) { return turn == 0 || turn + 1 == x.size(); });
+  std::erase(turns, 0u);  // the first sample is no turn; the last one cannot be, because nothing comes back from it
   return turns;
 }
 
@@ -37,22 +37,41 @@ double interval_after(std::span<double const> time_s, std::size_t sample) {
   return time_s.empty() ? 1.0 : time_s[sample + 1] - time_s[sample];
 }
 
-// For each interval between samples its length, or 0 while the motion rests.
+double duration(std::span<double const> time_s, std::size_t first, std::size_t last) {
+  return time_s.empty() ? static_cast<double>(last - first) : time_s[last] - time_s[first];
+}
+
+// For each interval between samples its length, or 0 while the motion rests. Only a stretch that takes a good part of
+// its swing is rest: around the turns of a slow swing the motion also changes little for a while.
 std::vector<double> moving_intervals(std::span<double const> x, std::span<double const> time_s,
                                      std::span<std::size_t const> turns, double range) {
+  constexpr double least_part = 0.25;
   std::vector<double> intervals, durations;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) intervals.push_back(interval_after(time_s, i));
-  auto const between = [&](std::size_t first, std::size_t last) {
-    return time_s.empty() ? static_cast<double>(last - first) : time_s[last] - time_s[first];
-  };
-  for (std::size_t k = 0; k + 1 < turns.size(); ++k) durations.push_back(between(turns[k], turns[k + 1]));
+  for (std::size_t k = 0; k + 1 < turns.size(); ++k) durations.push_back(duration(time_s, turns[k], turns[k + 1]));
   if (durations.empty()) return intervals;
-  double const longest = num::median(durations);
-  for (auto const& rest : stretches_within(x, 0, x.size(), rest_band * range, 1))
-    if (between(rest.first, rest.last) > longest)
-      std::fill(intervals.begin() + static_cast<std::ptrdiff_t>(rest.first),
-                intervals.begin() + static_cast<std::ptrdiff_t>(rest.last), 0.0);
+  double const usual = num::median(durations);
+  for (auto const& rest : stretches_within(x, 0, x.size(), rest_band * range, 1)) {
+    if (duration(time_s, rest.first, rest.last) <= usual) continue;
+    for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
+      auto const first = std::max(rest.first, turns[k]), last = std::min(rest.last, turns[k + 1]);
+      if (first < last && duration(time_s, first, last) > least_part * durations[k])
+        std::fill(intervals.begin() + static_cast<std::ptrdiff_t>(first),
+                  intervals.begin() + static_cast<std::ptrdiff_t>(last), 0.0);
+    }
+  }
   return intervals;
+}
+
+// The weight of the interval after a sample: the way for Weighting::travel, else the time.
+double weight_of(std::span<double const> x, std::span<double const> time_s, Weighting weighting, std::size_t sample) {
+  return weighting == Weighting::travel ? std::abs(x[sample + 1] - x[sample]) : interval_after(time_s, sample);
+}
+
+// Gives half of the weight to the sample before the interval and half to the sample after it.
+void add_interval(std::vector<double>& weights, std::size_t interval, double weight) {
+  weights[interval] += 0.5 * weight;
+  weights[interval + 1] += 0.5 * weight;
 }
 
 struct SwingingMotion {
@@ -87,20 +106,24 @@ std::string_view name(Weighting weighting) {
 }
 
 std::vector<double> sample_weights(std::span<double const> x, std::span<double const> time_s, Weighting weighting) {
+  if (weighting == Weighting::swing)
+    if (auto const all = swings(x, time_s); !all.empty()) return weights_within(all, x, time_s, weighting);
   std::vector<double> weights(x.size(), 0.0);
-  auto const add = [&](std::size_t interval, double weight) {  // half to the sample before, half to the sample after
-    weights[interval] += 0.5 * weight;
-    weights[interval + 1] += 0.5 * weight;
-  };
-  auto const motion = weighting == Weighting::swing ? motion_in(x, time_s) : SwingingMotion{};
-  if (!motion.swings.empty()) {
-    for (auto const& swing : motion.swings)
-      for (auto i = swing.first; i < swing.last; ++i)
-        if (swing.duration > 0.0) add(i, swing.half_range_mm / swing.duration * motion.intervals[i]);
-    return weights;
-  }
-  for (std::size_t i = 0; i + 1 < x.size(); ++i)
-    add(i, weighting == Weighting::travel ? std::abs(x[i + 1] - x[i]) : interval_after(time_s, i));
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) add_interval(weights, i, weight_of(x, time_s, weighting, i));
+  return weights;
+}
+
+std::vector<double> weights_within(std::span<Swing const> some, std::span<double const> x,
+                                   std::span<double const> time_s, Weighting weighting) {
+  std::vector<double> weights(x.size(), 0.0);
+  auto const motion = motion_in(x, time_s);
+  for (auto const& swing : some)
+    for (auto i = swing.first; i < swing.last; ++i) {
+      if (weighting != Weighting::swing)
+        add_interval(weights, i, weight_of(x, time_s, weighting, i));
+      else if (swing.duration > 0.0)
+        add_interval(weights, i, swing.half_range_mm / swing.duration * motion.intervals[i]);
+    }
   return weights;
 }
 

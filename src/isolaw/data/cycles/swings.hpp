@@ -17,7 +17,8 @@ struct Swing {
 
 // A sample is a turning point if the motion comes back from it by 5 % of half its range; of equal extremes the first
 // sample is. The first and the last sample are none. A motion with fewer than two turning points has no swings. A rest
-// is longer than the median swing and stays within 1 % of the range. time_s may be empty.
+// is longer than the median swing and than a quarter of its own swing, and stays within 1 % of the range. time_s may be
+// empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
 // How much the samples of a record count in the misfit of a law.
@@ -27,8 +28,12 @@ std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double cons
 enum class Weighting { time, swing, travel };
 std::string_view name(Weighting weighting);
 
-// The weights of a record's samples, without a common scale. All of them are those of `time` if there are no swings.
+// The weights of a record's samples, without a common scale. For `swing` they are those of `time` if there are no
+// swings.
 std::vector<double> sample_weights(std::span<double const> disp_mm, std::span<double const> time_s,
                                    Weighting weighting);
+// The part of these weights that lies within some of the motion's swings.
+std::vector<double> weights_within(std::span<Swing const> some, std::span<double const> disp_mm,
+                                   std::span<double const> time_s, Weighting weighting);
 
 }  // namespace isolaw::data

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
 // Long enough for a name. Longer texts are cut, since a million cells may repeat one and would fill the memory.
-constexpr std::size_t longest_text = 200;
+constexpr std::size_t longest_cell_text = 200;
 
 struct Sheet {
   std::string name;
@@ -90,7 +90,7 @@ class SharedTexts {
                [&](std::string_view text) {
                  if (!in_text) return;
                  auto const begin = ends_.size() > 1 ? ends_[ends_.size() - 2] : 0;
-                 auto const room = longest_text - std::min(longest_text, ends_.back() - begin);
+                 auto const room = longest_cell_text - std::min(longest_cell_text, ends_.back() - begin);
                  texts_ += text.substr(0, room);
                  ends_.back() = texts_.size();
                }});
@@ -176,7 +176,7 @@ class RowWriter {
             .end = [this](std::string_view name) { end(name); },
             .text =
                 [this](std::string_view text) {
-                  if (in_value_ && value_.size() < longest_text) value_ += text.substr(0, longest_text - value_.size());
+                  if (in_value_ && value_.size() < longest_cell_text) value_ += text.substr(0, longest_cell_text - value_.size());
                 }};
   }
   std::string take() { return std::move(rows_); }
@@ -277,7 +277,7 @@ class RowWriter {
       if (c == '"') c = '\'';
     }
     while (!line.empty() && utf8_length(std::string_view(line).substr(last_character(line))) == 0)
-      line.resize(last_character(line));  // longest_text may have cut a character in two
+      line.resize(last_character(line));  // longest_cell_text may have cut a character in two
     return std::string(trimmed(line));
   }
   static std::size_t last_character(std::string_view line) {

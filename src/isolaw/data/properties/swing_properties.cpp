@@ -24,9 +24,11 @@ SwingProperties properties_on(std::span<Swing const> swings, std::span<double co
   auto const mean_of_pair = [&](std::size_t k) {
     return 0.5 * (swings[k].half_range_mm + swings[k + 1].half_range_mm);
   };
-  for (std::size_t k = 0; k + 1 < swings.size(); ++k) largest = std::max(largest, mean_of_pair(k));
+  auto const is_pair = [&](std::size_t k) { return swings[k].last == swings[k + 1].first; };
+  for (std::size_t k = 0; k + 1 < swings.size(); ++k)
+    if (is_pair(k)) largest = std::max(largest, mean_of_pair(k));
   for (std::size_t k = 0; k + 1 < swings.size(); ++k) {
-    if (mean_of_pair(k) < share_of_largest * largest) continue;
+    if (!is_pair(k) || mean_of_pair(k) < share_of_largest * largest) continue;
     ++sums.pairs;
     for (auto const& swing : {swings[k], swings[k + 1]}) {
       double const change = F[swing.last] - F[swing.first];

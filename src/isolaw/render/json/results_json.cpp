@@ -1,6 +1,7 @@
 #include "isolaw/render/json/results_json.hpp"
 
-#include <fmt/format.h>
+#include <array>
+#include <cstdint>
 
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/study/published_results.hpp"
@@ -54,35 +55,45 @@ void write_settings(JsonWriter& out, study::Summary const& summary) {
   });
 }
 
-void write_recommendations(JsonWriter& out, study::Summary const& summary,
-                           std::vector<study::Recommendation> const& recommendations) {
+void write_recommendation(JsonWriter& out, study::Summary const& summary,
+                          std::optional<study::Recommendation> const& recommendation) {
   auto const write_reasons = [&](std::string_view key, std::vector<Finding> const& findings) {
     out.key(key).objects(findings, [&](Finding const& finding) {
       out.member("kind", wording::row(finding.kind).key).member("sentence", wording::sentence(finding));
     });
   };
-  out.key("recommendations").objects(recommendations, [&](study::Recommendation const& each) {
-    out.member("purpose", study::name(each.purpose)).key("law");
-    each.law ? out.value(summary.laws[*each.law].id) : out.null();
-    out.member("sure", study::name(each.sure)).member("error", each.error);
-    out.member("why", wording::paragraph(each.why));
-    write_reasons("reasons", each.why);
-    write_reasons("weak", each.weak);
-    out.member("would_decide", wording::paragraph(each.surer, "; "));
-    write_reasons("surer", each.surer);
-    out.member("measure", each.measure);
-    out.key("ties").array(each.ties, [&](auto law) { out.value(summary.laws[law].id); });
-    out.key("standings").objects(each.standings, [&](auto const& standing) {
-      out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
-      out.member("error", standing.error);
-      out.member("reason", standing.reason ? wording::remark(*standing.reason) : std::string());
-      out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
+  out.key("recommendation");
+  if (!recommendation) {
+    out.null();
+    return;
+  }
+  auto const& advice = *recommendation;
+  out.begin_object().key("law");
+  advice.law ? out.value(summary.laws[*advice.law].id) : out.null();
+  out.member("answer", wording::sentence(advice.answer)).member("sure", study::name(advice.sure));
+  write_reasons("reasons", advice.why);
+  write_reasons("weak", advice.law ? advice.weak() : std::vector<Finding>());
+  write_reasons("surer", advice.surer);
+  out.member("valid_mm", advice.valid_mm);
+  out.member("programs", advice.programs ? wording::sentence(*advice.programs) : std::string());
+  out.key("spread");
+  if (auto const& spread = advice.spread)
+    out.object([&] {
+      out.member("laws", std::uint64_t{spread->count}).member("disp_mm", spread->disp_mm);
+      write_values(out.key("K_kN_per_mm"), std::array{spread->K_low_kN_per_mm, spread->K_high_kN_per_mm}, {});
+      write_values(out.key("energy_kN_mm"), std::array{spread->energy_low_kN_mm, spread->energy_high_kN_mm}, {});
     });
-    out.member("answer", wording::sentence(each.answer)).member("title", each.title);
-    out.member("valid", each.valid_mm ? fmt::format("up to {} mm", number_text(*each.valid_mm, 3)) : std::string());
-    out.member("valid_mm", each.valid_mm);
-    out.member("programs", each.programs ? wording::sentence(*each.programs) : std::string());
+  else
+    out.null();
+  out.key("standings").objects(advice.standings, [&](study::Standing const& standing) {
+    out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
+    out.member("error", standing.error).member("fits", standing.fits).member("new_device", standing.new_device);
+    out.member("predicts", standing.predicts).member("parameters", std::uint64_t{standing.parameters});
+    out.member("reason", standing.reason ? wording::remark(*standing.reason) : std::string());
+    out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
+    write_reasons("weak", standing.weak);
   });
+  out.end_object();
 }
 
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits) {

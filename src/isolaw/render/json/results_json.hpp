@@ -57,8 +57,8 @@ void write_rows(JsonWriter& out, Result<Object> const (&rows)[count], Items cons
 
 void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits = std::nullopt);
 void write_settings(JsonWriter& out, study::Summary const& summary);
-void write_recommendations(JsonWriter& out, study::Summary const& summary,
-                           std::vector<study::Recommendation> const& recommendations);
+void write_recommendation(JsonWriter& out, study::Summary const& summary,
+                          std::optional<study::Recommendation> const& recommendation);
 // Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
 // Writes an array with one object for each sentence, in which findings of one kind may be joined: its kind, topic,

@@ -92,7 +92,7 @@ std::string summary_json(Summary const& summary, std::string_view profile) {
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
   if (summary.part) write_members(out, "part", summary.part->number, "parts", summary.part->of);
   write_findings(out, "warnings", warnings(summary));
-  write_recommendations(out, summary, recommendations(summary));
+  write_recommendation(out, summary, recommendation(summary));
   write_published(out, summary, Digits::all);
   if (!profile.empty()) out.key("profile").json(profile);
   out.end_object();

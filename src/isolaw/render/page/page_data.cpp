@@ -248,7 +248,7 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
 
 void write_conclusions(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
-  write_recommendations(out, summary, found.recommendations);
+  write_recommendation(out, summary, found.recommendation);
   out.member("headline", wording::paragraph(found.headline)).member("beta_note", found.beta_note);
   out.key("verdicts").objects(found.verdicts, [&](auto const& verdict) {
     write_members(out, "law", verdict.law, "role", verdict.role, "sentence",

@@ -310,25 +310,22 @@ std::string heading(Summary const& summary, int width) {
 }
 
 std::string answers(Summary const& summary, Findings const& found, int width) {
-  if (!found.verdict) return {};
-  auto text = wrapped("", wording::sentence(*found.verdict), 0, width);
-  for (auto const& each : found.recommendations) {
-    auto const law =
-        each.law ? fmt::format("{} ({})", summary.laws[*each.law].id, name(each.sure)) : std::string("none");
-    auto line = fmt::format("{}: {}. {}", each.title, law, wording::paragraph(each.why));
-    if (!each.weak.empty()) line += fmt::format(" Low confidence: {}.", wording::paragraph(each.weak, "; "));
-    if (each.valid_mm) line += fmt::format(" Shown up to {} mm.", number_text(*each.valid_mm, 3));
-    if (!each.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(each.surer, "; "));
-    text += wrapped("", line, 2, width);
-  }
-  if (auto const& lacking = found.recommendations.front().programs)
-    text += wrapped("", wording::sentence(*lacking) + ".", 2, width);
+  if (!found.recommendation) return {};
+  auto const& advice = *found.recommendation;
+  auto text = wrapped("", wording::sentence(advice.answer), 0, width);
+  std::string line = wording::paragraph(advice.why);
+  if (advice.law && !advice.weak().empty())
+    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; "));
+  if (advice.valid_mm) line += fmt::format(" Shown up to {} mm.", number_text(*advice.valid_mm, 3));
+  if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, "; "));
+  text += wrapped("", line, 2, width);
+  if (advice.programs) text += wrapped("", wording::sentence(*advice.programs) + ".", 2, width);
+  for (auto const& standing : advice.standings)
+    if (standing.reason)
+      text += wrapped("", fmt::format("{} is ruled out: {}.", laws::called(summary.laws[standing.law].id),
+                                      wording::remark(*standing.reason)),
+                      2, width);
   return text + '\n';
-}
-
-Recommendation const* taken(std::vector<Recommendation> const& recommendations) {
-  auto const found = std::ranges::find_if(recommendations, [](auto const& each) { return each.law.has_value(); });
-  return found == recommendations.end() ? nullptr : &*found;
 }
 
 bool says_the_same(FindingKind weakness, FindingKind warning) {
@@ -348,27 +345,30 @@ bool says_the_same(FindingKind weakness, FindingKind warning) {
 std::string short_table(Summary const& summary, Recommendation const& answer) {
   constexpr std::size_t most = 8;
   auto const any = [&](auto has) { return std::ranges::any_of(summary.laws, has); };
+  auto const any_standing = [&](auto has) { return std::ranges::any_of(answer.standings, has); };
   bool const devices = any([](auto const& law) { return law.loo_objective.has_value(); });
   bool const blocks = any([](auto const& law) { return law.predicted_objective.has_value(); });
+  bool const larger = !blocks && any_standing([](auto const& standing) { return standing.predicts.has_value(); });
   auto const percent = [](std::optional<double> const& error) {
     return error && std::isfinite(*error) ? fmt::format("{:.1f} %", 100.0 * *error) : std::string("–");
   };
   std::vector<Row> rows{{"", "law", {"fits"}}};
   if (devices) rows.front().cells.emplace_back("new device");
-  if (devices && !blocks) rows.front().cells.emplace_back("worst");
+  if (devices && !blocks && !larger) rows.front().cells.emplace_back("worst");
   if (blocks) rows.front().cells.emplace_back("new blocks");
+  if (larger) rows.front().cells.emplace_back("larger swings");
   rows.front().cells.emplace_back("free");
   for (auto const& standing : answer.standings) {
     if (rows.size() > most) break;
     auto const& law = summary.laws[standing.law];
     Row row{standing.place == Rank::taken ? "●" : "○",
             printable(laws::called(law.id)),
-            {percent(law.objective_converged ? law.objective_converged : law.objective.mean)}};
+            {percent(standing.fits)}};
     if (devices) row.cells.push_back(percent(law.loo_objective));
-    if (devices && !blocks) row.cells.push_back(percent(law.loo_worst));
+    if (devices && !blocks && !larger) row.cells.push_back(percent(law.loo_worst));
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
-    auto const free = std::ranges::count_if(study::parameters_of(law), &ParameterFit::free);
-    row.cells.push_back(free > 0 ? std::to_string(free) : "–");
+    if (larger) row.cells.push_back(percent(standing.predicts));
+    row.cells.push_back(standing.parameters > 0 ? std::to_string(standing.parameters) : "–");
     if (standing.place == Rank::tied) row.remark = "   as good";
     if (standing.reason)
       row.remark = standing.reason->kind == FindingKind::out_not_identified ? "   not identified" : "   ruled out";
@@ -410,20 +410,20 @@ std::string answer(Summary const& summary, std::string_view directory, int width
   constexpr int margin = 12;
   auto const found = findings(summary);
   auto text = heading(summary, width) + '\n';
-  if (found.recommendations.empty()) return text;
-  auto const* law = taken(found.recommendations);
-  auto const& shown = law != nullptr ? *law : found.recommendations.front();
-  text += wrapped("", wording::sentence(*found.verdict), 0, width);
+  if (!found.recommendation) return text;
+  auto const& shown = *found.recommendation;
+  auto const* law = shown.law ? &summary.laws[*shown.law] : nullptr;
+  auto const weak = law != nullptr ? shown.weak() : std::vector<Finding>();
+  text += wrapped("", wording::sentence(shown.answer), 0, width);
   if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
-  if (!shown.weak.empty())
-    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(shown.weak, "; ")), 2, width);
+  if (!weak.empty()) text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
   // Only --details shows warnings about other laws and warnings that the line "Low confidence" repeats.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) {
-    return (law != nullptr && !finding.law.empty() && finding.law != summary.laws[*law->law].id) ||
-           std::ranges::any_of(shown.weak, [&](auto const& weak) { return says_the_same(weak.kind, finding.kind); });
+    return (law != nullptr && !finding.law.empty() && finding.law != law->id) ||
+           std::ranges::any_of(weak, [&](auto const& doubt) { return says_the_same(doubt.kind, finding.kind); });
   });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
   constexpr std::size_t most = 2;
@@ -435,10 +435,9 @@ std::string answer(Summary const& summary, std::string_view directory, int width
                 counted(every.size() - std::min(most, groups.size()), "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
-    text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory,
-                        summary.laws[*law->law].id,
-                        summary.laws[*law->law].lot ? "lot" : printable(study::device_names(summary).front()),
-                        law->programs ? "opensees-cpp" : "openseespy");
+    text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory, law->id,
+                        law->lot ? "lot" : printable(study::device_names(summary).front()),
+                        shown.programs ? "opensees-cpp" : "openseespy");
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }

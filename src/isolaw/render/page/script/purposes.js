@@ -1,4 +1,5 @@
-// The purposes that a reader may choose. The first screen's chart, list, headline and ranking follow the choice.
+// The two things that a reader may look at: the law to take, and the front of accuracy against robustness. The first
+// screen's chart, list, headline and ranking follow the choice.
 
 import { doesNotPredict, laws, lawsByObjective, report } from './report.js';
 import { enumerate, fixed, isNumber, percentText, withUnit } from './text.js';
@@ -6,18 +7,24 @@ import { VIEWS, isPlaced } from './views.js';
 
 const byId = new Map(laws.map((law) => [law.id, law]));
 
+const { recommendation } = report.findings;
+
 export const PURPOSES = [
-  ...report.findings.recommendations.map((recommendation) => ({
-    id: recommendation.purpose,
-    title: recommendation.title,
-    recommendation,
-    answer: recommendation.answer,
-    order: recommendation.standings.map(({ law }) => byId.get(law)),
-  })),
+  ...(recommendation
+    ? [
+        {
+          id: 'answer',
+          title: 'Which law to take',
+          recommendation,
+          answer: recommendation.answer,
+          order: recommendation.standings.map(({ law }) => byId.get(law)),
+        },
+      ]
+    : []),
   ...(VIEWS.length > 0 ? [{ id: 'robustness', title: 'Accuracy against robustness' }] : []),
 ];
 export const TONES = { clear: 'good', tie: 'care', weak: 'care' };
-export const FIRST = (PURPOSES.find(({ recommendation }) => recommendation?.law) ?? PURPOSES[0])?.id;
+export const FIRST = PURPOSES[0]?.id;
 
 export const purposeOf = (id) => PURPOSES.find((purpose) => purpose.id === id);
 
@@ -41,8 +48,8 @@ export const recommended = (() => {
 export const viewOf = (id) => VIEWS.find((view) => view.id === id);
 
 export function answering(purpose, viewId) {
-  const { recommendation } = purpose;
-  if (recommendation) return recommendation.law ? [recommendation.law, ...recommendation.ties].map((id) => byId.get(id)) : [];
+  if (purpose.recommendation)
+    return recommendation.law ? standingsOf(purpose).filter(({ place }) => place === 'taken' || place === 'ties').map(({ law }) => law) : [];
   const view = viewOf(viewId);
   return placedIn(view).filter((law) => view.onFront(law));
 }
@@ -68,7 +75,6 @@ export function numbersOf(purpose, viewId) {
       [fixed(view.robust(robust), 3), 'least \u03b2, ' + robust.name],
     ];
   }
-  const { recommendation } = purpose;
   const [first, second] = standingsOf(purpose);
   if (!recommendation.law)
     return [
@@ -76,12 +82,9 @@ export function numbersOf(purpose, viewId) {
       [errorText(first?.error), 'least error, ' + first?.law.name],
       ['none', 'can be taken'],
     ];
-  const free = first.law.parameters.filter((parameter) => parameter.free).length;
-  const parameters = [String(free), free === 1 ? 'parameter' : 'parameters'];
-  const shown = [withUnit(recommendation.valid_mm, 'mm', 3), 'shown to'];
-  return [
-    [errorText(recommendation.error), 'error'],
-    [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.name : 'no other law'],
-    purpose.id === 'simplest' || recommendation.valid_mm === null ? parameters : shown,
-  ];
+  const fits = first.new_device === null ? [errorText(first.fits), 'off what it was fitted to'] : [errorText(first.new_device), 'off on a new device'];
+  const predicts = [errorText(first.predicts), 'off on larger swings'];
+  const next = [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.name : 'no other law'];
+  const parameters = [String(first.parameters), first.parameters === 1 ? 'parameter' : 'parameters'];
+  return [fits, first.predicts === null ? next : predicts, parameters];
 }

@@ -15,28 +15,27 @@ function answer() {
   const sure = recommendation?.law
     ? element('span', { class: 'sure ' + TONES[recommendation.sure] }, recommendation.sure)
     : null;
-  const open = recommendation?.would_decide;
+  const surer = recommendation?.surer.map((one) => one.sentence).join('; ');
   return element(
     'div',
     { class: 'answer' },
     element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
-    open ? element('p', { class: 'why' }, 'To be surer: ' + open + '.') : null,
+    surer ? element('p', { class: 'why' }, 'To be surer: ' + surer + '.') : null,
     recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );
 }
 
-function reasons({ law, why, reasons: all, weak }) {
-  if (!law) return why;
-  const closer = all.filter(({ kind }) => kind === 'why-closer-refused').map((one) => one.sentence);
+function reasons({ law, reasons: all, weak }) {
+  const told = all.filter(({ kind }) => !law || kind === 'why-better-refused').map((one) => one.sentence);
   const doubts = weak.map((one) => one.sentence).join('; ');
-  return [...closer, doubts && 'Low confidence: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
+  return [...told, doubts && 'Low confidence: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
 }
 
 function purposeControl() {
   return [
-    element('span', { id: 'purpose-label' }, 'Which law'),
+    element('span', { id: 'purpose-label' }, 'Show'),
     choiceButtons('purpose', PURPOSES.map(({ id, title }) => [id, title]), { 'aria-labelledby': 'purpose-label' }),
   ];
 }

@@ -28,7 +28,7 @@ export function errorsCaption() {
     bars.some(({ error }) => isCut(error, edge(bars))) ? 'broken: longer than drawn' : '',
   ].filter(Boolean);
   if (bars.length === 0) return 'No law has an error here.';
-  return ['Error over the force\u2019s standard deviation', ...said].join('; ') + '.';
+  return ['Mean of the two errors, over the force\u2019s standard deviation', ...said].join('; ') + '.';
 }
 
 function breakMark(look, x, y) {

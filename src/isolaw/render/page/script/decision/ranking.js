@@ -24,13 +24,11 @@ export const rankingFigure = {
 };
 
 const ORDERS = {
-  'untested-device': 'Sorted by the error on what was not fitted.',
-  'these-tests': 'Sorted by the least objective.',
-  simplest: 'The simplest first, then sorted by the error.',
+  answer: 'The law taken first, then laws as good, then by the mean error.',
   robustness: 'Sorted by \u03b2.',
 };
 
-// The laws in the order of the chosen purpose. Laws without a fit come last.
+// The laws in the order of what is shown. Laws without a fit come last.
 function ordered() {
   const purpose = purposeOf(chosen.purpose);
   if (purpose.order) return purpose.order;

@@ -1,0 +1,42 @@
+// Fits a law to the small swings of a device's tests and judges it on the large ones (data/cycles/swing_sizes.hpp).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "isolaw/analysis/problems.hpp"
+#include "isolaw/data/cycles/swing_sizes.hpp"
+#include "isolaw/fit/objective.hpp"
+#include "isolaw/num/random.hpp"
+
+namespace isolaw::analysis {
+
+// A law on each test twice: as fitted to its small swings, and as judged on its large ones. The law runs through the
+// whole history before them both times. A test without enough swings of a size, or with a constant force in them, has no model for it.
+struct SwingModels {
+  std::vector<fit::LawOnRecord> small, large;
+};
+SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord const* const> tests,
+                         data::SwingSizes const& sizes, laws::Integration integration,
+                         laws::TurningPoints turning_points, int refinement);
+
+double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double const> parameters);
+
+// Several descents may end with equally good fits of the small swings that differ on the large ones. The one that is
+// furthest off on the large swings counts.
+struct LargerSwings {
+  std::vector<double> parameters;  // all parameters of the law
+  double fitted = 0.0;             // mean objective of the tests on their small swings
+  double predicted = 0.0;          // mean objective on the large swings: the largest among the equally good fits
+  double least_predicted = 0.0;    // the least among them
+  int evaluations = 0;             // each evaluation counts once for every test
+};
+// Two fits of the small swings are equally good if their objectives differ by at most this share of the least one.
+inline constexpr double equally_good_fit = 0.02;
+// Makes eight descents from scattered starts, none from a fit to the whole tests: that would carry over what is to be
+// predicted. nullopt if interrupted or if no start has finite forces. An objective is infinite if a force is not finite.
+std::optional<LargerSwings> predict_larger_swings(SwingModels const& models, fit::SearchBox const& box,
+                                                  num::Stream const& stream, Interrupted const& interrupted = {});
+
+}  // namespace isolaw::analysis

@@ -1,0 +1,207 @@
+#include "isolaw/study/range_test.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "isolaw/analysis/steady_cycle.hpp"
+#include "isolaw/data/properties/swing_properties.hpp"
+#include "isolaw/study/findings.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using analysis::SteadyCycle;
+
+// What the tests of the lot say about cycles.
+struct Tested {
+  double disp_mm = 0.0;            // the largest displacement
+  std::vector<double> vel_mm_s;    // for each test the largest velocity in its largest swing; empty without time
+  double asked_mm = 0.0;           // the displacement of the design
+};
+
+Tested tested_by(Summary const& summary) {
+  Tested tested;
+  for (auto const& device : summary.devices) {
+    auto const& record = device.record;
+    for (double const x : record.disp_mm) tested.disp_mm = std::max(tested.disp_mm, std::abs(x));
+    if (!record.has_time()) continue;
+    auto const swings = data::swings(record.disp_mm, record.time_s);
+    if (swings.empty()) continue;
+    auto const largest = std::ranges::max(swings, {}, &data::Swing::half_range_mm);
+    double fastest = 0.0;
+    for (auto i = largest.first; i <= largest.last; ++i) fastest = std::max(fastest, std::abs(record.vel_mm_s[i]));
+    tested.vel_mm_s.push_back(fastest);
+  }
+  auto const& asked = summary.acceptance.design.disp_mm;
+  tested.asked_mm = asked ? std::max(*asked, tested.disp_mm) : 2.0 * tested.disp_mm;
+  return tested;
+}
+
+struct Measured {           // on the device of a fit
+  bool viscous = false;     // hardly any of its force is stiffness
+  std::optional<double> damping = {};  // of its largest cycles
+};
+
+Measured measured_on(DeviceResult const& device) {
+  Measured measured{.viscous = std::ranges::find(device.raw.warnings, FindingKind::damping_undefined, &Finding::kind) !=
+                               device.raw.warnings.end()};
+  auto const swings = data::swing_properties(device.raw.disp_mm, device.raw.force_kN, device.raw.time_s);
+  if (swings) measured.damping = swings->damping_percent / 100.0;
+  return measured;
+}
+
+// One set of parameters of a law in all cycles of the test.
+struct Cycles {
+  SteadyCycle tested, asked;
+  std::array<SteadyCycle, 4> inside;           // at the shares below of the tested displacement
+  std::optional<SteadyCycle> at_tested_speed;  // at the tested displacement, if the building's cycles are of other speed
+};
+constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
+
+Finding breach(std::string_view rule, double amplitude_mm, double value = 0.0) {
+  return {.kind = FindingKind::law_runs_away,
+          .numbers = {{"amplitude_mm", amplitude_mm}, {"value", value}, {"period_s", period_of_building_s}},
+          .words = {{"rule", std::string(rule)}}};
+}
+
+bool outside(double value, double least, double most) {
+  return !(value >= least && value <= most);
+}
+
+// The first limit that one cycle exceeds by itself.
+std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) {
+  constexpr double rounding = 1e-6;  // share of the energy of a cycle of the largest force
+  if (!cycle.finite) return breach("not-finite", amplitude_mm);
+  if (cycle.energy_kN_mm < -rounding * 4.0 * amplitude_mm * cycle.largest_kN) return breach("gives-energy", amplitude_mm);
+  return std::nullopt;
+}
+
+std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measured const& measured) {
+  auto const &here = law.tested, &there = law.asked;
+  if (auto found = breach_of(here, tested.disp_mm)) return found;
+  if (auto found = breach_of(there, tested.asked_mm)) return found;
+  for (std::size_t i = 0; i < inner_shares.size(); ++i)
+    if (auto found = breach_of(law.inside[i], inner_shares[i] * tested.disp_mm)) return found;
+  if (!measured.viscous) {
+    if (!(here.K_kN_per_mm > 0.0)) return breach("not-stiff", tested.disp_mm);
+    if (!(there.K_kN_per_mm > 0.0)) return breach("not-stiff", tested.asked_mm);
+    double const stiffness = there.K_kN_per_mm / here.K_kN_per_mm;
+    if (outside(stiffness, least_stiffness_ratio, most_stiffness_ratio))
+      return breach("stiffness", tested.asked_mm, stiffness);
+    double const damping = there.damping / here.damping;
+    if (here.damping > 0.0 && outside(damping, least_damping_ratio, most_damping_ratio))
+      return breach("damping", tested.asked_mm, damping);
+    auto const most = measured.damping ? std::min(most_damping, most_times_measured * *measured.damping + damping_above_measured)
+                                       : most_damping;
+    if (here.damping > most) {
+      auto found = breach("overdamped", tested.disp_mm, here.damping);
+      if (measured.damping) found.numbers.push_back({"measured", *measured.damping});
+      return found;
+    }
+    if (law.at_tested_speed && law.at_tested_speed->damping > 0.0) {
+      double const change = here.damping / law.at_tested_speed->damping;
+      if (outside(change, 1.0 / most_change_with_speed, most_change_with_speed))
+        return breach("speed", tested.disp_mm, change);
+    }
+  }
+  auto const check_shape = [&](SteadyCycle const& cycle, double amplitude_mm) -> std::optional<Finding> {
+    if (cycle.overshoot > most_overshoot) return breach("overshoots", amplitude_mm, cycle.overshoot);
+    if (cycle.jump > most_jump) return breach("jumps", amplitude_mm, cycle.jump);
+    return std::nullopt;
+  };
+  if (measured.viscous) return std::nullopt;
+  if (auto found = check_shape(here, tested.disp_mm)) return found;
+  for (std::size_t i = 0; i < inner_shares.size(); ++i)
+    if (auto found = check_shape(law.inside[i], inner_shares[i] * tested.disp_mm)) return found;
+  return std::nullopt;
+}
+
+// The period of cycles of the tested displacement whose peak velocity is the nearest one that was tested; nullopt if the
+// building's cycles are neither faster nor slower than all tests.
+std::optional<double> period_of_tested_speed_s(Tested const& tested) {
+  double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
+  if (tested.vel_mm_s.empty()) return std::nullopt;
+  auto const [slowest, fastest] = std::ranges::minmax(tested.vel_mm_s);
+  if (asked >= slowest && asked <= fastest) return std::nullopt;
+  double const nearest = asked > fastest ? fastest : slowest;
+  return nearest > 0.0 ? std::optional(2.0 * std::numbers::pi * tested.disp_mm / nearest) : std::nullopt;
+}
+
+std::vector<Cycles> cycles_of(laws::LawEntry const& entry, std::vector<std::vector<double>> const& parameters,
+                              Tested const& tested, laws::Integration integration) {
+  std::vector<Cycles> all(parameters.size());
+  auto const run = [&](double amplitude_mm, double period_s, auto const& keep) {
+    auto const found = analysis::steady_cycles(entry, parameters, {amplitude_mm, period_s}, integration);
+    for (std::size_t i = 0; i < found.size(); ++i) keep(all[i], found[i]);
+  };
+  run(tested.disp_mm, period_of_building_s, [](Cycles& to, SteadyCycle const& cycle) { to.tested = cycle; });
+  run(tested.asked_mm, period_of_building_s, [](Cycles& to, SteadyCycle const& cycle) { to.asked = cycle; });
+  for (std::size_t k = 0; k < inner_shares.size(); ++k)
+    run(inner_shares[k] * tested.disp_mm, period_of_building_s,
+        [&](Cycles& to, SteadyCycle const& cycle) { to.inside[k] = cycle; });
+  if (auto const period = period_of_tested_speed_s(tested); period && !entry.info.traits.rate_independent)
+    run(tested.disp_mm, *period, [](Cycles& to, SteadyCycle const& cycle) { to.at_tested_speed = cycle; });
+  return all;
+}
+
+void test_range(LawResult& law, Summary const& summary, Tested const& tested, campaign::Contents const& contents) {
+  std::vector<std::vector<double>> parameters;
+  std::vector<DeviceResult const*> devices;  // nullptr: the law of the lot
+  if (law.lot) {
+    parameters.push_back(law.lot->parameters);
+    devices.push_back(nullptr);
+  }
+  for (auto const& fit : law.devices) {
+    auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
+    auto const index = static_cast<std::size_t>(device - summary.devices.begin());
+    auto const* run = contents.best_run(index, law.id);
+    if (run == nullptr) continue;
+    auto const* analysis = contents.analysis_of(index, law.id);
+    parameters.push_back(analysis != nullptr ? analysis->determination.optimum : run->parameters);
+    devices.push_back(&*device);
+  }
+  if (parameters.empty()) return;
+  auto const all = cycles_of(laws::find_law(law.id), parameters, tested, contents.settings.integration);
+  auto const& shown = all.front();
+  law.beyond = BeyondTests{.tested_mm = tested.disp_mm,
+                           .asked_mm = tested.asked_mm,
+                           .K_kN_per_mm = shown.asked.K_kN_per_mm,
+                           .energy_kN_mm = shown.asked.energy_kN_mm,
+                           .stiffness_ratio = shown.asked.K_kN_per_mm / shown.tested.K_kN_per_mm,
+                           .damping_ratio = shown.asked.damping / shown.tested.damping};
+  Measured any_viscous;
+  for (auto const* device : devices)
+    if (device != nullptr && measured_on(*device).viscous) any_viscous.viscous = true;
+  std::optional<Finding> of_lot, of_devices;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto found = breach_of(all[i], tested, devices[i] != nullptr ? measured_on(*devices[i]) : any_viscous);
+    if (!found) continue;
+    found->law = law.id;
+    found->numbers.push_back({"tested_mm", tested.disp_mm});
+    if (devices[i] == nullptr)
+      of_lot = std::move(found);
+    else if (of_devices)
+      of_devices->devices.push_back(devices[i]->name);
+    else
+      (of_devices = std::move(found))->devices = {devices[i]->name};
+  }
+  constexpr std::size_t many = 20;
+  constexpr double most_share = 0.05;
+  auto const count = static_cast<std::size_t>(std::ranges::count_if(devices, [](auto* device) { return device != nullptr; }));
+  bool const decides = of_devices && (count < many || static_cast<double>(of_devices->devices.size()) >
+                                                          most_share * static_cast<double>(count));
+  law.runs_away = decides ? std::move(of_devices) : std::move(of_lot);
+}
+
+}  // namespace
+
+void add_range_tests(Summary& summary, campaign::Contents const& contents) {
+  auto const tested = tested_by(summary);
+  if (!(tested.disp_mm > 0.0)) return;
+  for (auto& law : summary.laws) test_range(law, summary, tested, contents);
+}
+
+}  // namespace isolaw::study
