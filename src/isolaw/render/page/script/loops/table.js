@@ -13,7 +13,7 @@ export const fitsFigure = {
   caption: () =>
     'Best run of each law on ' + devices[chosen.device].name +
     ': objective, and errors of effective stiffness, dissipated energy and damping in the third counted cycle of the largest amplitude' +
-    (devices[chosen.device].scored ? ' used for the fit.' : '.') +
+    (devices[chosen.device].scored ? ' used for the fit' : '') + ', or in the largest swings where no cycle counts.' +
     onScreen(' Press a column head to sort the table and the loops below.'),
   csv: () =>
     fitData([
