@@ -255,8 +255,8 @@ class Model:
         """The objective of one set of parameters (dict or values in order), Eq. (27) of Cucuzza et al. 2025; no unit.
 
         Mean over time, or with ``weights``, of |measured - computed force|, divided by the standard deviation of the
-        measured force; infinity if a force is not finite. Computed by scalar code, like every number of a report. Raises
-        Error as force does.
+        measured force; infinity if a force is not finite. Computed by scalar code, like every number of a report.
+        Raises Error as force does.
         """
         return self._core.objective(parameters)
 
