@@ -47,6 +47,7 @@ struct NamedProblem {
     entry.settings = fmt::format("box {}, integration {}", word("box"), word("integration"));
     if (settings.turning_points != laws::TurningPoints::as_sampled)
       entry.settings += fmt::format(", turning points {}", word("turning-points"));
+    if (!record.weights.empty()) entry.settings += fmt::format(", weights {}", word("weights"));
     entry.law = search.law;
     entry.key = problem_key(model.law(), settings.integration, settings.turning_points, record, box);
   }

@@ -213,12 +213,13 @@ class Model:
 
     law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
     (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is taken over
-    ``fit_blocks`` and ``fit_cycles``. integration, turning_points, refinement: as in force. Raises Error for wrong
-    input, as calibrate does.
+    ``fit_blocks`` and ``fit_cycles``, and ``weights`` decides how much a sample counts in it. integration,
+    turning_points, refinement: as in force. Raises Error for wrong input, as calibrate does.
     """
 
     @_with_keywords(
-        _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "dead_band", "fit_blocks", "fit_cycles")
+        _settings("integration", "turning_points", "samples_per_cycle", "smooth", "center", "dead_band", "weights")
+        | _settings("fit_blocks", "fit_cycles")
     )
     def __init__(self, law, record, *, refinement=1, **how):
         self._core = _core.Model(law, record, _all_samples(how), refinement)
@@ -253,8 +254,9 @@ class Model:
     def objective(self, parameters):
         """The objective of one set of parameters (dict or values in order), Eq. (27) of Cucuzza et al. 2025; no unit.
 
-        Mean over time of |measured - computed force|, divided by the standard deviation of the measured force; infinity
-        if a force is not finite. Computed by scalar code, like every number of a report. Raises Error as force does.
+        Mean over time, or with ``weights``, of |measured - computed force|, divided by the standard deviation of the
+        measured force; infinity if a force is not finite. Computed by scalar code, like every number of a report.
+        Raises Error as force does.
         """
         return self._core.objective(parameters)
 
@@ -402,8 +404,9 @@ def calibrate(
     paper's genetic algorithm. runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts
     "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance:
     settings of "ga"; giving one of them chooses that method if none is given.
-    samples_per_cycle (None: all), smooth, center: how records are cleaned. fit_blocks, fit_cycles, score_blocks: the
-    blocks and cycles that laws are fitted to, and the blocks on which they are tested, as texts: "2", "1-3", "2-".
+    samples_per_cycle (None: all), smooth, center: how records are cleaned. weights: a sample counts by "time", "swing"
+    or "travel". fit_blocks, fit_cycles, score_blocks: the blocks and cycles that laws are fitted to, and the blocks on
+    which they are tested, as texts: "2", "1-3", "2-".
     analysis: finds what the tests determine, intervals, and one law for the lot; it takes longer than the fits.
     replicates: number of its bootstrap samples. bidirectional: "springs" also fits spring models for laws without a
     coupled two-dimensional form. settings() lists all of these with their limits.

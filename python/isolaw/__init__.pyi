@@ -112,13 +112,14 @@ class Model:
         record: Record,
         *,
         refinement: int = 1,
-        # isolaw keywords integration turning_points smooth samples_per_cycle center dead_band fit_blocks fit_cycles
+        # isolaw keywords integration turning_points smooth samples_per_cycle center dead_band weights fit_blocks fit_cycles
         integration: Literal["converged", "paper"] = "converged",
         turning_points: Literal["sampled", "interpolated"] = "sampled",
         smooth: int = 1,
         samples_per_cycle: int | Literal["all"] | None = 200,
         center: bool = False,
         dead_band: float | Literal["auto"] = "auto",
+        weights: Literal["time", "swing", "travel"] = "time",
         fit_blocks: str = "all",
         fit_cycles: str = "all",
         # the end of what it wrote

@@ -255,24 +255,29 @@ TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
     char const* sql;
     char const* says;
   };
-  for (auto const& [sql, says] : std::vector<Damage>{
-           {"UPDATE run SET device = 7 WHERE device = 1 AND law = 'bilinear'", "which was not searched"},
-           {"UPDATE run SET number = 99 WHERE device = 0 AND law = 'bilinear' AND number = 1", "run 99 of bilinear"},
-           {"DELETE FROM run_parameter WHERE position = 1", "parameters"},
-           {"DELETE FROM search_parameter WHERE position = 1", "the box of"},
-           {"UPDATE search_parameter SET name = 'x' WHERE position = 0", "is called 'x'"},
-           {"UPDATE search SET law = 'none' WHERE law = 'bilinear'", "not asked for"},
-           {"UPDATE search SET device = 9 WHERE device = 1", "not there"},
-           {"UPDATE device SET status = 'refused' WHERE id = 1", "which was refused"},
-           {"UPDATE series SET count = count + 1 WHERE kind = 'raw' AND channel = 'disp_mm'", "602 are counted"},
-           {"UPDATE series SET count = 1, \"values\" = zeroblob(8) WHERE kind = 'fit' AND channel = 'force_kN'",
-            "differ in length"},
-           {"DELETE FROM series WHERE kind = 'fit' AND device = 0", "has no record"},
-           {"UPDATE run SET objective = NULL", "neither a result nor a failure"},
-           {"UPDATE setting SET json = '{' WHERE key = 'runs'", "parse error"},
-           {"UPDATE setting SET json = '-1' WHERE key = 'runs'", "runs"},
-           {"DELETE FROM setting WHERE key = 'seed'", "seed"},
-           {"UPDATE device SET recognised = 'x'", "parse error"}}) {
+  for (
+      auto const& [sql, says] : std::vector<Damage>{
+          {"UPDATE run SET device = 7 WHERE device = 1 AND law = 'bilinear'", "which was not searched"},
+          {"UPDATE run SET number = 99 WHERE device = 0 AND law = 'bilinear' AND number = 1", "run 99 of bilinear"},
+          {"DELETE FROM run_parameter WHERE position = 1", "parameters"},
+          {"DELETE FROM search_parameter WHERE position = 1", "the box of"},
+          {"UPDATE search_parameter SET name = 'x' WHERE position = 0", "is called 'x'"},
+          {"UPDATE search SET law = 'none' WHERE law = 'bilinear'", "not asked for"},
+          {"UPDATE search SET device = 9 WHERE device = 1", "not there"},
+          {"UPDATE device SET status = 'refused' WHERE id = 1", "which was refused"},
+          {"UPDATE series SET count = count + 1 WHERE kind = 'raw' AND channel = 'disp_mm'", "602 are counted"},
+          {"UPDATE series SET count = 1, \"values\" = zeroblob(8) WHERE kind = 'fit' AND channel = 'force_kN'",
+           "differ in length"},
+          {"INSERT INTO series SELECT device, kind, 'weights', count, \"values\" FROM series WHERE kind = 'fit' AND channel = 'disp_mm'",
+           "the weights of the samples of device 'a' are no weights"},
+          {"INSERT INTO series SELECT device, kind, 'weights', count, zeroblob(8 * count) FROM series WHERE kind = 'fit' AND channel = 'disp_mm'",
+           "of which no sample counts by its weights"},
+          {"DELETE FROM series WHERE kind = 'fit' AND device = 0", "has no record"},
+          {"UPDATE run SET objective = NULL", "neither a result nor a failure"},
+          {"UPDATE setting SET json = '{' WHERE key = 'runs'", "parse error"},
+          {"UPDATE setting SET json = '-1' WHERE key = 'runs'", "runs"},
+          {"DELETE FROM setting WHERE key = 'seed'", "seed"},
+          {"UPDATE device SET recognised = 'x'", "parse error"}}) {
     write("O/campaign.sqlite", sound);
     change(sql);
     SCOPED_TRACE(sql);

@@ -57,6 +57,11 @@ class Scored : public InFreshDirectory {
     EXPECT_EQ(o.code, 0) << o;
     return json("O/summary.json");
   }
+  std::string exported(std::string const& device) {
+    auto const o = isolaw({"export", "O", "--law", "bilinear", "--device", device, "--to", "json", "--anyway"});
+    EXPECT_EQ(o.code, 0) << o;
+    return o.out;
+  }
   static double objective(Json const& summary) { return summary["laws"][0]["devices"][0]["objective"]["best"]; }
 };
 
@@ -153,6 +158,7 @@ TEST_F(Scored, samples_count_by_swing_or_by_travel_if_asked_for) {
   EXPECT_LT(objective(swing), 0.8 * by_time);  // the force of the smaller cycles is disturbed
   EXPECT_NEAR(swing["laws"][0]["devices"][0]["objective_by_time"].get<double>(), by_time, 1e-4);
   EXPECT_TRUE(contains(page_data(read("O/report.html"))["devices"][0]["cleaning"].dump(), "by swing"));
+  EXPECT_TRUE(contains(exported("one"), "samples that count by swing"));
   EXPECT_NEAR(objective(calibrated({"--weights", "travel"})), weighted_objective(measured, law, by_travel), 1e-4);
   EXPECT_TRUE(calibrated({})["laws"][0]["devices"][0]["objective_by_time"].is_null());
   expect_refused(isolaw({"calibrate", "one.csv", "--out", "O", "--laws", "bilinear", "--weights", "travel"}),
@@ -170,6 +176,7 @@ TEST_F(Scored, a_motion_without_swings_is_weighed_by_time) {
   auto const summary = calibrated({"--weights", "swing"}, "pulse.csv");
   EXPECT_EQ(objective(summary), by_time);
   EXPECT_TRUE(contains(page_data(read("O/report.html"))["devices"][0]["cleaning"].dump(), "no two turning points"));
+  EXPECT_FALSE(contains(exported("pulse"), "samples that count by"));
 }
 
 // Every swing is 1.15 times as long as the one before, so that no cycle counts. The force of a spring of 2 kN/mm and a

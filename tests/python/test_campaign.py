@@ -96,6 +96,19 @@ class Campaigns(InFolder):
             if accuracy:
                 self.assertEqual(rows[0]["accuracy"], self.printed["laws"][0]["objective"][accuracy])
 
+    def test_a_model_has_the_weights_of_a_campaign(self):
+        t, x, _ = arrays()
+        x[:201] *= 0.2  # a small cycle before two large ones
+        force = isolaw.force("bilinear", {"K1": 2.5, "K2": 0.5, "xy": 10.0}, x) + 1e-4 * x**2
+        record = isolaw.record(x, force, t, name="a")
+        campaign = isolaw.calibrate(record, "bilinear", runs=1, analysis=False, weights="swing")
+        parameters = campaign.parameters("bilinear", "a")
+        weighed = isolaw.objective("bilinear", parameters, record, weights="swing")
+        self.assertEqual(weighed, campaign.runs("bilinear", "a")["objective"].min())
+        by_time = isolaw.objective("bilinear", parameters, record)
+        self.assertGreater(abs(weighed - by_time), 0.01 * by_time)
+        self.assertAlmostEqual(by_time, campaign.summary["laws"][0]["devices"][0]["objective_by_time"], places=12)
+
     def test_what_is_not_there_is_said(self):
         for wrong in (lambda: self.campaign.force("abe", "a"), lambda: self.campaign.runs("bilinear", "c"),
                       lambda: self.campaign.record("c"), lambda: self.campaign.parameters("bilinear", "c"),

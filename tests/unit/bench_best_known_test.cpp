@@ -93,6 +93,11 @@ TEST(ProblemKey, ChangesWithWhatDecidesTheObjective) {
   judged.record.scored.assign(judged.record.size(), 1.0);
   judged.record.scored[3] = 0.0;
   expect_another(judged, "what is scored");
+  Problem weighed;
+  weighed.record.weights.assign(weighed.record.size(), 1.0);
+  expect_another(weighed, "weights");
+  weighed.record.weights[3] = 2.0;
+  expect_another(weighed, "one weight");
   Problem bounds;
   bounds.box.parameters[1].upper *= 1.0 + 1e-6;
   expect_another(bounds, "a bound");

@@ -213,6 +213,9 @@ TEST_F(LotFileTest, ValuesThatAreNotAllowedHaveTheirLine) {
   expect_parts(calibrate("set = [\"bilinear.K9=2\"]"), {"lot.toml:3", "set", "'K9'", "K1, K2, xy"});
   expect_parts(calibrate("samples-per-cycle = \"some\""), {"lot.toml:3", "samples-per-cycle", "'some'", "all"});
   expect_parts(device("units = { disp = \"parsec\" }"), {"lot.toml:4", "units", "parsec"});
+  expect_parts(device("units = { disp = \"cm,force=tonf\" }"),
+               {"lot.toml:4", "units", "disp: 'cm,force=tonf' is more than one unit", "one unit for each channel",
+                "\"disp=mm,force=kN\""});
   expect_parts(device("columns = { weight = 3 }"), {"lot.toml:4", "columns", "weight"});
 }
 

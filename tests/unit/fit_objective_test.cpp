@@ -163,6 +163,24 @@ TEST(Objective, APartThatSaysNothingIsRefused) {
   EXPECT_THROW(LawOnRecord(laws::find_law("bilinear"), record, laws::Integration::converged), Error);
 }
 
+TEST(Objective, SamplesThatAllCountForNothingAreRefused) {
+  auto record = sine();
+  record.weights.assign(record.size(), 1.0);
+  record.scored.assign(record.size(), 0.0);
+  // The samples that are scored have no weight, and those with a weight are not scored.
+  for (std::size_t i = 0; i < 60; ++i) {
+    record.scored[i] = 1.0;
+    record.weights[i] = 0.0;
+  }
+  try {
+    LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);
+    FAIL() << "not refused";
+  } catch (Error const& error) {
+    EXPECT_NE(std::string(error.what()).find("none counts with the weights asked for"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(Objective, TimeMayStartAnywhere) {
   auto record = uneven();
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);

@@ -80,5 +80,17 @@ TEST(ModifiedScores, CountDeviationsFromTheMedian) {
   EXPECT_TRUE(modified_scores({}, 0.1).scores.empty());
 }
 
+TEST(ModifiedScores, LeaveOutWhatIsNoNumber) {
+  auto const whole = modified_scores(std::vector<double>{1, 2, 3, 4, 10}, 0.0);
+  auto const found = modified_scores(std::vector<double>{1, 2, nan, 3, 4, 10}, 0.0);
+  EXPECT_EQ(found.median, whole.median);
+  ASSERT_EQ(found.scores.size(), 6u);
+  EXPECT_TRUE(std::isnan(found.scores[2]));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(found.scores[i < 2 ? i : i + 1], whole.scores[i]);
+  auto const alike = modified_scores(std::vector<double>{0, nan, 0}, 0.0).scores;  // the divisor is 0
+  EXPECT_EQ(alike[0], 0.0);
+  EXPECT_TRUE(std::isnan(alike[1]));
+}
+
 }  // namespace
 }  // namespace isolaw::num

@@ -133,6 +133,15 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
 
 // The material is compiled with OpenSees' own headers. Where OpenSees lies beside the checkout, a mass on the bearing
 // is shaken in it, and the element's force must equal the law's force along the resulting motion.
+// From the start the force of power-scragging grows with a power of the displacement below 1, so that its slope there
+// has no bound. The first slope of jankowski is negative with these parameters, and bounded.
+TEST_F(OpenSeesMaterial, warns_of_a_first_motion_without_a_bounded_slope) {
+  for (auto const& [id, steep] : {std::pair("power-scragging", true), {"jankowski", false}, {"bilinear", false}}) {
+    auto const text = opensees_material(subject_of(id, inside_box(laws::find_law(id), 0.5)), metres);
+    EXPECT_EQ(text.find("Its first motion has no bounded slope") != std::string::npos, steep) << id;
+  }
+}
+
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)

@@ -129,6 +129,19 @@ TEST(Tables, Objective) {
   EXPECT_EQ(row[12], "2e-05");
   EXPECT_EQ(row[13], "ok");
   EXPECT_EQ(row[14], "'=infinite, force");
+  EXPECT_EQ(rows[0].back(), "missing runs");
+}
+
+TEST(Tables, ObjectiveByTimeWhereSamplesHaveOtherWeights) {
+  auto summary = fixture::lot();
+  summary.laws[1].devices[0].objective_by_time = 0.125;
+  auto const rows = read(objective_csv(summary));
+  expect_rectangular(rows);
+  EXPECT_EQ(rows[0].back(), "OF by time [-]");
+  auto const found = std::ranges::find_if(rows, [](auto const& r) { return r[0] == "vaiana" && r[1] == "D1"; });
+  ASSERT_NE(found, rows.end());
+  EXPECT_EQ(found->back(), "0.125");
+  EXPECT_EQ(std::ranges::count(rows, "", [](auto const& r) { return r.back(); }), std::ssize(rows) - 2);
 }
 
 TEST(Tables, Robustness) {

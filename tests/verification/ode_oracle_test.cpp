@@ -213,13 +213,14 @@ TEST(OdeOracle, HwangWu) {
   EXPECT_LT(all.back(), 5e-3);
 }
 
-// docs/source.md states that one step per sample errs by 4e-6 of the peak force for the published devices.
+// docs/source.md states that one step per sample errs by 3e-7 of the peak force for the published devices: 3.2e-7 for
+// the ninth, below 1e-8 for the others.
 TEST(OdeOracle, HwangWuForThePublishedDevices) {
   for (std::size_t device = 0; device < table_a5::devices; ++device) {
     auto const values = published_means<laws::HwangWu>(device);
     auto const motion = sine(208.0, 0.5, 3, 200), in_cm = scaled(motion, 0.1, 0.1);
     auto const expected = hwang_wu(values, in_cm.disp_mm, in_cm.velocity_mm_s);
-    EXPECT_LT(largest_difference(forces<laws::HwangWu>(values, motion), expected), 4e-6 * largest_magnitude(expected))
+    EXPECT_LT(largest_difference(forces<laws::HwangWu>(values, motion), expected), 4e-7 * largest_magnitude(expected))
         << "device " << device + 1;
   }
 }

@@ -178,7 +178,7 @@ def text_files():
     table('counter.csv', 'Sample;Displacement [mm];Force [kN]', lambda t, x, f: f'{round(t / interval)};{x:.3f};{f:.3f}')
     table('no-units.csv', 'Time;Displacement;Force', plain)
     table('no-names.csv', '', plain)
-    table('particulars.csv', 'Serial No: S-101;;\nLot;L7;\nDate: 2024-05-02;;\nTemperature;23,5;°C\nTotal rubber thickness: 208 mm;;\n' + english.replace('.', ','),
+    table('device-facts.csv', 'Serial No: S-101;;\nLot;L7;\nDate: 2024-05-02;;\nTemperature;23,5;°C\nTotal rubber thickness: 208 mm;;\n' + english.replace('.', ','),
           lambda t, x, f: f'{comma(t, 2)};{comma(x)};{comma(f)}')
     write('utf-16.csv', (english + '\n' + '\n'.join(plain(*s) for s in device)).encode('utf-16'))
     write('empty.csv', b'')

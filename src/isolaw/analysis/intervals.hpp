@@ -34,8 +34,8 @@ struct ParameterInterval {
 
 struct Intervals {
   double level = 0.95;
-  std::size_t samples = 0, block = 0;              // number of scored samples; length of a block in samples
-  int replicates = 0;                              // number of successful fits in the bootstrap
+  std::size_t samples = 0, block = 0;  // number of samples with a weight above 0; length of a block in samples
+  int replicates = 0;                  // number of successful fits in the bootstrap
   std::vector<ParameterInterval> parameters = {};  // the free parameters, in order
   // Covariance of the free parameters by linearisation, in the law's units, row by row. Where the record determines
   // nothing, it is that of a uniform distribution over the box.

@@ -31,7 +31,7 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Returns whether all runs and analyses are there; false after an interruption.
+  // Returns whether all runs and analyses are there. They may be, although an interruption was asked for.
   bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
   int write_reports(std::filesystem::path const& file, HowToWork const& how);
 

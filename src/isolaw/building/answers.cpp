@@ -213,7 +213,7 @@ void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& s
     checked.equivalent_damping = linear.damping;
     checked.equivalent_error_percent = 100.0 * (linear.displacement_mm / run.of(Measure::centre) - 1.0);
   }
-  if (!motions.empty()) out.loops = loops_of(model, devices, study, strongest, has_draws(study), options);
+  out.loops = loops_of(model, devices, study, strongest, has_draws(study), options);
 }
 
 void add_warnings(Answers& answers, Study const& study) {

@@ -42,7 +42,7 @@ struct Responses {
   std::vector<std::vector<double>> by_motion;  // [motion][case]
   std::vector<double> mean;                    // [case] mean over the motions
 };
-// `kept` is [motion][quantity][case].
+// `kept` is [motion][quantity][case], with one motion or more: a building file without motions is refused.
 Responses responses_of(std::vector<std::vector<std::vector<double>>> const& kept, std::size_t quantity);
 std::vector<double> finite_part(std::vector<double> const& values, std::size_t first, std::size_t count);
 

@@ -47,6 +47,11 @@ void require_search(Contents const& campaign, Search const& s) {
   if (!s.refusal.empty()) return;
   auto const& device = campaign.devices.at(s.device);
   if (!device.usable()) fail(fmt::format("{} was searched on '{}', which was refused", s.law, device.name));
+  double counted = 0.0;
+  for (std::size_t i = 0; i < device.record.weights.size(); ++i)
+    if (device.record.is_scored(i)) counted += device.record.weights[i];
+  if (!device.record.weights.empty() && !(counted > 0.0 && std::isfinite(counted)))
+    fail(fmt::format("{} was searched on '{}', of which no sample counts by its weights", s.law, device.name));
   auto const& box = s.first_box.parameters;
   if (box.size() != law->parameters.size())
     fail(fmt::format("the box of {} has {} parameters instead of {}", s.law, box.size(), law->parameters.size()));

@@ -19,7 +19,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
     for (auto const& [channel, value] : from.*values) table[std::string(name(channel))] = value;
     return table;
   };
-  auto const read = [parse, values](ReadOptions& to, Json const& value) {
+  auto const read = [key, parse, values](ReadOptions& to, Json const& value) {
     if (value.is_string()) {
       for (auto& [channel, text] : parse(value.get<std::string>())) (to.*values)[channel] = text;
       return;
@@ -30,9 +30,14 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
         throw Error({.where = {},
                      .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
                      .allowed = "a name or a 1-based number"});
-      // parse() splits text at commas, so it gets "1" instead of a column's name that contains a comma.
       auto const text = text_of(item);
       bool const comma = text.find(',') != std::string::npos;
+      if (comma && key == "units")
+        throw Error({.where = {},
+                     .found = fmt::format("{}: '{}' is more than one unit", channel, text),
+                     .allowed = "one unit for each channel",
+                     .advice = "all units in one text: \"disp=mm,force=kN\""});
+      // parse() splits text at commas, so it gets "1" instead of a column's name that contains a comma.
       for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))
         (to.*values)[known] = comma ? text : parsed;
     }

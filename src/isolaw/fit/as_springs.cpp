@@ -43,7 +43,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  double objective_of_law(std::span<double const> parameters) const {  // Eq. (27) for the law itself
+  double objective_of_law(std::span<double const> parameters) const {  // not of springs
     std::vector<double> work;
     return model_.objective(parameters, work);
   }
@@ -64,7 +64,7 @@ class SpringsOnRecord {
   double spread_ = 1.0;
 };
 
-// Finds the springs' parameters that minimise the mean of Eq. (27) over all records.
+// Finds the springs' parameters that minimise the mean of the objective over all records.
 class SpringsProblem final : public opt::DeviationProblem {
  public:
   SpringsProblem(laws::LawEntry const& law, std::span<data::FitRecord const* const> records, SearchBox const& box,

@@ -69,6 +69,8 @@ Weights time_weights(data::FitRecord const& record) {
   for (double& w : result.weight) w /= result.total;
   return result;
 }
+// By time an interval counts if both of its ends are scored. A record's own weights belong to samples, so a sample at
+// the edge of the scored part keeps the half of the interval outside it.
 Weights weights_of(data::FitRecord const& record) {
   if (record.weights.empty()) return time_weights(record);
   Weights result{.weight = record.weights};
@@ -100,7 +102,8 @@ double spread_of(data::FitRecord const& record, std::vector<double> const& value
   return std::sqrt(variance);
 }
 
-// Refuses records without duration or with a constant force, for which Eq. (27) would give an arbitrary objective.
+// Refuses records without duration, with weights by which no scored sample counts, or with a constant force. For these
+// the objective would be arbitrary.
 void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});

@@ -61,8 +61,8 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
 class LawOnRecord {
  public:
   // The law makes `refinement` equal steps from sample to sample. The object keeps no reference to the record. Throws
-  // Error if the law needs velocities and the record has no time, or if Eq. (27) is undefined: fewer than two samples,
-  // no duration, a constant force.
+  // Error if the law needs velocities and the record has no time, or if the objective is undefined: fewer than two
+  // samples, no duration, no scored sample that counts by the record's weights, a constant force.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
@@ -105,8 +105,8 @@ class LawOnRecord {
 
   LawOnMotion motion_;
   std::vector<double> measured_;  // in the law's unit of force
-  std::vector<double> weight_;    // trapezoidal weight in time / (duration * standard deviation)
-  std::vector<double> share_;     // trapezoidal weight in time / duration
+  std::vector<double> weight_;    // share_ / standard deviation of the measured force
+  std::vector<double> share_;     // weight by time, swing or travel / sum of the weights of the scored samples
   double spread_ = 1.0;           // standard deviation of the measured force, in the law's unit
 };
 

@@ -54,11 +54,14 @@ double median(std::span<double const> values) {
 }
 
 ModifiedScores modified_scores(std::span<double const> values, double least_scale) {
-  ModifiedScores result{.median = median(values), .scores = {}};
+  std::vector<double> present(values.begin(), values.end());
+  std::erase_if(present, [](double value) { return std::isnan(value); });
+  ModifiedScores result{.median = median(present), .scores = {}};
   std::vector<double> distances;
-  for (double const value : values) distances.push_back(std::abs(value - result.median));
+  for (double const value : present) distances.push_back(std::abs(value - result.median));
   double const scale = std::max(mad_to_std * median(distances), least_scale * std::abs(result.median));
-  for (double const value : values) result.scores.push_back(scale > 0.0 ? (value - result.median) / scale : 0.0);
+  for (double const value : values)
+    result.scores.push_back(scale > 0.0 || std::isnan(value) ? (value - result.median) / scale : 0.0);
   return result;
 }
 

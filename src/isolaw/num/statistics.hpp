@@ -1,4 +1,4 @@
-// Descriptive statistics. No function leaves a value out: a NaN makes a mean, a standard deviation or a median NaN.
+// Descriptive statistics. A NaN makes means, standard deviations and medians NaN; only modified_scores() leaves it out.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,8 @@ double median_over(Items const& items, Property property) {
 // Modified z-scores: (x - median) / max(1.4826 MAD, least_scale * |median|), where 1.4826 MAD (median absolute
 // deviation) estimates the standard deviation. Outliers move neither the median nor the MAD. Source: Iglewicz and
 // Hoaglin 1993, who call a value beyond outlying_score an outlier. `least_scale` is the relative error of a value: it
-// keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0.
+// keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0. The score of a NaN is NaN, and
+// it moves no other score.
 struct ModifiedScores {
   double median = 0.0;
   std::vector<double> scores;

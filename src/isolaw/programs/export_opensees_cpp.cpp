@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -34,7 +35,7 @@ Variants variants_of(Subject const& subject) {
 bool starts_steeply(Subject const& subject) {
   double const amplitude = subject.design_disp_mm / subject.law->info.length.in_record_units;
   auto const tangent = [&](double share) {
-    return laws::Online(subject.law->info.id, subject.parameters).trial(share * amplitude, 0.0).by_x;
+    return std::abs(laws::Online(subject.law->info.id, subject.parameters).trial(share * amplitude, 0.0).by_x);
   };
   return tangent(1e-9) > 1.5 * tangent(1e-6);
 }

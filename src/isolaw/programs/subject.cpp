@@ -329,10 +329,14 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
-  if (auto const weights = contents.settings.clean.weights; weights != data::Weighting::time)
+  // A record without swings has no weights, whatever the setting.
+  if (std::ranges::any_of(contents.devices, [&](campaign::Device const& d) {
+        return !d.record.weights.empty() &&
+               std::ranges::find(subject.histories, d.name, &History::device) != subject.histories.end();
+      }))
     subject.notes.push_back(fmt::format(
         "The law was fitted with samples that count by {}, so its objective is no mean over time (Eq. (27) of Cucuzza et al. 2025).",
-        name(weights)));
+        name(contents.settings.clean.weights)));
   subject.fitted.part = contents.settings.clean.scored.text();
   subject.doubts = study::doubts(summary, law, one);
   add_measured(subject, summary);

@@ -283,7 +283,7 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
   std::vector<Outlier> outliers;
   for (std::size_t i = 0; i < values.size(); ++i) {
     double const score = std::abs(scores[i]);
-    if (score <= num::outlying_score) continue;
+    if (!(score > num::outlying_score)) continue;
     outliers.push_back({.device = names[i],
                         .value = values[i],
                         .score = score,

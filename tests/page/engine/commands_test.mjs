@@ -22,7 +22,8 @@ const number = /-?\d+(?:\.\d+)?(?:e[-+]?\d+)?/g;
 const same = (said, own, name) => {
   assert.equal(said.code, own.code, name + ': ' + said.stderr);
   assert.equal(said.stderr, own.stderr, name);
-  // Where the native program writes a failure as JSON, the engine returns it as an object.
+  // Where the native program writes a failure as JSON, the engine returns it as an object and writes nothing.
+  if (said.error) assert.equal(said.stdout, '', name);
   const stdout = said.error && own.stdout ? JSON.stringify({ error: said.error, exit: said.code }) + '\n' : said.stdout;
   assert.equal(stdout.replace(number, '#'), own.stdout.replace(number, '#'), name);
   const wanted = own.stdout.match(number) ?? [];

@@ -1,10 +1,10 @@
 // Cuts a cyclic test into cycles, from displacement alone. A swing counts as motion if it is at least twice a floor,
 // which is one hundredth of the half range, or five standard deviations of the noise if that is more (at most 5 % of
 // the half range). A small interruption of a large swing does not count. Cycles are cut where displacement crosses its
-// centre in the direction in which the test, or a part of it after a rest, starts (data/excursions.hpp). A motion that
-// starts, turns or rests near the centre is cut at that sample. The centre is zero unless the record is clearly off
-// zero. data/cycle_blocks.hpp groups cycles into blocks. A period leaves out the time in which the device stands still
-// (data/holds.hpp).
+// centre in the direction in which the test, or a part of it after a rest, starts (data/cycles/excursions.hpp). A
+// motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the record is
+// clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks. A period leaves out the time in which the
+// device stands still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>

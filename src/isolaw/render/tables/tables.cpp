@@ -1,5 +1,6 @@
 #include "isolaw/render/tables/tables.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -66,12 +67,23 @@ std::string objective_csv(Summary const& summary) {
   constexpr auto of_fit = columns(fit_results, {"name", "objective", "runs", "failed_runs", "evaluations",
                                                 "failed_evaluations", "K_eff_error_percent", "energy_error_percent",
                                                 "damping_error_percent", "integration_shift", "status", "message"});
+  constexpr auto by_time = columns(fit_results, {"objective_by_time"});
+  bool const weighed = std::ranges::any_of(summary.laws, [](LawResult const& law) {
+    return std::ranges::any_of(law.devices, [](DeviceFit const& fit) { return fit.objective_by_time.has_value(); });
+  });
   CsvTable table;
-  table.add("law").head(of_fit).row("missing runs");
+  table.add("law").head(of_fit).add("missing runs");
+  if (weighed) table.head(by_time);
+  table.end_row();
   for (auto const& law : summary.laws) {
     for (auto const& device : summary.devices)
-      if (device.status != "ok") table.add(law.id, device.name).empty(11).row("refused", device.message, 0);
-    for (auto const& fit : law.devices) table.add(law.id).cells(of_fit, fit).row(fit.missing_runs);
+      if (device.status != "ok")
+        table.add(law.id, device.name).empty(11).add("refused", device.message, 0).empty(weighed ? 1 : 0).end_row();
+    for (auto const& fit : law.devices) {
+      table.add(law.id).cells(of_fit, fit).add(fit.missing_runs);
+      if (weighed) table.cells(by_time, fit);
+      table.end_row();
+    }
   }
   return table.take();
 }

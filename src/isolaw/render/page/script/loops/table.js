@@ -5,6 +5,9 @@ import { devices, fitData, laws } from '../report.js';
 import { keyOf, sortedBy, tableOf } from '../tables.js';
 import { fixed, isNumber, objectiveText, signed, significant } from '../text.js';
 
+// Whether the objective of any fit is a mean with weights. The table then also has the mean over time.
+const weighed = laws.some((law) => law.devices.some((fit) => isNumber(fit.objective_by_time)));
+
 export const fitsFigure = {
   id: 'fits',
   title: 'All laws on this device',
@@ -13,12 +16,12 @@ export const fitsFigure = {
   caption: () =>
     'Best run of each law on ' + devices[chosen.device].name +
     ': objective, and errors of effective stiffness, dissipated energy and damping in the third counted cycle of the largest amplitude' +
-    (devices[chosen.device].scored ? ' used for the fit.' : '.') +
+    (devices[chosen.device].scored ? ' used for the fit' : '') + ', or in the largest swings where no cycle counts.' +
     onScreen(' Press a column head to sort the table and the loops below.'),
   csv: () =>
     fitData([
-      'objective', 'K_eff_error_percent', 'energy_error_percent', 'damping_error_percent', 'runs', 'failed_runs',
-      'evaluations', 'message',
+      'objective', ...(weighed ? ['objective_by_time'] : []), 'K_eff_error_percent', 'energy_error_percent',
+      'damping_error_percent', 'runs', 'failed_runs', 'evaluations', 'message',
     ]),
   build: fitTable,
 };
@@ -34,6 +37,12 @@ const errorColumns = [['K_eff', 'stiffness'], ['energy', 'energy'], ['damping', 
 const COLUMNS = [
   { title: 'Law', pinned: true, tight: true, cell: ({ law }) => lawName(law), by: ({ law }) => law.name },
   { title: 'best OF', unit: '-', number: true, cell: ({ fit }) => fixed(fit.objective.best, 4), by: ({ fit }) => fit.objective.best },
+  ...(weighed
+    ? [{
+        title: 'best OF by time', unit: '-', number: true, cell: ({ fit }) => fixed(fit.objective_by_time, 4),
+        by: ({ fit }) => fit.objective_by_time,
+      }]
+    : []),
   ...errorColumns,
   {
     title: 'mean OF \u00b1 std', unit: 'over the runs', number: true, cell: ({ fit }) => objectiveText(fit.objective),
