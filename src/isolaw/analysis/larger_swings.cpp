@@ -10,7 +10,7 @@
 namespace isolaw::analysis {
 namespace {
 
-constexpr std::size_t starts = 8;
+constexpr std::size_t start_count = 8;
 
 // The record up to its last sample with a weight. The law's force there does not depend on what follows.
 data::FitRecord up_to_last_weight(data::FitRecord record) {
@@ -70,12 +70,12 @@ std::optional<LargerSwings> predict_larger_swings(SwingModels const& models, fit
   for (auto const& model : models.small) small.push_back(&model);
   Joint const problem(small, box, std::vector<double>(small.size(), 1.0 / static_cast<double>(small.size())));
   num::Draws draws(stream, 0, 0);
-  auto const points = opt::latin_hypercube(problem.dimension(), starts, draws);
-  std::vector<opt::Found> found(starts);
-  WorkAhead descents(starts, [&](std::size_t i) { found[i] = opt::descend(problem, points[i], 1.0); });
+  auto const points = opt::latin_hypercube(problem.dimension(), start_count, draws);
+  std::vector<opt::Found> found(start_count);
+  WorkAhead descents(start_count, [&](std::size_t i) { found[i] = opt::descend(problem, points[i], 1.0); });
   std::vector<LargerSwings> ends;
   int evaluations = 0;
-  for (std::size_t i = 0; i < starts; ++i) {
+  for (std::size_t i = 0; i < start_count; ++i) {
     if (interrupted && interrupted()) return std::nullopt;
     descents.need(i);
     evaluations += (found[i].evaluations + 1) * tests;

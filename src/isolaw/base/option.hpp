@@ -154,8 +154,11 @@ Option<Target> word(std::string_view key, std::string help, Access place,
     return std::ranges::find(all, place(from), [](auto& w) { return w.second; })->first;
   };
   row.set = [=, allowed = joined(row.words)](Target& to, Json const& value) {
-    for (auto const& [text, meant] : all)
-      if (value == Json(text) || (std::is_same_v<T, bool> && value == Json(meant))) return void(place(to) = meant);
+    for (auto const& [text, meant] : all) {
+      if (value == Json(text)) return void(place(to) = meant);
+      if constexpr (std::is_same_v<T, bool>)
+        if (value == Json(meant)) return void(place(to) = meant);
+    }
     refuse(value, allowed);
   };
   return row;

@@ -127,7 +127,8 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;
-  constexpr double least_gain = 1e-3;  // relative; a smaller gain is not worth a wider box
+  // A smaller gain is not worth a wider box: relative to the objective, and in itself.
+  constexpr double least_gain = 1e-3, visible_gain = 1e-5;
   if (settings.method != Method::best || settings.box != fit::BoxKind::scaled) return true;
   for (int round = 1; round <= most_rounds && run.usable(); ++round) {
     auto wider = fit::box_beyond(box, model.law(), run.parameters, settings.overrides);
@@ -138,7 +139,7 @@ bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRec
     auto again = finished(target, *wider, model, run.number, result);
     again.evaluations += run.evaluations;
     again.failed_evaluations += run.failed_evaluations;
-    bool const gains = again.usable() && again.objective < (1.0 - least_gain) * run.objective;
+    bool const gains = again.usable() && again.objective < (1.0 - least_gain) * run.objective - visible_gain;
     if (!gains) {
       run.evaluations = again.evaluations;
       run.failed_evaluations = again.failed_evaluations;

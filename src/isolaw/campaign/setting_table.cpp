@@ -22,8 +22,11 @@ constexpr std::pair<std::string_view, laws::Integration> integrations[]{{"conver
                                                                         {"paper", laws::Integration::paper}};
 constexpr std::pair<std::string_view, laws::TurningPoints> turnings[]{
     {"sampled", laws::TurningPoints::as_sampled}, {"interpolated", laws::TurningPoints::interpolated}};
-constexpr std::pair<std::string_view, data::Weighting> weightings[]{
-    {"time", data::Weighting::time}, {"swing", data::Weighting::swing}, {"travel", data::Weighting::travel}};
+constexpr std::pair<std::string_view, std::optional<data::Weighting>> weightings[]{
+    {"auto", std::nullopt},
+    {"time", data::Weighting::time},
+    {"swing", data::Weighting::swing},
+    {"travel", data::Weighting::travel}};
 constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
 constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 
@@ -129,7 +132,7 @@ std::vector<Setting> make_settings() {
       {word<S>("turning-points",
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
-      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "3; ga: 20")},
+      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "2; ga: 20")},
       // The upper limits keep the number of evaluations an int; selection_pressure's keeps roulette weights above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
@@ -171,7 +174,7 @@ std::vector<Setting> make_settings() {
       dead_band(),
       {word<S>(
            "weights",
-           "a sample counts in the fit by time (default), by swing (for irregular records: large swings count more), or by travel",
+           "how samples count in the fit: by time; by swing, so that large swings count more; by travel; auto (default): by swing, but by time where all swings are alike, with --method ga and with --box published",
            at(&S::clean, &Clean::weights), weightings),
        {},
        false,

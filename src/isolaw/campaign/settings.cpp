@@ -10,7 +10,9 @@
 namespace isolaw::campaign {
 
 void Settings::complete() {
-  if (runs == 0) runs = method == Method::genetic ? 20 : 3;
+  if (runs == 0) runs = method == Method::genetic ? 20 : 2;
+  bool const as_published = method == Method::genetic || box == fit::BoxKind::published;
+  if (as_published && !clean.weights) clean.weights = data::Weighting::time;
 }
 
 void Settings::validate() const {

@@ -94,12 +94,15 @@ void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& se
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-void weigh(FitRecord& record, std::span<double const> time_s, Weighting weights) {
-  if (weights == Weighting::time) return;
-  bool const by_time = weights == Weighting::swing && swings(record.disp_mm, time_s).empty();
-  if (!by_time) record.weights = sample_weights(record.disp_mm, time_s, weights);
-  record.cleaning.push_back({.kind = FindingKind::samples_weighed,
-                             .words = {{"weights", std::string(name(by_time ? Weighting::time : weights))}}});
+void weigh(FitRecord& record, std::span<double const> time_s, std::optional<Weighting> asked) {
+  if (asked == Weighting::time) return;
+  auto const found = swings(record.disp_mm, time_s);
+  if (!asked && !found.empty() && are_alike(found)) return;
+  auto weighting = asked.value_or(Weighting::swing);
+  if (weighting == Weighting::swing && found.empty()) weighting = Weighting::time;
+  if (weighting != Weighting::time) record.weights = sample_weights(record.disp_mm, time_s, weighting);
+  record.cleaning.push_back(
+      {.kind = FindingKind::samples_weighed, .words = {{"weights", std::string(name(weighting))}}});
 }
 
 // An average over a quarter of a cycle lowers its amplitude by a tenth, so parameters fitted to it would mean nothing.

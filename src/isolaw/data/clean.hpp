@@ -16,7 +16,8 @@ struct CleanOptions {
   std::optional<int> samples_per_cycle = 200;  // keep at least this many samples per cycle (20 or more); nullopt: all
   bool center = false;                         // remove the mean of the extremes of displacement and force
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
-  Weighting weights = Weighting::time;         // how much each sample counts in the objective
+  // How much each sample counts in the objective. nullopt: by swing, or by time where all swings are alike.
+  std::optional<Weighting> weights = {};
   Selection scored = {};                       // blocks and cycles that the objective counts
 };
 

@@ -336,7 +336,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
       }))
     subject.notes.push_back(fmt::format(
         "The law was fitted with samples that count by {}, so its objective is no mean over time (Eq. (27) of Cucuzza et al. 2025).",
-        name(contents.settings.clean.weights)));
+        name(contents.settings.clean.weights.value_or(data::Weighting::swing))));
   subject.fitted.part = contents.settings.clean.scored.text();
   subject.doubts = study::doubts(summary, law, one);
   add_measured(subject, summary);

@@ -217,6 +217,8 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   if (best == nullptr) return fitted;
 
   fitted.objective.best = best->objective;
+  auto const worst = std::ranges::max(usable, {}, [](campaign::Run const* run) { return run->objective; });
+  if (best->objective > 0.0) fitted.runs_apart = worst->objective / best->objective - 1.0;
   fitted.integration_shift = best->integration_shift;
   fit::LawOnRecord const model(laws::find_law(search.law), device.record, contents.settings.integration,
                                contents.settings.turning_points, best->refinement);

@@ -194,6 +194,7 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
   bool const decides = of_devices && (count < many || static_cast<double>(of_devices->devices.size()) >
                                                           most_share * static_cast<double>(count));
   law.runs_away = decides ? std::move(of_devices) : std::move(of_lot);
+  if (law.runs_away && count == 1) law.runs_away->devices.clear();  // the only device need not be named
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ struct DeviceFit {
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
+  double runs_apart = 0.0;              // relative difference between the objectives of the best and the worst usable run
   std::string success_reference;        // where that least objective comes from
   std::optional<double> optimum;        // least objective that the analyses found
   std::optional<double> rise;           // how far the objective may rise within a parameter's range

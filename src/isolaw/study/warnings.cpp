@@ -172,6 +172,16 @@ class Collector {
     if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
+    // Of many runs, some may end elsewhere. Of two or three, each counts.
+    constexpr int few_runs = 3;
+    for (auto const* fit : fits(law))
+      if (fit->runs <= few_runs && fit->runs_apart > found_within)
+        add({.kind = runs_differ,
+             .law = law.id,
+             .devices = {fit->device},
+             .numbers = {{"apart", fit->runs_apart},
+                         {"runs", static_cast<double>(fit->runs)},
+                         {"more", 2.0 * fit->runs}}});
   }
 
   void parameters(LawResult const& law) {
@@ -221,13 +231,14 @@ class Collector {
 
   // The option that moves the bound at which the parameter lies on some devices; empty if it is a physical limit.
   static std::string set_beyond(LawResult const& law, std::string const& parameter, std::string_view side) {
-    auto const& entry = laws::find_law(law.id);
-    auto const& info = entry.parameters[entry.index_of(parameter)];
+    auto const& parameters = laws::find_law(law.id).parameters;
+    auto const info = std::ranges::find(parameters, parameter, &laws::ParameterInfo::name);
+    if (info == parameters.end()) return {};
     std::optional<laws::Interval> all;
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
         if (p.name != parameter || name(p.at_bound) != side) continue;
-        auto const one = fit::interval_beyond(info, laws::Interval{p.lower, p.upper}, p.at_bound);
+        auto const one = fit::interval_beyond(*info, laws::Interval{p.lower, p.upper}, p.at_bound);
         if (one && all) all = laws::Interval{std::min(all->lower, one->lower), std::max(all->upper, one->upper)};
         if (one && !all) all = one;
       }
@@ -250,7 +261,7 @@ class Collector {
     bool const several_blocks = std::ranges::any_of(
         devices_, [](auto const* device) { return device->status == "ok" && device->properties.blocks.size() > 1; });
     bool const predicted =
-        std::ranges::any_of(laws_, [](auto const* law) { return law->predicted_objective.has_value(); });
+        std::ranges::any_of(laws_, [](auto const* law) { return law->predicted_objective || law->larger_swings_objective; });
     if (several_blocks && !predicted) add({.kind = FindingKind::prediction_not_asked});
   }
 

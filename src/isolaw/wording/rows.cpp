@@ -96,6 +96,8 @@ std::span<Row const> rows() {
           "its prediction is unusable: {objectives}.{collapse} Use it only for amplitudes and frequencies that it was fitted to[, up to {fitted_to_mm:3} mm]."),
       campaign(searches_disagree, "searches-disagree", "search", caution, search, by_words, everywhere, law,
                "{share:few%} of the runs came within 0.1 % of the best fit of this campaign."),
+      campaign(runs_differ, "runs-differ", "search", caution, search, by_law, everywhere, law,
+               "its {runs} searches ended ~{apart:%1} apart on {devices}~. The same command with --runs {more} adds searches."),
       campaign(
           not_determined, "not-determined", "undetermined", caution, parameters, by_law, everywhere, law,
           "the tests cannot fix ~{parameters}[ ({affected} of {examined} devices)]~.[ {reduced_form} searches a form with the same loops and without the redundant parameter.]"),

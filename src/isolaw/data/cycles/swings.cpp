@@ -101,6 +101,15 @@ std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double cons
   return motion_in(disp_mm, time_s).swings;
 }
 
+bool are_alike(std::span<Swing const> swings) {
+  constexpr double most_ratio = 1.1;
+  auto const alike = [&](double Swing::*member) {
+    auto const [least, most] = std::ranges::minmax(swings, {}, member);
+    return most.*member <= most_ratio * (least.*member);
+  };
+  return swings.empty() || (alike(&Swing::half_range_mm) && alike(&Swing::duration));
+}
+
 std::string_view name(Weighting weighting) {
   return weighting == Weighting::time ? "time" : weighting == Weighting::swing ? "swing" : "travel";
 }

@@ -21,6 +21,9 @@ struct Swing {
 // empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
+// Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.
+bool are_alike(std::span<Swing const> swings);
+
 // How much the samples of a record count in the misfit of a law.
 //   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
 //   swing   that time, without rest, times half range / duration of its swing; 0 outside all swings
