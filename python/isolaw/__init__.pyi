@@ -119,7 +119,7 @@ class Model:
         samples_per_cycle: int | Literal["all"] | None = 200,
         center: bool = False,
         dead_band: float | Literal["auto"] = "auto",
-        weights: Literal["time", "swing", "travel"] = "time",
+        weights: Literal["auto", "time", "swing", "travel"] = "auto",
         fit_blocks: str = "all",
         fit_cycles: str = "all",
         # the end of what it wrote
@@ -183,7 +183,7 @@ def calibrate(
     samples_per_cycle: int | Literal["all"] | None = 200,
     center: bool = False,
     dead_band: float | Literal["auto"] = "auto",
-    weights: Literal["time", "swing", "travel"] = "time",
+    weights: Literal["auto", "time", "swing", "travel"] = "auto",
     fit_blocks: str = "all",
     fit_cycles: str = "all",
     score_blocks: str = "all",

@@ -66,10 +66,11 @@ TEST(LargerSwings, LeaveTheFitOfTheSmallOnesAlone) {
 // An elastoplastic slider and a linear spring, whose third cycles are known in closed form.
 TEST(SteadyCycles, OfKnownLoopsHaveTheirStiffnessAndEnergy) {
   std::vector<std::vector<double>> const laws{{100.0, 0.0, 0.5}, {2.0, 2.0, 1.0}};
-  auto const cycles = steady_cycles(laws::find_law("bilinear"), laws, {.amplitude_mm = 100.0}, laws::Integration::converged);
+  auto const cycles =
+      steady_cycles(laws::find_law("bilinear"), laws, {.amplitude_mm = 100.0}, laws::Integration::converged);
   ASSERT_EQ(cycles.size(), 2u);
-  EXPECT_NEAR(cycles[0].K_kN_per_mm, 0.5, 1e-9);                       // 50 kN at 100 mm
-  EXPECT_NEAR(cycles[0].energy_kN_mm, 4.0 * 50.0 * 99.5, 1.0);         // 4 Qd (amplitude - yield displacement)
+  EXPECT_NEAR(cycles[0].K_kN_per_mm, 0.5, 1e-9);                // 50 kN at 100 mm
+  EXPECT_NEAR(cycles[0].energy_kN_mm, 4.0 * 50.0 * 99.5, 1.0);  // 4 Qd (amplitude - yield displacement)
   EXPECT_NEAR(cycles[0].overshoot, 1.0, 1e-9);
   EXPECT_NEAR(cycles[1].K_kN_per_mm, 2.0, 1e-9);
   EXPECT_NEAR(cycles[1].energy_kN_mm, 0.0, 1e-6);

@@ -189,7 +189,9 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   genetic.method = given.method = Method::genetic;
   given.runs = 7;
   for (auto* s : {&best, &genetic, &given}) s->complete();
-  EXPECT_EQ(best.runs, 3);
+  EXPECT_EQ(best.runs, 2);
+  EXPECT_FALSE(best.clean.weights);  // chosen for each record
+  EXPECT_EQ(genetic.clean.weights, data::Weighting::time);
   EXPECT_EQ(genetic.runs, 20);  // the number in the paper
   EXPECT_EQ(given.runs, 7);
 }

@@ -131,10 +131,11 @@ Contents full() {
     return box;
   };
   for (auto const& law : c.settings.laws)
-    c.searches.push_back({.device = 0, .law = law, .refusal = "", .box = box_of(law)});
+    c.searches.push_back({.device = 0, .law = law, .refusal = "", .first_box = box_of(law), .box = box_of(law)});
   c.searches.push_back({.device = 2, .law = "hwang-wu", .refusal = "law hwang-wu: " + attack, .box = {}});
-  c.searches.push_back({.device = 2, .law = "bilinear", .refusal = "", .box = box_of("bilinear")});
-  c.searches.push_back({.device = 2, .law = "abe", .refusal = "", .box = box_of("abe")});
+  c.searches.push_back(
+      {.device = 2, .law = "bilinear", .refusal = "", .first_box = box_of("bilinear"), .box = box_of("bilinear")});
+  c.searches.push_back({.device = 2, .law = "abe", .refusal = "", .first_box = box_of("abe"), .box = box_of("abe")});
   return c;
 }
 
@@ -354,7 +355,7 @@ TEST_F(StoreTest, ACampaignThatAReaderWouldRefuseIsNotWritten) {
   };
   refused([](auto& c) { c.devices[0].raw.time_s.pop_back(); });
   refused([](auto& c) { c.devices[0].record.scored[0] = 0.5; });
-  refused([](auto& c) { c.searches[0].box.parameters[0].lower = infinity; });
+  refused([](auto& c) { c.searches[0].first_box.parameters[0].lower = infinity; });
   refused([](auto& c) { c.settings.clean.smooth = -1; });
   refused([](auto& c) { c.acceptance.lot_size = 0; });
 }
@@ -451,13 +452,13 @@ TEST_F(StoreTest, AStoreWithoutASettingStandsForWhatItsRowSays) {
   EXPECT_NE(said.find("seed: is missing in the store"), std::string::npos) << said;
 }
 
-// Every store of schema 10 has the settings listed here. A setting that is added later must state the value that is
+// Every store of schema 11 has the settings listed here. A setting that is added later must state the value that is
 // assumed for stores without it (Setting::without).
 TEST(Schema, TenHasTheseSettingsInEveryStore) {
   std::set<std::string> keys;
   for (auto const& setting : setting_table())
     if (setting.without.is_null()) keys.emplace(setting.key);
-  EXPECT_EQ(schema_version, 10);
+  EXPECT_EQ(schema_version, 11);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
                                          "box",
                                          "center",

@@ -53,6 +53,7 @@ fit::SearchParameter parameter(std::string name, double lower, double upper) {
 campaign::Search bilinear_search(std::size_t device_index) {
   campaign::Search search{.device = device_index, .law = "bilinear", .refusal = "", .box = {}};
   search.box.parameters = {parameter("K1", 1.0, 2.0), parameter("K2", 0.35, 0.95), parameter("xy", 10.0, 80.0)};
+  search.first_box = search.box;
   return search;
 }
 

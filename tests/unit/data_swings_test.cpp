@@ -1,5 +1,5 @@
-#include "isolaw/data/cycles/swings.hpp"
 #include "isolaw/data/cycles/swing_sizes.hpp"
+#include "isolaw/data/cycles/swings.hpp"
 #include "isolaw/data/properties/swing_properties.hpp"
 
 #include <gtest/gtest.h>
@@ -220,10 +220,10 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
     return swing_sizes(tests, Weighting::time).tell;
   };
   EXPECT_TRUE(told(5.0, 7.0));
-  EXPECT_FALSE(told(5.0, 5.5));   // one swing of 100 mm
-  EXPECT_FALSE(told(2.0, 7.0));   // three swings of 30 mm
-  EXPECT_FALSE(told(0.0, 7.0));   // one amplitude
-  EXPECT_FALSE(told(98.0, 99.8)); // the large swings hold less than a twentieth of the time
+  EXPECT_FALSE(told(5.0, 5.5));    // one swing of 100 mm
+  EXPECT_FALSE(told(2.0, 7.0));    // three swings of 30 mm
+  EXPECT_FALSE(told(0.0, 7.0));    // one amplitude
+  EXPECT_FALSE(told(98.0, 99.8));  // the large swings hold less than a twentieth of the time
 }
 
 // The largest displacement is that of all tests of a device. A test of small swings alone serves the fit of these.

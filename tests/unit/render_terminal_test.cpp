@@ -115,7 +115,7 @@ TEST(Findings, WarningsThatMatter) {
   EXPECT_EQ(
       sentences[2],
       "Bilinear: 3 of 60 runs failed (3 on D3); its numbers are those of the other 57. The first failure: infinite force");
-  EXPECT_EQ(sentences[3], "Vaiana: alpha+ at its upper bound on D1 and D3.");
+  EXPECT_EQ(sentences[3], "Vaiana: alpha+ at its upper bound on D1 and D3 (--set vaiana.alpha+=10:500 moves it).");
   EXPECT_EQ(sentences[4], "Bilinear: a finer integration step would move the objective by 0.002 on D2.");
 }
 
@@ -185,8 +185,8 @@ TEST(Answer, IsOneScreen) {
 
 TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
   auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "out/lot");
-  EXPECT_TRUE(contains(text, "Take Jankowski")) << text;
-  EXPECT_TRUE(contains(text, "isolaw export out/lot --law jankowski --device lot --to opensees-cpp")) << text;
+  EXPECT_TRUE(contains(text, "Take Abe")) << text;
+  EXPECT_TRUE(contains(text, "isolaw export out/lot --law abe --device lot --to opensees-cpp")) << text;
   EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
 }
 

@@ -72,8 +72,8 @@ TEST(RangeTest, PassesSaneDevicesOfOtherKinds) {
   EXPECT_EQ(rule(flat), "sane");
   EXPECT_NEAR(flat.beyond->stiffness_ratio, 0.5, 1e-9);
   EXPECT_EQ(flat.beyond->asked_mm, 200.0);
-  EXPECT_EQ(rule(range_test("bilinear", bilinear(100.0, 0.1, 0.5))), "sane");              // a curved slider
-  EXPECT_EQ(rule(range_test("bilinear", bilinear(10.0, 1.0, 10.0))), "sane");              // lead-rubber
+  EXPECT_EQ(rule(range_test("bilinear", bilinear(100.0, 0.1, 0.5))), "sane");                    // a curved slider
+  EXPECT_EQ(rule(range_test("bilinear", bilinear(10.0, 1.0, 10.0))), "sane");                    // lead-rubber
   EXPECT_EQ(rule(range_test("bilinear", bilinear(1.0, 0.99, 1.0), {.damping = 0.01})), "sane");  // low damping
 }
 

@@ -280,9 +280,12 @@ TEST(Recommendation, SaysHowFarTheBestLawsDisagree) {
   for (int i = 0; i < 7; ++i) laws.push_back({"law" + std::to_string(i), {0.03 + 0.01 * i}});
   auto summary = summary_of(laws);
   for (int i = 0; i < 7; ++i)
-    summary.laws[static_cast<std::size_t>(i)].beyond =
-        BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .K_kN_per_mm = 1.0 + i, .energy_kN_mm = 10.0 - i,
-                    .stiffness_ratio = 1.0, .damping_ratio = 1.0};
+    summary.laws[static_cast<std::size_t>(i)].beyond = BeyondTests{.tested_mm = 100.0,
+                                                                   .asked_mm = 200.0,
+                                                                   .K_kN_per_mm = 1.0 + i,
+                                                                   .energy_kN_mm = 10.0 - i,
+                                                                   .stiffness_ratio = 1.0,
+                                                                   .damping_ratio = 1.0};
   summary.laws[1].runs_away = runs_away("jumps");
   auto const spread = *spread_of_laws(summary);
   EXPECT_EQ(spread.count, 5u);

@@ -60,7 +60,8 @@ std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std:
     std::size_t const count = std::min(most_at_once, parameters.size() - first), stride = num::padded(count);
     rows.resize(stride * record.size());
     model.residual_rows(
-        count, [&](std::size_t i, std::span<double> values) { std::ranges::copy(parameters[first + i], values.begin()); },
+        count,
+        [&](std::size_t i, std::span<double> values) { std::ranges::copy(parameters[first + i], values.begin()); },
         stride, rows);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j < record.size(); ++j)

@@ -13,7 +13,7 @@ struct SteadyMotion {  // three cycles of a sine from rest, of which the third c
   double period_s = 2.0;
 };
 
-struct SteadyCycle {  // the third cycle of a law with one set of parameters
+struct SteadyCycle {   // the third cycle of a law with one set of parameters
   bool finite = true;  // whether every force of the three cycles is finite; if not, the numbers below mean nothing
   double K_kN_per_mm = 0.0;   // (force at the positive peak - force at the negative peak) / (2 amplitude)
   double energy_kN_mm = 0.0;  // area of the loop

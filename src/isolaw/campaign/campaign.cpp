@@ -133,7 +133,8 @@ bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRec
   for (int round = 1; round <= most_rounds && run.usable(); ++round) {
     auto wider = fit::box_beyond(box, model.law(), run.parameters, settings.overrides);
     if (!wider) return true;
-    auto const stream = target.stream.split(static_cast<std::uint64_t>(run.number)).split(static_cast<std::uint64_t>(round));
+    auto const stream =
+        target.stream.split(static_cast<std::uint64_t>(run.number)).split(static_cast<std::uint64_t>(round));
     auto const result = search_by(settings, *wider, model, stream, interrupted);
     if (result.outcome == Outcome::interrupted) return false;
     auto again = finished(target, *wider, model, run.number, result);

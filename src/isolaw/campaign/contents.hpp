@@ -89,7 +89,8 @@ struct DeviceAnalysis {  // how well one device's test determines a law, examine
   analysis::Determination determination;
   analysis::Intervals intervals;
   std::optional<fit::AsSprings> springs = {};  // the law as springs, if asked for and the optimum has no coupled form
-  std::optional<analysis::LargerSwings> larger_swings = {};  // empty if the test does not tell, or without finite forces
+  std::optional<analysis::LargerSwings> larger_swings =
+      {};  // empty if the test does not tell, or without finite forces
   std::size_t maker = 0;
 };
 
@@ -168,7 +169,7 @@ struct Contents {
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
   Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
-  void take_boxes_of_best_runs();  // sets Search::box; needed after runs are added
+  void take_boxes_of_best_runs();                                       // sets Search::box; needed after runs are added
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device, or nullopt for `whole_lot` if no device has that name. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;

@@ -281,8 +281,9 @@ void write_descriptions(Connection const& db, Contents const& contents) {
 }
 
 RunWriter::RunWriter(Connection const& db)
-    : row_(db,
-           "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (device, law, number) DO NOTHING"),
+    : row_(
+          db,
+          "INSERT INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (device, law, number) DO NOTHING"),
       parameter_(db, "INSERT INTO run_parameter VALUES (?, ?, ?, ?, ?)"),
       stored_(
           db,
@@ -313,8 +314,7 @@ bool RunWriter::is_there(Run const& run) {
          same(there.integration_shift, run.integration_shift) && there.refinement == run.refinement &&
          there.evaluations == run.evaluations && there.failed_evaluations == run.failed_evaluations &&
          there.failure == run.failure && std::ranges::equal(there.history, run.history, same) &&
-         std::ranges::equal(there.box, run.box, same) &&
-         std::ranges::equal(there.parameters, run.parameters, same);
+         std::ranges::equal(there.box, run.box, same) && std::ranges::equal(there.parameters, run.parameters, same);
 }
 
 void write_row(Connection const& db, Run const& run) {

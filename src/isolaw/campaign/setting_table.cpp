@@ -22,11 +22,10 @@ constexpr std::pair<std::string_view, laws::Integration> integrations[]{{"conver
                                                                         {"paper", laws::Integration::paper}};
 constexpr std::pair<std::string_view, laws::TurningPoints> turnings[]{
     {"sampled", laws::TurningPoints::as_sampled}, {"interpolated", laws::TurningPoints::interpolated}};
-constexpr std::pair<std::string_view, std::optional<data::Weighting>> weightings[]{
-    {"auto", std::nullopt},
-    {"time", data::Weighting::time},
-    {"swing", data::Weighting::swing},
-    {"travel", data::Weighting::travel}};
+constexpr std::pair<std::string_view, std::optional<data::Weighting>> weightings[]{{"auto", std::nullopt},
+                                                                                   {"time", data::Weighting::time},
+                                                                                   {"swing", data::Weighting::swing},
+                                                                                   {"travel", data::Weighting::travel}};
 constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
 constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 

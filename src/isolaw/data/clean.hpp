@@ -18,7 +18,7 @@ struct CleanOptions {
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
   // How much each sample counts in the objective. nullopt: by swing, or by time where all swings are alike.
   std::optional<Weighting> weights = {};
-  Selection scored = {};                       // blocks and cycles that the objective counts
+  Selection scored = {};  // blocks and cycles that the objective counts
 };
 
 // Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;

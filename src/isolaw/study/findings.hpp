@@ -37,7 +37,7 @@ struct LawVerdict {
 
 struct Findings {
   std::optional<Recommendation> recommendation;  // the program's answer; empty for an inspection
-  std::vector<Finding> headline;     // the choice between accuracy and robustness
+  std::vector<Finding> headline;                 // the choice between accuracy and robustness
   std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Finding> warnings;     // most serious first
   std::vector<Finding> converged;    // from the analyses, by converged_findings()

@@ -17,9 +17,9 @@ using analysis::SteadyCycle;
 
 // What the tests of the lot say about cycles.
 struct Tested {
-  double disp_mm = 0.0;            // the largest displacement
-  std::vector<double> vel_mm_s;    // for each test the largest velocity in its largest swing; empty without time
-  double asked_mm = 0.0;           // the displacement of the design
+  double disp_mm = 0.0;          // the largest displacement
+  std::vector<double> vel_mm_s;  // for each test the largest velocity in its largest swing; empty without time
+  double asked_mm = 0.0;         // the displacement of the design
 };
 
 Tested tested_by(Summary const& summary) {
@@ -40,8 +40,8 @@ Tested tested_by(Summary const& summary) {
   return tested;
 }
 
-struct Measured {           // on the device of a fit
-  bool viscous = false;     // hardly any of its force is stiffness
+struct Measured {                      // on the device of a fit
+  bool viscous = false;                // hardly any of its force is stiffness
   std::optional<double> damping = {};  // of its largest cycles
 };
 
@@ -56,8 +56,9 @@ Measured measured_on(DeviceResult const& device) {
 // One set of parameters of a law in all cycles of the test.
 struct Cycles {
   SteadyCycle tested, asked;
-  std::array<SteadyCycle, 4> inside;           // at the shares below of the tested displacement
-  std::optional<SteadyCycle> at_tested_speed;  // at the tested displacement, if the building's cycles are of other speed
+  std::array<SteadyCycle, 4> inside;  // at the shares below of the tested displacement
+  std::optional<SteadyCycle>
+      at_tested_speed;  // at the tested displacement, if the building's cycles are of other speed
 };
 constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
 
@@ -75,7 +76,8 @@ bool outside(double value, double least, double most) {
 std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) {
   constexpr double rounding = 1e-6;  // share of the energy of a cycle of the largest force
   if (!cycle.finite) return breach("not-finite", amplitude_mm);
-  if (cycle.energy_kN_mm < -rounding * 4.0 * amplitude_mm * cycle.largest_kN) return breach("gives-energy", amplitude_mm);
+  if (cycle.energy_kN_mm < -rounding * 4.0 * amplitude_mm * cycle.largest_kN)
+    return breach("gives-energy", amplitude_mm);
   return std::nullopt;
 }
 
@@ -94,8 +96,9 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
     double const damping = there.damping / here.damping;
     if (here.damping > 0.0 && outside(damping, least_damping_ratio, most_damping_ratio))
       return breach("damping", tested.asked_mm, damping);
-    auto const most = measured.damping ? std::min(most_damping, most_times_measured * *measured.damping + damping_above_measured)
-                                       : most_damping;
+    auto const most = measured.damping
+                          ? std::min(most_damping, most_times_measured * *measured.damping + damping_above_measured)
+                          : most_damping;
     if (here.damping > most) {
       auto found = breach("overdamped", tested.disp_mm, here.damping);
       if (measured.damping) found.numbers.push_back({"measured", *measured.damping});
@@ -190,7 +193,8 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
   }
   constexpr std::size_t many = 20;
   constexpr double most_share = 0.05;
-  auto const count = static_cast<std::size_t>(std::ranges::count_if(devices, [](auto* device) { return device != nullptr; }));
+  auto const count =
+      static_cast<std::size_t>(std::ranges::count_if(devices, [](auto* device) { return device != nullptr; }));
   bool const decides = of_devices && (count < many || static_cast<double>(of_devices->devices.size()) >
                                                           most_share * static_cast<double>(count));
   law.runs_away = decides ? std::move(of_devices) : std::move(of_lot);

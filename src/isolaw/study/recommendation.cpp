@@ -150,14 +150,17 @@ std::vector<Finding> doubts_about(Summary const& summary, Standing const& standi
   auto const add = [&](FindingKind kind, std::vector<FindingNumber> numbers = {}) {
     doubts.push_back({.kind = kind, .law = law.id, .numbers = std::move(numbers)});
   };
-  if (or_infinite(standing.error) > doubtful_error) add(FindingKind::weak_error, {{"error", or_infinite(standing.error)}});
+  if (or_infinite(standing.error) > doubtful_error)
+    add(FindingKind::weak_error, {{"error", or_infinite(standing.error)}});
   auto const add_times = [&](FindingKind kind, std::optional<double> const& error) {
     if (error && standing.fits && *error > doubtful_times * *standing.fits)
       add(kind, {{"times", *error / *standing.fits}});
   };
   add_times(FindingKind::weak_larger_swings, law.larger_swings_objective);
-  if (law.prediction_grade == PredictionGrade::fair) add(FindingKind::weak_prediction_fair);
-  else add_times(FindingKind::weak_other_blocks, law.predicted_objective);
+  if (law.prediction_grade == PredictionGrade::fair)
+    add(FindingKind::weak_prediction_fair);
+  else
+    add_times(FindingKind::weak_other_blocks, law.predicted_objective);
   add_doubts_about_cycles(summary, law, doubts);
   if (auto found = one_sided(summary)) doubts.push_back(std::move(*found));
   if (!compares_laws(summary)) add(FindingKind::weak_only_law);
@@ -189,8 +192,10 @@ Standing standing_of(Summary const& summary, std::size_t index) {
   standing.error = is_lot ? standing.new_device : standing.fits;
   if (standing.error && standing.predicts) standing.error = 0.5 * (*standing.error + *standing.predicts);
   if (!standing.error && standing.predicts) standing.error = standing.predicts;
-  if (standing.reason) standing.place = Rank::ruled_out;
-  else standing.weak = doubts_about(summary, standing);
+  if (standing.reason)
+    standing.place = Rank::ruled_out;
+  else
+    standing.weak = doubts_about(summary, standing);
   return standing;
 }
 

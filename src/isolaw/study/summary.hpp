@@ -74,10 +74,10 @@ struct DeviceFit {
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
-  double runs_apart = 0.0;              // relative difference between the objectives of the best and the worst usable run
-  std::string success_reference;        // where that least objective comes from
-  std::optional<double> optimum;        // least objective that the analyses found
-  std::optional<double> rise;           // how far the objective may rise within a parameter's range
+  double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
+  std::string success_reference;  // where that least objective comes from
+  std::optional<double> optimum;  // least objective that the analyses found
+  std::optional<double> rise;     // how far the objective may rise within a parameter's range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
@@ -124,7 +124,7 @@ constexpr std::string_view name(PredictionGrade grade) {
 struct BeyondTests {
   double tested_mm = 0.0;  // the largest displacement of the tests
   double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
-  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;   // at asked_mm
+  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;       // at asked_mm
   double stiffness_ratio = 0.0, damping_ratio = 0.0;  // value at asked_mm / value at tested_mm
 };
 
@@ -148,7 +148,7 @@ struct LawResult {
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   // As for a device, means over the devices that tell, and the largest of them.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;     // empty if no device was identified
+  std::optional<BeyondTests> beyond;      // empty if no device was identified
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,

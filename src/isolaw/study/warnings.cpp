@@ -179,9 +179,8 @@ class Collector {
         add({.kind = runs_differ,
              .law = law.id,
              .devices = {fit->device},
-             .numbers = {{"apart", fit->runs_apart},
-                         {"runs", static_cast<double>(fit->runs)},
-                         {"more", 2.0 * fit->runs}}});
+             .numbers = {
+                 {"apart", fit->runs_apart}, {"runs", static_cast<double>(fit->runs)}, {"more", 2.0 * fit->runs}}});
   }
 
   void parameters(LawResult const& law) {
@@ -231,9 +230,11 @@ class Collector {
 
   // The option that moves the bound at which the parameter lies on some devices; empty if it is a physical limit.
   static std::string set_beyond(LawResult const& law, std::string const& parameter, std::string_view side) {
-    auto const& parameters = laws::find_law(law.id).parameters;
-    auto const info = std::ranges::find(parameters, parameter, &laws::ParameterInfo::name);
-    if (info == parameters.end()) return {};
+    auto const entry =
+        std::ranges::find_if(laws::catalogue(), [&](auto const& each) { return each.info.id == law.id; });
+    if (entry == laws::catalogue().end()) return {};
+    auto const info = std::ranges::find(entry->parameters, parameter, &laws::ParameterInfo::name);
+    if (info == entry->parameters.end()) return {};
     std::optional<laws::Interval> all;
     for (auto const& fit : law.devices)
       for (auto const& p : fit.parameters) {
@@ -260,8 +261,8 @@ class Collector {
     if (laws_.empty()) return;
     bool const several_blocks = std::ranges::any_of(
         devices_, [](auto const* device) { return device->status == "ok" && device->properties.blocks.size() > 1; });
-    bool const predicted =
-        std::ranges::any_of(laws_, [](auto const* law) { return law->predicted_objective || law->larger_swings_objective; });
+    bool const predicted = std::ranges::any_of(
+        laws_, [](auto const* law) { return law->predicted_objective || law->larger_swings_objective; });
     if (several_blocks && !predicted) add({.kind = FindingKind::prediction_not_asked});
   }
 

@@ -46,7 +46,8 @@ SwingSizes swing_sizes(std::span<FitRecord const* const> tests, Weighting weight
     auto const count_small = static_cast<std::size_t>(first_large - swings_of[t].begin());
     std::span<Swing const> const swings = swings_of[t];
     auto const weights_of = [&](std::span<Swing const> some) {
-      return weights_within(some, record.disp_mm, time_of(record), record.weights.empty() ? Weighting::time : weighting);
+      return weights_within(some, record.disp_mm, time_of(record),
+                            record.weights.empty() ? Weighting::time : weighting);
     };
     SwingSizes::Test test{.small = weights_of(swings.first(count_small)),
                           .large = weights_of(swings.subspan(count_small))};
@@ -61,7 +62,8 @@ SwingSizes swing_sizes(std::span<FitRecord const* const> tests, Weighting weight
     if (both > 0.0) small_share += (1.0 - share) / static_cast<double>(tests.size());
     sizes.tests.push_back(std::move(test));
   }
-  sizes.tell = large >= fewest_large && small >= fewest_small && large_share >= least_share && small_share >= least_share;
+  sizes.tell =
+      large >= fewest_large && small >= fewest_small && large_share >= least_share && small_share >= least_share;
   return sizes;
 }
 

@@ -176,7 +176,8 @@ class RowWriter {
             .end = [this](std::string_view name) { end(name); },
             .text =
                 [this](std::string_view text) {
-                  if (in_value_ && value_.size() < longest_cell_text) value_ += text.substr(0, longest_cell_text - value_.size());
+                  if (in_value_ && value_.size() < longest_cell_text)
+                    value_ += text.substr(0, longest_cell_text - value_.size());
                 }};
   }
   std::string take() { return std::move(rows_); }

@@ -8,7 +8,7 @@
 namespace isolaw::render {
 namespace {
 
-constexpr int summary_schema = 1;
+constexpr int summary_schema = 2;
 
 void write(JsonWriter& out, ParameterFit const& parameter) {
   write_results(out, parameter_results, parameter, Digits::all);

@@ -322,8 +322,9 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   if (advice.programs) text += wrapped("", wording::sentence(*advice.programs) + ".", 2, width);
   for (auto const& standing : advice.standings)
     if (standing.reason)
-      text += wrapped("", fmt::format("{} is ruled out: {}.", laws::called(summary.laws[standing.law].id),
-                                      wording::remark(*standing.reason)),
+      text += wrapped("",
+                      fmt::format("{} is ruled out: {}.", laws::called(summary.laws[standing.law].id),
+                                  wording::remark(*standing.reason)),
                       2, width);
   return text + '\n';
 }
@@ -361,9 +362,7 @@ std::string short_table(Summary const& summary, Recommendation const& answer) {
   for (auto const& standing : answer.standings) {
     if (rows.size() > most) break;
     auto const& law = summary.laws[standing.law];
-    Row row{standing.place == Rank::taken ? "●" : "○",
-            printable(laws::called(law.id)),
-            {percent(standing.fits)}};
+    Row row{standing.place == Rank::taken ? "●" : "○", printable(laws::called(law.id)), {percent(standing.fits)}};
     if (devices) row.cells.push_back(percent(law.loo_objective));
     if (devices && !blocks && !larger) row.cells.push_back(percent(law.loo_worst));
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
