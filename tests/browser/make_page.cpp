@@ -61,7 +61,7 @@ void crowd(study::Summary& summary) {
 
 void run_away(study::LawResult& law) {
   law.prediction_grade = study::PredictionGrade::unusable;
-  law.predicted_objective = law.worst_predicted = 60.0;
+  law.predicted_objective = law.worst_predicted = law.larger_swings_objective = 60.0;
   for (auto& fit : law.devices)
     for (auto& block : fit.blocks)
       if (!block.fitted) block.objective = 60.0;
