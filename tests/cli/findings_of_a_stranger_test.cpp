@@ -252,13 +252,14 @@ TEST_F(SmallThings, a_merge_of_a_part_that_is_not_there_does_not_end_well) {
 // A report with other rules and without figures leaves no figure behind that shows the former ones.
 TEST_F(SmallThings, a_check_does_not_miss_figures_that_a_report_left_out) {
   write("b.csv", csv(record({.stiffness_kN_per_mm = 0.55})));
-  auto const fit = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "o", "--analysis", "none"} + smallest_search);
+  auto const fit = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "o", "--figures", "lot", "--analysis", "none"} +
+                          smallest_search);
   ASSERT_EQ(fit.code, 0) << fit;
   auto const report = isolaw({"report", "o", "--rules", "en-15129", "--design", "K_eff=0.6", "--figures", "none"});
   EXPECT_TRUE(contains(report.err, "showed other results than these reports")) << report;
   auto const check = isolaw({"check", "o"});
   EXPECT_EQ(check.code, 0) << check;
-  auto const drawn = isolaw({"report", "o", "--rules", "en-15129", "--design", "K_eff=0.6"});
+  auto const drawn = isolaw({"report", "o", "--rules", "en-15129", "--design", "K_eff=0.6", "--figures", "lot"});
   EXPECT_TRUE(exists("o/figures/properties.dat")) << drawn;
 }
 
@@ -308,7 +309,7 @@ TEST_F(SmallThings, advice_about_ragged_rows_leads_past_all_of_them) {
     return isolaw({"inspect", "ragged.csv"});
   };
   auto const often = ragged([](std::size_t i) { return i % 50 == 49; });
-  expect_refused(often, {"export the record again with a value in every cell, or delete these 12 rows from a copy"});
+  expect_refused(often, {"export the record again with a number in every cell, or delete these 12 rows from a copy"});
   EXPECT_FALSE(contains(often.err, "--rows")) << often;
   auto const early = ragged([](std::size_t i) { return i == 3 || i == 40; });
   expect_refused(early, {"try: --rows 42:601, the longest part without such rows"});

@@ -282,6 +282,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
     page.line(fmt::format("| {} | {} |", label, harmless_markdown(text)));
   };
   fact("Law", fmt::format("{}: {} ({})", law.id, law.title, law.source));
+  fact("Equations", equations(law));
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));

@@ -234,10 +234,10 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   return facts;
 }
 
-std::vector<std::string_view> lines_of(std::string_view text) {
+std::string equations(laws::LawInfo const& law) {
   std::vector<std::string_view> lines;
-  while (!text.empty()) lines.push_back(trimmed(take_part(text, '\n')));
-  return lines;
+  for (std::string_view text = law.formula; !text.empty();) lines.push_back(trimmed(take_part(text, '\n')));
+  return joined(lines, ";  ");
 }
 
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
@@ -249,7 +249,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
       {"Calibrated by", "isolaw " + subject.makers},
       {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},
-      {"Equations", joined(lines_of(law.formula), ";  ")},
+      {"Equations", equations(law)},
       {"Parameters of",
        (subject.lot ? std::string("the lot (one law for all its devices)") : "device " + subject.device) +
            (subject.title.empty() ? "" : ", lot " + subject.title)},

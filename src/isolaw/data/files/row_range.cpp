@@ -53,7 +53,7 @@ std::string without_rows(RowRange const& range, std::vector<std::size_t> const& 
   // A part is of use if it is most of the record.
   if (2 * length(longest) >= last + 1 - range.first && length(longest) >= least_samples)
     return fmt::format("--rows {}, the longest part without such rows", rows_text(longest));
-  return fmt::format("export the record again with a value in every cell, or delete these {} rows from a copy",
+  return fmt::format("export the record again with a number in every cell, or delete these {} rows from a copy",
                      rows.size());
 }
 
