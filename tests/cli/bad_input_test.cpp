@@ -18,7 +18,7 @@ class BadInput : public InFreshDirectory {
     expect_refused(isolaw(Words{"inspect", file} + options), parts);
     auto const o = isolaw(Words{"calibrate", file} + small_into_O + options);
     expect_refused(o, parts);
-    EXPECT_TRUE(contains(o.err, "none of 1 device"));
+    EXPECT_TRUE(contains(o.err, "its one device is not usable"));
     EXPECT_FALSE(exists("O"));
   }
   Outcome calibrate(Words const& files, Words const& more = {}) {
@@ -421,7 +421,7 @@ TEST_F(BadInput, all_bad_devices_leave_nothing_that_looks_like_a_result) {
   write("bad.csv", csv_with_line(101, "0.9900,nan,12.0"));
   auto const o = calibrate({"empty.csv", "bad.csv", "nope.csv"});
   expect_refused(o,
-                 {"none of 3 device(s) is usable", "empty.csv: is empty", "bad.csv:101: ", "nope.csv: no such file"});
+                 {"none of its 3 devices is usable", "empty.csv: is empty", "bad.csv:101: ", "nope.csv: no such file"});
   EXPECT_FALSE(exists("O"));
 }
 

@@ -457,5 +457,36 @@ TEST_F(Building, refuses) {
   expect_refused(isolaw({"building", "b.toml", "--from", "nowhere"}), {"b.toml:2", "draws", "[base]", "no motions"});
 }
 
+// A scale belongs to the motion beside it. Motions of --motion are used as they are, and the command says so.
+TEST_F(Building, says_that_motions_of_the_command_line_are_not_scaled) {
+  campaign();
+  ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+  auto text = read_file(directory() / "case/building.toml");
+  text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
+  write("case/building.toml", text);
+  Words const nominal{"building", "case/building.toml", "--from", "lot", "--out", "B", "--nominal"};
+  auto const own = isolaw(nominal), given = isolaw(nominal + Words{"--motion", "case/motion-1-x.csv"});
+  ASSERT_EQ(own.code, 0) << own;
+  ASSERT_EQ(given.code, 0) << given;
+  EXPECT_FALSE(contains(own.err, "--motion")) << own;
+  EXPECT_TRUE(contains(
+      given.err,
+      "1 motion of --motion is used as given, with scale 1, in place of 7 motions of case/building.toml, which had scale 0.5"))
+      << given;
+}
+
+// Where no terminal shows the progress, a line now and then still does. A study this short ends before the first one.
+TEST_F(Building, prints_no_progress_for_a_short_study) {
+  campaign();
+  ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+  auto text = read_file(directory() / "case/building.toml");
+  text.replace(text.find("draws = 1000"), 12, "draws = 4");
+  text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
+  write("case/building.toml", text);
+  auto const o = isolaw({"building", "case/building.toml", "--from", "lot", "--out", "B", "--figures", "none"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_FALSE(contains(o.err, "% done")) << o;
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

@@ -1,4 +1,12 @@
 // Small faults that a first-time user found: isolaw accepted wrong input without a message, or quoted it oddly.
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -171,6 +179,184 @@ TEST_F(SmallThings, a_motion_may_be_a_part_of_its_file_and_says_what_it_leaves_a
   EXPECT_TRUE(contains(whole.err, "'velocity [mm/s]' is not used: velocities are computed")) << whole;
   ASSERT_EQ(part.code, 0) << part;
   EXPECT_TRUE(contains(part.err, "samples 2 to 4 of 5 are read (--motion-from 1 --motion-to 3)")) << part;
+}
+
+// A database of another program may lie where a campaign is to be written.
+TEST_F(SmallThings, starting_over_replaces_no_database_of_another_program) {
+  Words const fit =
+      Words{"calibrate", "a.csv", "--out", "o", "--figures", "none", "--analysis", "none", "--fresh"} + smallest_search;
+  auto const make = [&](std::string const& sql) {
+    fs::create_directories(path("o"));
+    fs::remove(path("o/campaign.sqlite"));
+    sqlite3* db = nullptr;
+    ASSERT_EQ(sqlite3_open(path("o/campaign.sqlite").c_str(), &db), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(db);
+  };
+  make("CREATE TABLE accounts (name TEXT); INSERT INTO accounts VALUES ('x')");
+  auto const before = read("o/campaign.sqlite");
+  expect_refused(isolaw(fit), {"o/campaign.sqlite", "is a database of another program", "'accounts'", "--fresh"});
+  EXPECT_EQ(read("o/campaign.sqlite"), before);
+
+  // What is no store, but holds nothing of another program either, is replaced, and its loss is told.
+  for (auto const& [bytes, told] :
+       {std::pair("", "was an empty file: nothing is lost"),
+        std::pair("no database at all", "was damaged, or no store of isolaw: its 18 bytes are lost")}) {
+    write("o/campaign.sqlite", bytes);
+    auto const o = isolaw(fit);
+    EXPECT_EQ(o.code, 0) << o;
+    EXPECT_TRUE(contains(o.err, told)) << o;
+  }
+  auto const again = isolaw(fit);
+  EXPECT_EQ(again.code, 0) << again;
+  EXPECT_FALSE(contains(again.err, "lost")) << again;
+
+  // A study of a building and a merge are as careful.
+  fs::rename(path("o"), path("whole"));
+  make("CREATE TABLE accounts (name TEXT)");
+  expect_refused(isolaw({"merge", "o", "whole", "--fresh"}), {"is a database of another program"});
+}
+
+// The report names every option that a record was read with, so that its command gives the same campaign.
+TEST_F(SmallThings, the_command_of_a_report_reads_the_records_in_the_same_way) {
+  std::string untimed = "disp [mm],force [kN]\n";
+  for (auto const& sample : record()) untimed += fmt::format("{:.5f},{:.5f}\n", sample.disp_mm, -sample.force_kN);
+  write("u.csv", untimed);
+  Words const read_so{"--dt", "0.01", "--rows", "1:500", "--flip-force", "--repair", "spikes", "--skew-ms", "2"};
+  Words const rest = Words{"--figures", "none", "--analysis", "none"} + smallest_search;
+  auto const o = isolaw(Words{"calibrate", "u.csv", "--out", "o"} + read_so + rest);
+  ASSERT_EQ(o.code, 0) << o;
+  auto const page = read("o/report.html");
+  auto const from = page.find("isolaw calibrate u.csv");
+  ASSERT_NE(from, std::string::npos);
+  auto const command = page.substr(from, page.find('"', from) - from);
+  for (auto const* part : {"--dt 0.01", "--rows :500", "--flip-force", "--repair spikes", "--skew-ms 2"})
+    EXPECT_TRUE(contains(command, part));
+  std::istringstream words(command);
+  Words again;
+  for (std::string word; words >> word;) again.push_back(word);
+  again.erase(again.begin());
+  auto const repeated = isolaw(again + Words{"--out", "p", "--figures", "none"});
+  ASSERT_EQ(repeated.code, 0) << repeated;
+  EXPECT_EQ(read("p/summary.json"), read("o/summary.json"));
+}
+
+TEST_F(SmallThings, a_merge_of_a_part_that_is_not_there_does_not_end_well) {
+  auto const fit =
+      isolaw(Words{"calibrate", "a.csv", "--out", "o", "--figures", "none", "--analysis", "none"} + smallest_search);
+  ASSERT_EQ(fit.code, 0) << fit;
+  expect_message(isolaw({"merge", "o", "nosuch", "--figures", "none"}), 1, {"nosuch/campaign.sqlite: not there"});
+  EXPECT_EQ(isolaw({"merge", "o", "--figures", "none"}).code, 0);
+}
+
+// A report with other rules and without figures leaves no figure behind that shows the former ones.
+TEST_F(SmallThings, a_check_does_not_miss_figures_that_a_report_left_out) {
+  write("b.csv", csv(record({.stiffness_kN_per_mm = 0.55})));
+  auto const fit = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "o", "--figures", "lot", "--analysis", "none"} +
+                          smallest_search);
+  ASSERT_EQ(fit.code, 0) << fit;
+  auto const report = isolaw({"report", "o", "--rules", "en-15129", "--design", "K_eff=0.6", "--figures", "none"});
+  EXPECT_TRUE(contains(report.err, "showed other results than these reports")) << report;
+  auto const check = isolaw({"check", "o"});
+  EXPECT_EQ(check.code, 0) << check;
+  auto const drawn = isolaw({"report", "o", "--rules", "en-15129", "--design", "K_eff=0.6", "--figures", "lot"});
+  EXPECT_TRUE(exists("o/figures/properties.dat")) << drawn;
+}
+
+// With one device there is no law of the lot, so no message offers it.
+TEST_F(SmallThings, what_is_allowed_is_not_refused_in_turn) {
+  auto const fit =
+      isolaw(Words{"calibrate", "a.csv", "--out", "o", "--figures", "none", "--analysis", "none"} + smallest_search);
+  ASSERT_EQ(fit.code, 0) << fit;
+  auto const wrong = isolaw({"export", "o", "--law", "bilinear", "--device", "b", "--to", "csv"});
+  expect_refused(wrong, {"device 'b'", "allowed: a"});
+  EXPECT_FALSE(contains(wrong.err, "lot")) << wrong;
+  expect_refused(isolaw({"export", "o", "--law", "bilinear", "--device", "lot", "--to", "csv"}),
+                 {"the name of the one device: a"});
+}
+
+TEST_F(SmallThings, a_file_that_is_missing_is_named_once) {
+  auto const o = isolaw({"calibrate", "nosuch"});
+  expect_refused(o, {"nosuch: no such file"});
+  EXPECT_EQ(count_of("nosuch", o.err), 1u) << o;
+  expect_refused(isolaw({"building"}), {"isolaw building: no building file and no campaign is given"});
+  expect_refused(isolaw({"building", "b.toml"}), {"isolaw building: no campaign is given (--from)"});
+}
+
+TEST_F(SmallThings, mistakes_of_a_lot_file_stand_in_its_order_and_name_the_key_that_is_meant) {
+  write("lot.toml",
+        "titel = \"x\"\n[calibrate]\nlaw = \"bouc-wen\"\nruns = \"many\"\n[[device]]\nname = \"D\"\nfil = \"a.csv\"\n");
+  auto const o = isolaw({"calibrate", "lot.toml"});
+  expect_refused(o, {"unknown key 'titel'", "try: title", "try: laws", "try: file"});
+  std::size_t last = 0;
+  for (auto const* place : {"lot.toml:1:", "lot.toml:3:", "lot.toml:4:", "lot.toml:5:", "lot.toml:7:"}) {
+    auto const at = o.err.find(place);
+    ASSERT_NE(at, std::string::npos) << place << o;
+    EXPECT_GE(at, last) << place << o;
+    last = at;
+  }
+}
+
+// The advice looks at all rows that cannot be read, and not at the first of them alone.
+TEST_F(SmallThings, advice_about_ragged_rows_leads_past_all_of_them) {
+  auto const ragged = [&](auto const& is_short) {
+    auto const samples = record();
+    std::string text = "time [s],disp [mm],force [kN]\n";
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      text +=
+          is_short(i) ? fmt::format("{:.4f},{:.5f}\n", samples[i].time_s, samples[i].disp_mm) : row(samples[i]) + "\n";
+    write("ragged.csv", text);
+    return isolaw({"inspect", "ragged.csv"});
+  };
+  auto const often = ragged([](std::size_t i) { return i % 50 == 49; });
+  expect_refused(often, {"export the record again with a number in every cell, or delete these 12 rows from a copy"});
+  EXPECT_FALSE(contains(often.err, "--rows")) << often;
+  auto const early = ragged([](std::size_t i) { return i == 3 || i == 40; });
+  expect_refused(early, {"try: --rows 42:601, the longest part without such rows"});
+  EXPECT_EQ(isolaw({"inspect", "ragged.csv", "--rows", "42:601"}).code, 0);
+  expect_refused(ragged([](std::size_t i) { return i == 3; }), {"try: --rows 5:, the rows behind it"});
+}
+
+TEST_F(SmallThings, init_tells_of_records_that_calibrate_will_refuse) {
+  auto samples = record();
+  samples[150].force_kN += 60.0;
+  write("spike.csv", csv(samples));
+  auto const o = isolaw({"init", "a.csv", "spike.csv"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "spike: isolaw calibrate will leave it out: the force has a single-sample spike")) << o;
+  EXPECT_EQ(count_of("will leave it out", o.err), 1u) << o;
+}
+
+// A force that depends on the velocity falls before each reversal, in the tests as well as beyond them.
+TEST_F(SmallThings, a_fall_of_the_force_before_a_reversal_is_no_extrapolation) {
+  std::string text = "time [s],disp [mm],force [kN]\n";
+  for (int i = 0; i <= 600; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / 200.0, x = 100.0 * std::sin(phase);
+    text += fmt::format("{:.4f},{:.5f},{:.5f}\n", 0.01 * i, x, 0.5 * x + 60.0 * std::cos(phase));
+  }
+  write("v.csv", text);
+  auto const fit = isolaw({"calibrate", "v.csv", "--laws", "jankowski", "--runs", "1", "--out", "o", "--figures",
+                           "none", "--analysis", "none"});
+  ASSERT_TRUE(exists("o/campaign.sqlite")) << fit;
+  auto const o = isolaw({"export", "o", "--law", "jankowski", "--device", "v", "--to", "opensees-cpp", "--anyway"});
+  EXPECT_FALSE(contains(o.err, "stiffness is below zero")) << o;
+  EXPECT_TRUE(contains(o.out, "Equations: F = ")) << o.out.substr(0, 3000);
+  EXPECT_TRUE(contains(o.out, "at the fastest of all samples")) << o.out.substr(0, 3000);
+}
+
+TEST_F(SmallThings, a_sheet_that_is_refused_says_itself_how_far_its_link_is_off) {
+  std::string text = "time [s],disp [mm],force [kN]\n";
+  for (int i = 0; i <= 600; ++i) {
+    double const phase = 2.0 * std::numbers::pi * i / 200.0, x = 100.0 * std::sin(phase);
+    text += fmt::format("{:.4f},{:.5f},{:.5f}\n", 0.01 * i, x, 1e-4 * x * x * x + 2.0 * std::cos(phase));
+  }
+  write("h.csv", text);
+  auto const fit = isolaw({"calibrate", "h.csv", "--laws", "jankowski", "--runs", "1", "--out", "o", "--figures",
+                           "none", "--analysis", "none"});
+  ASSERT_TRUE(exists("o/campaign.sqlite")) << fit;
+  auto const o = isolaw({"export", "o", "--law", "jankowski", "--device", "h", "--to", "sheet"});
+  EXPECT_FALSE(contains(o.err, "the sheet says")) << o;
+  if (o.code != 0) EXPECT_TRUE(contains(o.err, "is far off it: largest ")) << o;
 }
 
 }  // namespace

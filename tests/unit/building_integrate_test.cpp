@@ -9,8 +9,11 @@
 #include <cmath>
 #include <numbers>
 #include <ranges>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/laws/online/online.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 #include "unit/building_fixture.hpp"
 #include "unit/building_whole.hpp"
 
@@ -215,6 +218,45 @@ TEST(BuildingIntegrate, refuses_what_is_no_building) {
     EXPECT_EQ(e.complaints().size(), 3u) << e.what();
   }
   EXPECT_THROW(Model(Structure(three_floors()), {.bearings = {}}), Error);
+}
+
+// The force of these laws rises from rest with a power of the displacement. As springs around the circle, they shook in
+// two directions without an equilibrium at the first step: the springs across the motion went no farther than rounding.
+TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
+  std::pair<char const*, Values> const laws[]{
+      {"power-masing", {87.86, 0.371, 46.69, 9.1, 62.65, 0.2578}},
+      {"power-scragging", {29.22, 0.488, 55.57, 0.0, 0.0, 14.79, 1.6, 0.337, 0.1797}},
+      {"kikuchi-aiken", {79.87, 0.7, 0.2621, -0.0003364, 0.55, -0.001442, 0.0, 53.72, 0.001501, 10.19, 2.0}}};
+  auto motion = shaking();
+  auto along_x = motion;
+  std::ranges::fill(along_x.y_mm_s2, 0.0);
+  for (auto const& [law, values] : laws)
+    for (auto const* shaken : {&motion, &along_x}) {
+      Bearings bearings;
+      for (int j = 0; j < 6; ++j) bearings.push_back(make_bearing(law, values, Coupling::springs));
+      auto const response = run(three_floors(), grid(3, 2, 6000.0), bearings, *shaken);
+      EXPECT_EQ(response.outcome, Outcome::completed) << law << ": " << response.why;
+      EXPECT_LT(std::abs(response.of(Measure::balance)), 1e-4) << law;
+      EXPECT_GT(response.of(Measure::isolator), 10.0) << law;
+    }
+}
+
+// Springs of a law with a slope at rest are those of laws::Springs, and the others differ from them only within 1e-6 mm.
+TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
+  Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};
+  auto const bearing = make_bearing("power-masing", values, Coupling::springs);
+  auto springs = laws::InPlane::springs(laws::Online("power-masing", values));
+  for (int i = 1; i <= 40; ++i) {
+    Vector const to{20.0 * std::sin(0.3 * i) + 0.1, 12.0 * std::cos(0.2 * i)};
+    auto const force = bearing->trial(to, {0.0, 0.0}, 0.01), other = [&] {
+      auto const f = springs.trial({to.x, to.y}, {0.0, 0.0}, 0.01);
+      return BearingForce{.force = {f.force.x, f.force.y}};
+    }();
+    EXPECT_NEAR(force.force.x, other.force.x, 1e-9) << i;
+    EXPECT_NEAR(force.force.y, other.force.y, 1e-9) << i;
+    bearing->commit();
+    springs.commit();
+  }
 }
 
 }  // namespace

@@ -10,12 +10,14 @@
 
 #include "contains.hpp"
 #include "finding_text.hpp"
+#include "isolaw/api/building_work.hpp"
 #include "isolaw/building/answers.hpp"
 #include "isolaw/building/arrangement.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/laws/online/online.hpp"
+#include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "refusal.hpp"
 #include "unit/building_study_fixture.hpp"
@@ -440,7 +442,9 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   EXPECT_EQ(coverage.monotony->word("side"), "below");
   EXPECT_TRUE(coverage.not_monotonic.starts_with("both bound analyses (")) << coverage.not_monotonic;
   EXPECT_TRUE(contains(answers.verdict, "since the nominal building itself is outside them")) << answers.verdict;
-  EXPECT_TRUE(contains(answers.warnings, "Bilinear: ignore the 0 % for bearing displacement: both bound analyses ("))
+  EXPECT_TRUE(contains(
+      answers.warnings,
+      "Bilinear: the share of 0 % of the draws between the bounds says nothing about bearing displacement, because both bound analyses ("))
       << answers.warnings;
 }
 
@@ -548,6 +552,40 @@ TEST(BuildingAnswers, arrangement) {
   auto sorted = arrangement.device;
   std::ranges::sort(sorted);
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
+}
+
+// Beyond its yield displacement this law pushes the building away, so that no analysis reaches the end of the motion.
+TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered) {
+  auto failing = usual_study(0.07, 3);
+  failing.file.motions.resize(1);
+  for (auto& bearing : failing.file.bearings) bearing.stands = Stands::lot;
+  failing.laws[0].lot = {6.0, -1e5, 10.0};
+  auto const said = refusal_of([&] { study_building(failing, {.jobs = 1}); });
+  EXPECT_TRUE(contains(said, "law bilinear: none of its ")) << said;
+
+  auto both = usual_study(0.07, 3);
+  both.file.motions.resize(1);
+  both.laws.push_back(both.laws.front());
+  both.laws[0].lot = {6.0, -1e5, 10.0};
+  both.laws[0].median = both.laws[0].lot;
+  both.laws[0].place = {std::nullopt, std::nullopt, std::nullopt};
+  RunStore store(file_, properties_of(both), false);
+  run_all(both, store, 1);
+  auto const answers = answer(both, store);
+  EXPECT_FALSE(has_result(answers.laws[0]));
+  EXPECT_TRUE(has_result(answers.laws[1]));
+  EXPECT_TRUE(contains(answers.verdict, "with Bilinear the bounds cover")) << answers.verdict;
+  EXPECT_FALSE(answers.laws[1].by_first_bounds.has_value());
+  for (auto const& figure : render::building_figures(answers))
+    EXPECT_FALSE(contains(figure.script, "nan")) << figure.script;
+}
+
+TEST_F(BuildingRuns, the_share_that_bounds_cover_has_both_its_ends_in_percent) {
+  auto const study = usual_study(0.001, 3);
+  RunStore store(file_, properties_of(study), false);
+  run_all(study, store, 1);
+  EXPECT_TRUE(contains(answer(study, store).verdict, "cover 100 % of 3 buildings (29 % to 100 %)"))
+      << answer(study, store).verdict;
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
   EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
   motion.force_kN[450] = motion.force_kN[451] = 0.0;  // peak of cycle 3, at 200 samples a cycle
   auto const budget = budget_of(motion);
-  EXPECT_TRUE(says(budget.warnings, "the force at a peak is in cycle 3 of block 1 "));
+  EXPECT_TRUE(says(budget.warnings, "the peak of cycle 3 of block 1 has "));
 }
 
 TEST(ErrorBudget, FewSamples) {

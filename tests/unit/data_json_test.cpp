@@ -204,8 +204,8 @@ TEST_F(Json, OptionsOfTextAreRefused) {
 TEST_F(Json, WhatIsNoNumberIsAtItsRow) {
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, null, 2, "3"], "force_kN": [1, 2, 3, 4]})"),
-      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: export the record again\n"
-      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: --rows 1:3, the rows before it");
+      "FILE:2: 'null' in column 1 'disp_mm' is not a number; allowed: a number; try: export the record again with a number in every cell, or delete these 2 rows from a copy\n"
+      "FILE:4: '3' in column 1 'disp_mm' is not a number; allowed: a number; try: export the record again with a number in every cell, or delete these 2 rows from a copy");
   EXPECT_EQ(
       refusal(R"({"a": [[0, 1], [1, 2], [2], [3, 4]]})", with("disp=1,force=2", "disp=mm,force=kN")),
       "FILE:a:3: 1 values, not 2 as in the first row; allowed: one number for each column in every row; try: correct the row, or export the test again");

@@ -152,12 +152,12 @@ TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
 TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
-      "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: --rows 1:6, the rows before it\n"
-      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: --rows 3:, the rows behind it, or test again\n"
-      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: --rows 4:, the rows behind it, or test again\n"
-      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 5:, the rows behind it\n"
-      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: --rows 6:, the rows behind it\n"
-      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: --rows 1:5, the rows before it\n"
+      "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy, or test again\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy, or test again\n"
+      "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
+      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
+      "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
       "FILE: and 1 more cells that are no number");
 }
 

@@ -105,7 +105,9 @@ TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   EXPECT_NEAR(found.undetermined[0].ratio, 2.0 / 9.0, 1e-12);
   EXPECT_NEAR(std::abs(found.undetermined[0].weights[0]), std::sqrt(0.5), 1e-9);
   EXPECT_NEAR(found.undetermined[0].weights[0], -found.undetermined[0].weights[1], 1e-9);
-  EXPECT_EQ(found.note, "the devices differ by more than the uncertainty of their fits in 1 of 2 directions");
+  EXPECT_EQ(
+      found.note,
+      "the devices differ by more than the uncertainty of their fits in only 1 of 2 independent combinations of the parameters");
 }
 
 // The covariances C of the errors and S of the estimates have different axes here. Each lambda of S x = lambda C x
@@ -217,7 +219,7 @@ TEST(Population, OfFewerDevicesThanParametersSaysWhatTheyCanShow) {
   expect_near(found.covariance, found.estimates, 1e-12);
   EXPECT_EQ(
       found.note,
-      "the devices differ by more than the uncertainty of their fits in 2 of 4 directions; 3 devices can show 2 at most");
+      "the devices differ by more than the uncertainty of their fits in only 2 of 4 independent combinations of the parameters; from 3 devices no more than 2 can be seen");
 }
 
 TEST(Population, OfEqualDevicesHasNoVariance) {

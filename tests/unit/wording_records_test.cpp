@@ -74,8 +74,10 @@ TEST(RecordSentences, OfTwoBlocksOfOneDeviceNameBoth) {
   };
   auto const said = sentences({odd(1, 3, 48), odd(2, 4, 61)});
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_TRUE(contains(said[0], "in cycle 3 of block 1 48 % of")) << said[0];
-  EXPECT_TRUE(contains(said[0], "in cycle 4 of block 2 61 % of")) << said[0];
+  EXPECT_TRUE(contains(said[0], "the peak of cycle 3 of block 1 has 48 % of the force in the cycles beside it"))
+      << said[0];
+  EXPECT_TRUE(contains(said[0], "the peak of cycle 4 of block 2 has 61 % of the force in the cycles beside it"))
+      << said[0];
 }
 
 TEST(RecordSentences, PartsOfAHistoryAreNamedAndNotJoined) {
@@ -117,6 +119,44 @@ TEST(RecordSentences, NoKindMakesARangeOfPositions) {
     for (auto const& [name, first, second] : places) expect_apart(fmt::format("{}", first), fmt::format("{}", second));
     expect_apart("7777", "8888");
   }
+}
+
+// Each part of a sentence about several devices can be read alone.
+TEST(RecordSentences, PartsOfSeveralDevicesStandForThemselves) {
+  auto const odd = [](std::string device, int block, double percent) {
+    return Finding{.kind = FindingKind::cycle_unlike_neighbours,
+                   .devices = {std::move(device)},
+                   .blocks = {block},
+                   .numbers = {{"percent", percent}, {"cycle", 4.0}}};
+  };
+  auto const unlike = sentences({odd("a", 1, 9.48), odd("b", 2, 61)});
+  ASSERT_EQ(unlike.size(), 1u);
+  EXPECT_TRUE(contains(unlike[0],
+                       "the peak of cycle 4 of block 1 has 9.48 % of the force in the cycles beside it on a and the "
+                       "peak of cycle 4 of block 2 has 61 % of the force in the cycles beside it on b. A channel"))
+      << unlike[0];
+  auto const jump = [](std::string device, double count) {
+    return Finding{
+        .kind = FindingKind::time_jumps,
+        .devices = {std::move(device)},
+        .numbers = {{"count", count}, {"length_s", 2.0}, {"sample", 9.0}, {"time_s", 3.0}, {"taken_s", 0.1}}};
+  };
+  auto const jumps = sentences({jump("a", 1), jump("b", 3)});
+  ASSERT_EQ(jumps.size(), 1u);
+  EXPECT_TRUE(contains(jumps[0], "time jumps: 1 jump of up to 2 s")) << jumps[0];
+  EXPECT_TRUE(contains(jumps[0], "of that as motion on a and 3 jumps of up to 2 s")) << jumps[0];
+}
+
+// A channel that is clipped at both of its ends is told once, and what follows from it is said once.
+TEST(RecordSentences, ReasonsOfOneKindAreOneSentence) {
+  auto const clipped = [](double level) {
+    return Finding{.kind = FindingKind::signal_clipped,
+                   .numbers = {{"level_kN", level}, {"longest_samples", 33.0}, {"count", 1.0}, {"sample", 25.0}},
+                   .words = {{"channel", "force"}, {"unit", "kN"}}};
+  };
+  auto const said = reasons({clipped(100), clipped(-100)});
+  EXPECT_TRUE(contains(said, "clipped at 100 kN for up to 33 samples from sample 25 and at -100 kN")) << said;
+  EXPECT_EQ(said.find("Whatever is computed"), said.rfind("Whatever is computed")) << said;
 }
 
 }  // namespace

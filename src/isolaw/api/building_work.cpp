@@ -1,5 +1,7 @@
 #include "isolaw/api/building_work.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -32,6 +34,19 @@ std::vector<double> measured_of_draws(building::Study const& study, building::Ru
         std::ranges::copy(measured, measures_of_draws.begin() + static_cast<std::ptrdiff_t>(row * measures));
       });
   return measures_of_draws;
+}
+
+// Throws Error if no run of any law was completed: there is nothing to report, and files of it would hold no numbers.
+void require_results(building::Answers const& answers) {
+  if (std::ranges::any_of(answers.laws, building::has_result)) return;
+  std::vector<Complaint> complaints;
+  for (auto const& law : answers.laws)
+    complaints.push_back({.where = fmt::format("law {}", law.law),
+                          .found = building::why_without_result(law),
+                          .allowed = "a law whose analyses reach the end of the motions",
+                          .advice = "isolaw building --nominal, which writes how far the nominal building comes; "
+                                    "another law in `laws` of the building file; or a smaller step_s"});
+  throw Error(std::move(complaints));
 }
 
 }  // namespace
@@ -84,17 +99,23 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
   DirectoryLock const lock(directory);
   auto const file = directory / building_store_name;
   render::remove_leftovers(directory);
-  if (options.fresh) render::remove_building_outputs(directory);
+  std::string lost;
+  if (options.fresh) {
+    lost = building::building_store().lost_with(file);
+    render::remove_building_outputs(directory);
+  }
   std::optional<building::RunStore> store(std::in_place, file, building::properties_of(study), options.fresh,
                                           options.part);
   auto const threads =
       options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max(1U, std::thread::hardware_concurrency());
   StudiedBuilding studied{.study = std::move(study), .answers = {}, .measured = {}, .layout = model.layout()};
+  studied.lost = std::move(lost);
   studied.complete = building::run_all(
       studied.study, *store, threads, {.progress = options.progress, .part = part, .interrupted = options.interrupted});
   studied.runs = store->runs_there();
   if (studied.complete && !part) {
     studied.answers = building::answer(studied.study, *store);
+    require_results(*studied.answers);
     studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
   }
   store.reset();

@@ -78,8 +78,9 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };
   if (fresh || !std::filesystem::exists(file)) {
+    auto lost = campaign::campaign_store().lost_with(file);
     create();
-    return {};
+    return {.lost = std::move(lost)};
   }
   campaign::sqlite::remove_unfinished(file);
   // Undoes what a killed process had begun to write to the store and keeps all that it had finished.

@@ -41,6 +41,7 @@ struct Continued {                 // how a campaign differs from the stored one
   std::string released;            // rule set of the stored campaign if the new one has none
   // Compression tests that only the stored campaign has, kept or dropped: "D01 (v.csv)" for the test of device D01.
   std::vector<std::string> kept_vertical, dropped_vertical;
+  std::string lost = {};  // what starting over replaced other than a store of isolaw; else empty
 };
 
 // A compression test that only the store has stays if the user names records, and goes if a lot file leaves it out.

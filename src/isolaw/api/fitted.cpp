@@ -6,6 +6,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/named_device.hpp"
 
 namespace isolaw {
 namespace {
@@ -21,7 +22,7 @@ FittedLaw law_of_lot(campaign::Contents const& contents, std::string_view law, F
     throw Error({.where = fmt::format("law {}, lot", law),
                  .found = "the campaign holds no one law for the lot",
                  .allowed = "a campaign of two devices or more with --analysis full, which has finished",
-                 .advice = "the name of a device"});
+                 .advice = "the name of a device: " + campaign::devices_to_name(contents)});
   fitted.parameters = found->mean.parameters;
   fitted.springs = found->springs;
   fitted.refinement = found->refinement;
@@ -40,7 +41,7 @@ FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, s
                    .integration = contents.settings.integration,
                    .turning_points = contents.settings.turning_points,
                    .part = contents.settings.clean.scored.text()};
-  auto const index = contents.device_or_lot(device);
+  auto const index = campaign::named_device(contents, device);
   if (!index) return law_of_lot(contents, law, std::move(fitted));
   auto const* run = contents.best_run(*index, law);
   if (run == nullptr)

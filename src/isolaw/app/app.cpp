@@ -231,8 +231,9 @@ void add_merge(Commands& commands) {
   c.add_option("directory", a.directory, "directory of the whole campaign or study")->required();
   c.add_option("parts", a.parts,
                "directories of the parts, in any order; without parts: analyse and report what the directory holds");
-  c.add_option("--part", a.part,
-               "K/N, such as 3/40: analyse only part 3 of 40 of the devices or, once that is done, of the lot's laws");
+  c.add_option(
+      "--part", a.part,
+      "K/N, such as 3/40: make only the third of 40 shares of the analyses. First these are a share of the devices; when every device is analysed, repeat the command for a share of the lot's laws");
   add_jobs(c, a.jobs);
   add_figures(c, a.figures);
   c.add_flag("--copy-only", a.copy_only, "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
@@ -253,7 +254,8 @@ void add_parts(Commands& commands) {
   c.add_option("count", a.count, "number of parts; two or three for each thread are usual")->required();
   c.add_option(
        "--to", a.to,
-       "program that runs the parts: " + joined(part_script_kinds) + " (to end records early, set `to` in a lot file)")
+       "program that runs the parts: " + joined(part_script_kinds) +
+           " (the option of reading with this name, which reads a record only up to a time, is the key `to` of a lot file here)")
       ->required();
   c.add_option("--campaign", a.campaign,
                "for a building file: directory of the campaign whose lot supplies the bearings");
@@ -319,7 +321,7 @@ void add_simulate(Commands& commands) {
       "for a motion in two directions: coupled, if the law has such a form; springs: springs around a circle");
   add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
   add(Heading::plane, "--softening", a.softening,
-      "with coupled: soften by the largest distance (distance, default), or by the largest along each axis (axis)");
+      "with coupled, what softens the force: the largest distance from the origin so far (distance, default), or the largest displacement so far along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
       "with springs: parameters fitted for springs (fitted, default with --from), or the law's own (given)");
   c.add_option("--out", a.out, "file to write (default: standard output)");
@@ -333,8 +335,9 @@ void add_building(Commands& commands) {
       [&](auto const& arguments) { return building(arguments, commands.line()); });
   c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
   c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
-  c.add_option("--motion", a.motions,
-               "motions to use instead of the file's: FILE, or FILE,FILE for two components; several may follow");
+  c.add_option(
+      "--motion", a.motions,
+      "motions to use instead of the file's, as they are, without its scales: FILE, or FILE,FILE for two components; several may follow");
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);

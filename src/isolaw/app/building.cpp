@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -29,15 +30,58 @@
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/write.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::app {
 namespace {
 
-void show_progress(building::RunProgress const& progress, std::chrono::steady_clock::time_point start) {
-  double const spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  double const share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
-  say("\r{:3.0f} %  {}/{} analyses  {:.0f} s left \033[K", 100.0 * share, progress.done, progress.total,
-      share > 0.0 ? spent / share * (1.0 - share) : 0.0);
+// Shows the share of the analyses that are done: on a terminal in one line, in a log file by a line every half minute.
+class BuildingProgress {
+ public:
+  BuildingProgress() = default;
+  BuildingProgress(BuildingProgress const&) = delete;
+  BuildingProgress& operator=(BuildingProgress const&) = delete;
+  ~BuildingProgress() {
+    if (drawn_) say("\r\033[K");
+  }
+
+  void show(building::RunProgress const& progress) {
+    auto const now = Clock::now();
+    if (!first_) first_ = progress.done;
+    constexpr std::chrono::seconds pause(30);
+    if (!terminal_ && now - last_ < pause) return;
+    last_ = now;
+    // The analyses that an earlier call left in the store took no time of this one.
+    auto const fresh = static_cast<double>(progress.done - *first_);
+    auto const left = static_cast<double>(progress.total - progress.done);
+    double const spent_s = std::chrono::duration<double>(now - start_).count();
+    auto const line = fmt::format(
+        "{:.0f} % done, {}, {}/{} analyses",
+        std::floor(100.0 * static_cast<double>(progress.done) / static_cast<double>(progress.total)),
+        fresh > 0.0 ? fmt::format("{:.0f} s left", spent_s / fresh * left) : "started", progress.done, progress.total);
+    if (!terminal_) return say("{}\n", line);
+    drawn_ = true;
+    say("\r{} \033[K", line);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool terminal_ = isatty(STDERR_FILENO) != 0, drawn_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  std::optional<std::size_t> first_;
+};
+
+// Motions of --motion are used as they are: a scale belongs to the motion that it stands beside.
+void say_motions(building::BuildingFile const& file, std::filesystem::path const& path) {
+  if (file.replaced_scales.empty()) return;
+  auto const [least, most] = std::ranges::minmax(file.replaced_scales);
+  bool const scaled = least != 1.0 || most != 1.0;
+  say("{} of --motion {} used as given, with scale 1, in place of {} of {}{}\n", counted(file.motions.size(), "motion"),
+      file.motions.size() == 1 ? "is" : "are", counted(file.replaced_scales.size(), "motion"), shown(path),
+      !scaled ? std::string()
+      : least == most
+          ? fmt::format(", which had scale {:g}; a [[motion]] in the file scales a motion", least)
+          : fmt::format(", which had scales from {:g} to {:g}; a [[motion]] in the file scales a motion", least, most));
 }
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
@@ -48,6 +92,10 @@ void print_answers(building::Study const& study, building::Answers const& answer
   auto const quantities = building::quantities();
   for (auto const& warning : render::building_warnings(answers)) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
+    if (!building::has_result(law)) {
+      text += fmt::format("\n{}: no result. {}\n", law.law, wording::capitalised(building::why_without_result(law)));
+      continue;
+    }
     text += fmt::format("\n{}\n{:<24}", law.law, "");
     for (auto const* head : {"lower", "nominal", "upper", "16 %", "50 %", "84 %", "95 %"})
       text += fmt::format(" {:>9}", head);
@@ -63,6 +111,11 @@ void print_answers(building::Study const& study, building::Answers const& answer
     text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
     for (std::size_t m = 0; m < law.checked.size(); ++m) {
       auto const& c = law.checked[m];
+      if (c.outcome != building::name(building::Outcome::completed)) {
+        text += fmt::format("{}: the implicit analysis of the nominal building stopped: {}\n",
+                            printable(study.file.motions[m].name), c.outcome);
+        continue;
+      }
       text += fmt::format(
           "{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
           printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.draws_error_percent,
@@ -114,9 +167,11 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
       };
       bool const completed = run.outcome == building::Outcome::completed;
       all = all && completed;
-      print(fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{:.2e},{}\n", law.law, printable(motion.name),
-                        building::name(run.outcome), run.of(building::Measure::isolator), acceleration(0),
-                        acceleration(floors), run.of(building::Measure::balance), file));
+      auto const numbers = fmt::format("{:.6g},{:.6g},{:.6g},{:.2e}", run.of(building::Measure::isolator),
+                                       acceleration(0), acceleration(floors), run.of(building::Measure::balance));
+      // What was reached before an analysis stopped is no response of the building.
+      print(fmt::format("{},{},{},{},{}\n", law.law, printable(motion.name), building::name(run.outcome),
+                        completed ? numbers : ",,,", file));
       if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.why));
     }
   say("{}\n", shown(folder));
@@ -141,8 +196,10 @@ std::vector<std::string> full_names(std::vector<std::string> motions) {
 
 building::Study building_study(BuildingArguments const& a) {
   if (!a.file || !a.from)
-    throw Error({.where = a.file ? "--from" : "isolaw building",
-                 .found = "is not given",
+    throw Error({.where = "isolaw building",
+                 .found = a.file   ? "no campaign is given (--from)"
+                          : a.from ? "no building file is given"
+                                   : "no building file and no campaign is given",
                  .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
                  .advice = "isolaw building --template"});
   auto file = building::read_building(*a.file, {.motions = building::read_motions(a.motions)});
@@ -172,19 +229,18 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   auto const figures = render::figure_choice(a.figures);
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
   possible(study);
+  say_motions(study.file, *a.file);
   if (a.nominal) return nominal_alone(study, out);
   BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh};
   if (part) options.part = {*part, full_name(*a.file), full_name(*a.from), full_names(a.motions)};
-  bool const shown_to_somebody = isatty(STDERR_FILENO) != 0;
-  auto const start = std::chrono::steady_clock::now();
-  if (shown_to_somebody)
-    options.progress = [&](building::RunProgress const& progress) { show_progress(progress, start); };
   options.interrupted = interrupted;
   auto const studied = [&] {
     SignalGuard const guard;
+    BuildingProgress line;
+    options.progress = [&](building::RunProgress const& progress) { line.show(progress); };
     return study_building(study, options);
   }();
-  if (shown_to_somebody) say("\r\033[K");
+  if (!studied.lost.empty()) say("{}\n", printable(studied.lost));
   auto const file = out / building_store_name;
   if (!studied.complete) {
     say("interrupted: {} are kept in {}\nto continue: {}\n", counted(studied.runs, "finished run"), shown(file),
@@ -205,7 +261,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
     print_answers(study, answers);
   if (a.arrange) print_arrangement(study, answers);
   say("{}\n", shown(out / "building.html"));
-  return exit_done;
+  return std::ranges::all_of(answers.laws, building::has_result) ? exit_done : exit_with_refusals;
 }
 
 namespace {
@@ -303,10 +359,11 @@ int merge_buildings(MergeArguments const& arguments) {
   }
   tell_merged(merged, directory, building_store_name);
   if (merged.missing > 0) return exit_with_refusals;
-  if (arguments.copy_only) return exit_done;
+  int const named = merged.absent.empty() ? exit_done : exit_with_refusals;
+  if (arguments.copy_only) return named;
   if (!merged.part.part) {
     answers_that_are_there(directory, arguments.json);
-    return exit_done;
+    return named;
   }
   BuildingArguments const whole{.file = merged.part.building_file,
                                 .from = merged.part.campaign,
@@ -316,7 +373,7 @@ int merge_buildings(MergeArguments const& arguments) {
                                 .part = {},
                                 .figures = arguments.figures,
                                 .json = arguments.json};
-  return building(whole, {"isolaw", "merge", directory.string()});
+  return std::max(named, building(whole, {"isolaw", "merge", directory.string()}));
 }
 
 void write_example_building(std::filesystem::path const& directory) {

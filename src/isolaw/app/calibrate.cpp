@@ -42,8 +42,9 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   render::remove_leftovers(directory);
-  auto const [added, released, kept, dropped] =
+  auto const [added, released, kept, dropped, lost] =
       open_or_create(file, contents, arguments.fresh, is_of_lot_file(arguments) ? LeftOut::is_gone : LeftOut::stays);
+  if (!lost.empty()) say("{}\n", printable(lost));
   if (!added.empty()) say("the campaign grows by {}\n", joined(added));
   if (!released.empty())
     say("the tests are no longer checked against rule set {}; --rules {} checks them again, without another search\n",

@@ -56,7 +56,9 @@ void print_markdown() {
 void print_law(laws::LawEntry const& law) {
   fmt::print("{}: {}\n  source  {}\n  units   {}, {}, s\n  needs   {}\n  memory  {}\n  runs    with --laws {}\n",
              law.info.id, law.info.title, law.info.source, law.info.force.symbol, law.info.length.symbol,
-             law.info.traits.rate_independent ? "displacement" : "displacement and time", laws::memory_of(law.info),
+             law.info.traits.rate_independent ? "displacement" : "displacement and time",
+             law.info.traits.remembers ? laws::memory_of(law.info)
+                                       : "nothing but what the formula itself carries from one step to the next",
              laws::name(law.info.set));
   fmt::print("  formula\n");
   for (auto const line : law.info.formula | std::views::split('\n'))

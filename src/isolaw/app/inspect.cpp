@@ -18,6 +18,7 @@
 #include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/files/sheet_choice.hpp"
+#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/read.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/render/terminal/inspection_text.hpp"
@@ -151,6 +152,8 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
   fmt::print("{}: {}\n", device.name == campaign::name_of_file(file) ? device.shown_file : device.name,
              counted(record.size(), "sample"));
   for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
+  if (auto const properties = data::cyclic_properties(record); properties.is_false)
+    say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(properties.refusal));
 }
 
 // Throws Error if no test can be read.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -18,7 +19,9 @@
 namespace isolaw::app {
 
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
-  for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
+  for (auto const& part : merged.absent)
+    say("{}: not there\n", printable(part));
+  if (!merged.lost.empty()) say("{}\n", printable(merged.lost));
   say("{}{} copied{} to {}\n", counted(merged.added, "run"),
       merged.analyses > 0 ? fmt::format(" and {} analyses", merged.analyses) : "",
       merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
@@ -57,14 +60,16 @@ int merge(MergeArguments const& arguments, std::vector<std::string> const& comma
                                   }});
   tell_merged(merged, directory, store_name);
   if (merged.missing > 0) return exit_with_refusals;
-  if (arguments.copy_only) return exit_done;
+  int const named = merged.absent.empty() ? exit_done : exit_with_refusals;
+  if (arguments.copy_only) return named;
   auto contents = campaign::Store::read(file);
-  return work.finish(contents, {.directory = directory,
-                                .jobs = arguments.jobs.value_or(0),
-                                .share = share,
-                                .figures = figures,
-                                .json = arguments.json,
-                                .details = arguments.details});
+  int const finished = work.finish(contents, {.directory = directory,
+                                              .jobs = arguments.jobs.value_or(0),
+                                              .share = share,
+                                              .figures = figures,
+                                              .json = arguments.json,
+                                              .details = arguments.details});
+  return std::max(named, finished);
 }
 
 }  // namespace isolaw::app

@@ -23,6 +23,9 @@ namespace isolaw::app {
 
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again) {
   auto const folder = shown(directory / "figures");
+  if (outcome.removed > 0)
+    say("figures: {} in {} showed other results than these reports and {} removed; --figures lot draws them again\n",
+        outcome.removed, folder, outcome.removed == 1 ? "is" : "are");
   if (outcome.program_missing)
     say("figures: {} not drawn, {}; try: install gnuplot (Debian: gnuplot-nox) and {}, or gnuplot NAME.gp in {}, which holds data and scripts\n",
         outcome.figures - outcome.drawn, printable(outcome.reason), again, folder);

@@ -17,6 +17,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/version.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/named_device.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/clean.hpp"
@@ -73,11 +74,12 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     where = shown(*a.from);
     auto const contents = campaign::Store::read(*a.from / store_name);
     chosen.law = fitted_law(contents, law.info.id, *a.device);
-    auto const device = contents.device_or_lot(*a.device) ? std::optional<std::string_view>(*a.device) : std::nullopt;
+    auto const device =
+        campaign::named_device(contents, *a.device) ? std::optional<std::string_view>(*a.device) : std::nullopt;
     chosen.origin = device ? "device '" + *a.device + "'" : std::string("the lot");
     chosen.changes = a.set;
     if (chosen.changes.empty()) {
-      if (auto const index = contents.device_or_lot(*a.device))
+      if (auto const index = campaign::named_device(contents, *a.device))
         for (auto const& search : contents.searches)
           if (search.device == *index && search.law == law.info.id)
             chosen.fit = Chosen::Fit{contents.devices[*index].record, search.box};

@@ -6,37 +6,12 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <utility>
 
+#include "isolaw/base/nearest_word.hpp"
 #include "isolaw/base/words.hpp"
 
 namespace isolaw::app {
 namespace {
-
-// The number of insertions, deletions and replacements that turn `a` into `b`.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    auto diagonal = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      auto const exchanged = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, exchanged}));
-    }
-  }
-  return row.back();
-}
-
-std::string nearest(std::string_view word, std::vector<std::string> const& known, std::size_t furthest) {
-  std::string near;
-  for (auto const& other : known)
-    if (auto const distance = edit_distance(word, other); distance <= furthest) {
-      near = other;
-      if (distance == 0) break;
-      furthest = distance - 1;
-    }
-  return near;
-}
 
 std::vector<std::string> names_of_options(CLI::App const& command) {
   std::vector<std::string> names;
@@ -64,7 +39,7 @@ std::vector<Complaint> about_extra_words(CLI::App const& command, std::string co
     }
     auto const name = word.substr(0, std::min(word.find('='), longest));
     auto const known = names_of_options(command);
-    auto const near = nearest(name, known, 3);
+    auto const near = nearest_word(name, known, 3);
     complaints.push_back({name, "no such option", joined(known), near.empty() ? advice : near + ", or " + advice});
   }
   return complaints;
@@ -89,7 +64,7 @@ void require_known_command(CLI::App& app, int argc, char** argv) {
   auto const all = names_of_commands(app, true), known = names_of_commands(app);
   if (std::ranges::find(all, argv[1]) != all.end()) return;
   auto const word = std::string(argv[1]).substr(0, 100);
-  auto const near = nearest(word, known, 2);
+  auto const near = nearest_word(word, known, 2);
   throw Error({.where = word,
                .found = "no such command",
                .allowed = joined(known),

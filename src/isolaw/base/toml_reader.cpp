@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
+#include "isolaw/base/nearest_word.hpp"
 #include "isolaw/base/option.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 
 namespace isolaw {
 namespace {
@@ -107,6 +110,13 @@ toml::table parse_toml(std::string_view text, std::string const& file, TomlMessa
 
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file) {
   if (complaints.empty()) return;
+  // In the order of the lines. A complaint about the whole file, or about another one, stands behind these.
+  std::ranges::stable_sort(complaints, {}, [&](Complaint const& complaint) {
+    auto const& where = complaint.where;
+    bool const has_line = where.starts_with(file + ":");
+    return (has_line ? number_in<std::size_t>(std::string_view(where).substr(file.size() + 1)) : std::nullopt)
+        .value_or(std::numeric_limits<std::size_t>::max());
+  });
   if (complaints.size() > TomlTable::most_complaints) {
     complaints.resize(TomlTable::most_complaints);
     complaints.push_back({.where = file, .found = "and more of the kind"});
@@ -185,8 +195,10 @@ void TomlTable::refuse_unknown() {
   for (auto const& [key, item] : table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (complaints_.size() > most_complaints) return;
+    constexpr std::size_t longest = 100;
+    auto const near = nearest_word(key.str().substr(0, longest), known_, key.str().size() < 4 ? 1 : 2);
     complain(item, fmt::format("unknown key {}{}", in_quotes(key.str()), name_.empty() ? "" : " in " + name_),
-             joined(known_));
+             joined(known_), near);
   }
 }
 

@@ -24,8 +24,9 @@ double largest_of_motions(Distribution const& distribution) {
 }
 
 std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
-  if (answers.laws.empty()) return {};
-  auto const& first = answers.laws.front();
+  auto const found = std::ranges::find_if(answers.laws, has_result);
+  if (found == answers.laws.end()) return {};
+  auto const& first = *found;
   if (!has_draws(study)) return {{.kind = FindingKind::building_no_draws}};
   auto const& c = first.coverage.front();
   Finding cover{.kind = FindingKind::building_bounds_cover,
@@ -59,8 +60,9 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
 }
 
 std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
-  if (!has_draws(study) || answers.laws.empty()) return {};
-  auto const& own = answers.laws.front().coverage.front();
+  auto const first = std::ranges::find_if(answers.laws, has_result);
+  if (!has_draws(study) || first == answers.laws.end()) return {};
+  auto const& own = first->coverage.front();
   bool const refuted = own.inside < wanted_share || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
                          return law.by_first_bounds && *law.by_first_bounds < wanted_share;
                        });
@@ -144,6 +146,7 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   Kept kept(motions, {rows.size(), std::vector<double>(places.cases.size(), std::nan(""))});
   for (std::size_t motion = 0; motion < motions; ++motion)
     store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
+      ++out.runs;
       bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
       out.failed += !finite;
       if (!finite) return;
@@ -161,7 +164,8 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   return kept;
 }
 
-// Distribution and coverage of every quantity. `first` is the answer of the study's first law, or null for that law.
+// Distribution and coverage of every quantity. `first` is the answer of the study's first law with a result, or null for
+// that law.
 void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& places, Settings const& settings,
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
@@ -225,7 +229,7 @@ void add_warnings(Answers& answers, Study const& study) {
     double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
     if (tested > 0.0 && most > tested)
       warn(FindingKind::displacement_beyond_tests, law.law, {{"most_mm", most}, {"tested_mm", tested}});
-    if (has_draws(study)) warn_of_coverage(law, answers.warnings);
+    if (has_draws(study) && has_result(law)) warn_of_coverage(law, answers.warnings);
     if (law.coupling == Coupling::springs && !law.fitted_as_springs) warn(FindingKind::springs_as_given, law.law);
     if (law.failed > 0) warn(FindingKind::building_runs_failed, law.law, {{"failed", static_cast<double>(law.failed)}});
   }
@@ -245,6 +249,18 @@ std::string_view form(LawAnswer const& law) {
   return law.fitted_as_springs ? "springs" : "springs as given";
 }
 
+bool has_result(LawAnswer const& law) {
+  return law.failed < law.runs;
+}
+
+std::string why_without_result(LawAnswer const& law) {
+  auto const stopped = std::ranges::find_if(
+      law.checked, [](Checked const& checked) { return checked.outcome != name(Outcome::completed); });
+  return fmt::format(
+      "none of its {} gave finite numbers{}", counted(law.runs, "analysis run"),
+      stopped == law.checked.end() ? std::string() : ". The nominal building stops with: " + stopped->outcome);
+}
+
 Answers answer(Study const& study, RunStore const& store) {
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const& settings = study.file.settings;
@@ -262,7 +278,8 @@ Answers answer(Study const& study, RunStore const& store) {
     out.draws = places.draws;
     out.doubts = source.doubts;
     auto const kept = take_runs(store, law, study.file.motions.size(), places, model.layout(), answers.weight_kN, out);
-    add_distributions(out, kept, places, settings, law == 0 ? nullptr : &answers.laws.front());
+    auto const first = std::ranges::find_if(answers.laws, has_result);
+    add_distributions(out, kept, places, settings, first == answers.laws.end() || &*first == &out ? nullptr : &*first);
     add_nominal_building(out, study, source, model, kept);
     for (auto const& doubt : out.doubts)
       if (std::ranges::find(answers.calibration, doubt) == answers.calibration.end())

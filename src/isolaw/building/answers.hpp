@@ -33,8 +33,9 @@ struct Checked {
 struct LawAnswer {
   std::string law;
   Coupling coupling = Coupling::coupled;
-  bool fitted_as_springs = false;           // parameters fitted as springs around the circle
-  std::size_t draws = 0, failed = 0;        // `failed`: runs whose numbers are not finite
+  bool fitted_as_springs = false;  // parameters fitted as springs around the circle
+  std::size_t draws = 0;
+  std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
@@ -51,6 +52,9 @@ struct LawAnswer {
 
 // The Coupling in a word. Springs whose parameters were fitted in one direction are "springs as given".
 std::string_view form(LawAnswer const& law);
+// Whether any run of the law was completed, and if not, a clause that says so: "none of its 364 analyses ...".
+bool has_result(LawAnswer const& law);
+std::string why_without_result(LawAnswer const& law);
 
 struct Answers {
   std::vector<LawAnswer> laws;

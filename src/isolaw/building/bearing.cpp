@@ -1,7 +1,10 @@
 #include "isolaw/building/bearing.hpp"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -34,6 +37,9 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
+// A bearing that has gone no farther counts as at rest.
+constexpr double rest_mm = 1e-6;
+
 // Replaces the law by its tangents at rest until the bearing first moves beyond `rest_mm`. At rest it moves by rounding
 // only, and laws with a power of the displacement then give Newton's method no useful tangent.
 class OneDirection {
@@ -54,11 +60,76 @@ class OneDirection {
   }
 
  private:
-  static constexpr double rest_mm = 1e-6;
   laws::Online law_;
   double length_, force_;
   laws::Online::Force first_;
   bool went_ = false, goes_ = false;
+};
+
+// Whether the force over a way of `rest_mm` is far more than the tangent at rest says. The laws with a power of the
+// displacement whose slope at 0 has no bound state a bounded tangent there.
+bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
+  double const rest = rest_mm / info.length.in_record_units, slope = law.trial(0.0, 0.0).by_x;
+  constexpr double much = 2.0;
+  return law.trial(rest, 0.0).force > much * slope * rest;
+}
+
+// Springs around the circle, as laws::Springs, of a law without a slope at rest. A spring across the motion goes no
+// farther than rounding, where the law's force is noise, so each has a straight line instead until it first goes
+// beyond `rest_mm`: the chord of the law up to there. The tangent at 0 itself is still the law's, because the longest
+// integration step is chosen from it.
+class RestingSprings final : public Bearing {
+ public:
+  RestingSprings(laws::Online const& law, laws::LawInfo const& info)
+      : length_(info.length.in_record_units), force_(info.force.in_record_units), rest_(rest_mm / length_) {
+    auto virgin = law;
+    slope_ = virgin.trial(0.0, 0.0).by_x;
+    chord_ = virgin.trial(rest_, 0.0).force / rest_;
+    springs_.reserve(laws::usual_springs);
+    for (int i = 0; i < laws::usual_springs; ++i) {
+      double const angle = std::numbers::pi * i / laws::usual_springs;
+      springs_.push_back({.along = {std::cos(angle), std::sin(angle)}, .law = law});
+    }
+  }
+
+  BearingForce trial(Vector const& to, Vector const& velocity, double) override {
+    BearingForce out{};
+    for (auto& spring : springs_) {
+      double const way = share_.way / length_;
+      double const x = way * (to.x * spring.along[0] + to.y * spring.along[1]);
+      double const v = way * (velocity.x * spring.along[0] + velocity.y * spring.along[1]);
+      spring.goes = spring.went || std::abs(x) > rest_;
+      auto const force =
+          spring.goes ? spring.law.trial(x, v) : laws::Online::Force{chord_ * x, x == 0.0 ? slope_ : chord_, 0.0};
+      double const of_law = share_.force * force_;
+      out.force.x += of_law * force.force * spring.along[0];
+      out.force.y += of_law * force.force * spring.along[1];
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) {
+          double const both = of_law * way * spring.along[i] * spring.along[j];
+          out.by_displacement[i][j] += both * force.by_x;
+          out.by_velocity[i][j] += both * force.by_v;
+        }
+    }
+    return out;
+  }
+  void commit() override {
+    for (auto& spring : springs_) {
+      if (spring.goes) spring.law.commit();
+      spring.went = spring.goes;
+    }
+  }
+  std::unique_ptr<Bearing> copy() const override { return std::make_unique<RestingSprings>(*this); }
+
+ private:
+  struct Spring {
+    std::array<double, 2> along;
+    laws::Online law;
+    bool went = false, goes = false;  // whether it has gone beyond rest, before the trial and with it
+  };
+  std::vector<Spring> springs_;
+  laws::SpringShares share_ = laws::spring_shares(laws::usual_springs);
+  double length_, force_, rest_, slope_ = 0.0, chord_ = 0.0;
 };
 
 class SeparateBearing final : public Bearing {
@@ -95,6 +166,7 @@ std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double con
     return std::make_unique<InPlaneBearing>(laws::InPlane::coupled(law, parameters), entry.info);
   laws::Online const online(law, parameters);
   if (coupling == Coupling::separate) return std::make_unique<SeparateBearing>(online, entry.info);
+  if (has_no_slope_at_rest(online, entry.info)) return std::make_unique<RestingSprings>(online, entry.info);
   return std::make_unique<InPlaneBearing>(laws::InPlane::springs(online), entry.info);
 }
 

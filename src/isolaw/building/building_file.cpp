@@ -32,8 +32,10 @@ constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masse
     bearing_info{"bearing", "One bearing, instead of or besides [grid].", 2000},
     plan_info{"plan",
               "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
-    motion_info{"motion", "One ground motion each; files relative to this one. isolaw building --motion replaces them.",
-                1000};
+    motion_info{
+        "motion",
+        "One ground motion each; files relative to this one. isolaw building --motion replaces them and their scales.",
+        1000};
 
 Limits positive(double most = 1e9) {
   return {.least = 1e-9, .most = most, .words = "a number above 0"};
@@ -480,6 +482,8 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
   };
+  if (!in_place.motions.empty())
+    for (auto const& row : motions) file.replaced_scales.push_back(row.scale);
   for (auto const& given : in_place.motions) take([&] { return (require_sound(given), given); });
   if (in_place.motions.empty())
     for (auto const& row : motions) take([&] { return motion_of(folder, row); });

@@ -45,6 +45,7 @@ struct BuildingFile {
   std::vector<BearingPlace> bearings;
   std::optional<std::array<double, 4>> plan_mm;  // left, right, front, back
   std::vector<Motion> motions;
+  std::vector<double> replaced_scales = {};  // scales of the file's motions, if others replaced these
 
   Plan plan() const;
   bool along_x_alone() const;

@@ -120,6 +120,24 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
+  // The share of `way` at which the work of the residual along it is at most half of that at its start. `at(share)`
+  // computes the residual, and is called last with the share that is returned.
+  template <class At>
+  static double share_along(Vector3 const& way, Vector3 const& start, At const& at) {
+    double const enough = 0.5 * std::abs(way.dot(start));
+    double low = 0.0, of_low = way.dot(start), high = 0.0, of_high = 0.0, share = 1.0;
+    constexpr int most = 40;
+    for (int i = 0;; ++i) {
+      double const work = way.dot(at(share));
+      if (!(std::abs(work) > enough) || i == most) return share;
+      (work < 0.0 ? low : high) = share;
+      (work < 0.0 ? of_low : of_high) = work;
+      // The interpolation keeps away from the ends, so that the interval shrinks by a tenth at least.
+      share = high == 0.0 ? 2.0 * share
+                          : low + (high - low) * std::clamp(of_low / (of_low - of_high), i % 2 == 0 ? 0.1 : 0.5, 0.9);
+    }
+  }
+
   // Returns whether equilibrium was found. If not, the state of the run has not changed.
   bool step(double dt, double const (&g0)[2], double const (&g1)[2]) {
     prepare(dt);
@@ -139,36 +157,63 @@ class ImplicitRun {
     double const arm = model_.structure().frame().base.gyration_mm;
     auto const size = [&](Vector3 const& force) { return std::max(force.head<2>().norm(), std::abs(force(2)) / arm); };
 
-    Vector3 unknown = 0.25 * dt * dt * before;
+    Vector3 const guess = 0.25 * dt * dt * before;
+    Vector3 unknown = guess;
     Total now{};
     double last = std::numeric_limits<double>::infinity();
     bool found = false;
-    constexpr int newton = 12, first_tangent = 60;
-    for (int i = 0; i < newton + first_tangent && !found; ++i) {
-      if (i == newton) {
-        ++out_.first_tangents;
-        unknown = 0.25 * dt * dt * before;
-      }
+    // Computes the bearings' forces at `at` and returns what is out of balance there.
+    auto const out_of_balance = [&](Vector3 const& at) -> Vector3 {
       double u[3], v[3];
       for (Eigen::Index k = 0; k < 3; ++k) {
-        double const way = steady(k) + unknown(k);
+        double const way = steady(k) + at(k);
         u[k] = u0[k] + way;
         v[k] = 2.0 / dt * way - v0[k];
       }
       now = total(u, v, dt);
       ++out_.iterations;
+      return inertia * at + load + now.force;
+    };
+    auto const is_balanced = [&](Vector3 const& residual) {
       Vector3 const inertial = inertia * unknown;
-      Vector3 const residual = inertial + load + now.force;
-      if (!residual.allFinite()) break;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
       // Ends at a relative residual below `all`, or below `sufficient` if an iteration no longer cuts it to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
-      found = left <= all * scale || (left <= sufficient * scale && left > slow * last);
+      bool const balanced = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
+      return balanced;
+    };
+    constexpr int newton = 12, first_tangent = 60, searches = 60;
+    for (int i = 0; i < newton + first_tangent && !found; ++i) {
+      if (i == newton) {
+        ++out_.first_tangents;
+        unknown = guess;
+      }
+      Vector3 const residual = out_of_balance(unknown);
+      if (!residual.allFinite()) break;
+      found = is_balanced(residual);
       if (found) break;
       Matrix3 const tangent = i < newton ? Matrix3(now.stiffness + 2.0 / dt * now.damping) : first_;
       Vector3 const change = Matrix3(inertia + tangent).inverse() * residual;
       unknown -= change;
+    }
+    if (!found) {
+      // Where a force rises ever more steeply towards a displacement, as powers of the displacement do, whole steps of
+      // Newton's method leap over the equilibrium. So each goes only so far that the work of the residual along it
+      // falls to half. The potential of forces that rise with the displacement is convex, so this finds its minimum.
+      unknown = guess;
+      last = std::numeric_limits<double>::infinity();
+      Vector3 residual = out_of_balance(unknown);
+      for (int i = 0; i < searches && residual.allFinite(); ++i) {
+        found = is_balanced(residual);
+        if (found) break;
+        Vector3 way = -Matrix3(inertia + now.stiffness + 2.0 / dt * now.damping).inverse() * residual;
+        if (!(way.dot(residual) < 0.0)) way = -Matrix3(inertia + first_).inverse() * residual;
+        unknown +=
+            share_along(way, residual,
+                        [&](double share) -> Vector3 { return residual = out_of_balance(unknown + share * way); }) *
+            way;
+      }
     }
     if (!found) return false;
 

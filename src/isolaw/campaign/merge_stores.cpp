@@ -129,6 +129,7 @@ Merged Merge::run(Path const& out, std::vector<Path> const& parts, bool fresh,
                  .found = "no part is there",
                  .allowed = fmt::format("directories of {} {} --part K/N --out DIR", words.command, words.input)});
   if (replaces) {
+    merged.lost = kind_.lost_with(out);
     refuse_absent(out, merged.absent);
     refuse_part(out, value_or(std::optional<Part>(), [&] { return part_in(out); }));
   }

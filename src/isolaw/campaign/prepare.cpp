@@ -8,11 +8,13 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/option.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/files/text.hpp"
 #include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/reading.hpp"
 #include "isolaw/fit/joint_limits.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -75,11 +77,24 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
     refuse_device(device, wording::reasons(properties.refusal));
 }
 
+// Notes the options that the record was read with, so that a report can state a command that reads it again. They stand
+// as JSON beside the first decision of the reader, and no sentence shows them.
+void note_options(DeviceInput const& input, std::vector<Finding>& recognised) {
+  if (recognised.empty()) return;
+  Json given = Json::object();
+  for (auto const& option : data::reading_table())
+    if (auto const value = option.get(input.read); value != option.get({})) given[std::string(option.key)] = value;
+  if (!given.empty())
+    recognised.front().words.push_back(
+        {std::string(given_options), given.dump(-1, ' ', false, Json::error_handler_t::replace)});
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = input.name, .file = input.shown_file, .info = input.info};
   try {
     device.raw = read_history(input);
     clean(device, cleaning, false_signals);
+    note_options(input, device.raw.recognised);
     show_files(device.raw.recognised, input.directory);
     show_files(device.raw.warnings, input.directory);
   } catch (Error const& error) {
@@ -162,8 +177,15 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {
     std::vector<Complaint> complaints{
-        {.where = "lot", .found = fmt::format("none of {} device(s) is usable", contents.devices.size())}};
-    for (auto const& device : contents.devices) complaints.push_back({.where = device.name, .found = device.refusal});
+        {.where = "lot",
+         .found = contents.devices.size() == 1
+                      ? std::string("its one device is not usable")
+                      : fmt::format("none of its {} devices is usable", contents.devices.size())}};
+    for (auto const& device : contents.devices) {
+      // A refusal mostly begins with the name of the file, which may be that of the device.
+      bool const named = device.refusal.starts_with(device.name + ":");
+      complaints.push_back({.where = named ? "" : device.name, .found = device.refusal});
+    }
     throw Error(complaints);
   }
   for (std::size_t d = 0; d < contents.devices.size(); ++d) {

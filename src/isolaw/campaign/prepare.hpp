@@ -3,12 +3,16 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/campaign/lot_file.hpp"
 
 namespace isolaw::campaign {
+
+// The word of a record's first finding that holds the options of reading as a JSON object.
+inline constexpr std::string_view given_options = "given_options";
 
 // A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.
 Contents prepare(Lot const& lot);

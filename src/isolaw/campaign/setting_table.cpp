@@ -119,7 +119,8 @@ std::vector<Setting> make_settings() {
   return {
       {{{.key = "laws",
          .kind = Kind::list,
-         .help = "laws to fit: usual (default), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
+         .help =
+             "laws to fit: usual (default: those that isolaw laws lists as paper or usual), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
          .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},

@@ -75,6 +75,30 @@ void StoreKind::fold_log(std::filesystem::path const& file) const {
   if (!sqlite::is_plain(file)) to_write(file).try_execute("PRAGMA journal_mode = DELETE");
 }
 
+std::string StoreKind::lost_with(std::filesystem::path const& file) const {
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) return {};
+  sqlite::require_plain(file);
+  auto const bytes = std::filesystem::file_size(file, unknown);
+  if (bytes == 0) return fmt::format("{} was an empty file: nothing is lost", file.string());
+  Declarations theirs;
+  try {
+    theirs = declarations(Connection::to_read(file));
+  } catch (Error const&) {
+    return fmt::format("{} was damaged, or no store of isolaw: its {} bytes are lost", file.string(), bytes);
+  }
+  if (theirs.empty()) return fmt::format("{} was a database without tables: nothing is lost", file.string());
+  // Stores of all schemas have this table, and it is the first one.
+  if (auto const own = theirs.find("meta"); own != theirs.end() && own->second == ours_.at("meta")) return {};
+  std::vector<std::string> names;
+  for (auto const& [name, declaration] : theirs) names.push_back(in_quotes(name));
+  constexpr std::size_t shown = 5;
+  throw Error({.where = file.string(),
+               .found = fmt::format("is a database of another program, which holds {}", shortened(names, shown)),
+               .allowed = fmt::format("with --fresh, a {} of isolaw, which it replaces", words_.store),
+               .advice = "another directory, or moving that file away"});
+}
+
 void StoreKind::put_in_order(std::filesystem::path const& file) const {
   sqlite::put_in_order(file, [this](Connection const& db) { create_tables(db); });
 }

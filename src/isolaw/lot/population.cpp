@@ -195,10 +195,11 @@ Matrix correlation_of(Matrix const& sigma) {
 std::string note_on_rank(Population const& population) {
   auto const n = population.names.size();
   if (population.directions == n) return {};
-  auto text = fmt::format("the devices differ by more than the uncertainty of their fits in {} of {} directions",
-                          population.directions, n);
+  auto text = fmt::format(
+      "the devices differ by more than the uncertainty of their fits in only {} of {} independent combinations of the parameters",
+      population.directions, n);
   if (population.devices <= n)
-    text += fmt::format("; {} devices can show {} at most", population.devices, population.devices - 1);
+    text += fmt::format("; from {} devices no more than {} can be seen", population.devices, population.devices - 1);
   return text;
 }
 

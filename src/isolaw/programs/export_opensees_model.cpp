@@ -231,7 +231,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     set peaks [open [file join $folder peaks.csv] w]
     puts $peaks $peaks_header
     set row "%-10s %12s %-12s %12s %12s %12s %12s %12s %12s"
-    puts [format $row case "isolator" "which" "slab" "Vx" "Vy" "V/weight" "turning" "left"]
+    puts [format $row case "isolator" "which" "slab" "Vx" "Vy" "V/weight" "rotation" "left at end"]
     puts [format $row "" "\[$length\]" "" "\[$length\]" "\[$force\]" "\[$force\]" "" "\[rad\]" "\[$length\]"]
     set beyond {}
     set drawn {}

@@ -195,7 +195,7 @@ def run(folder, which=()):
         if case not in CASES:
             raise ValueError(f"no case {case}; there is: {' '.join(CASES)}")
     os.makedirs(folder, exist_ok=True)
-    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weight", "turning", "left")
+    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weight", "rotation", "left at end")
     table_row("", f"[{LENGTH}]", "", f"[{LENGTH}]", f"[{FORCE}]", f"[{FORCE}]", "", "[rad]", f"[{LENGTH}]")
     beyond, drawn = [], []
     with opened(folder, "peaks.csv") as peaks:

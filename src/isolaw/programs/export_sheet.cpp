@@ -22,13 +22,14 @@ template <class Values>
 struct Set {
   std::string how;      // "exact", or the fitted law and its error
   bool is_near = true;  // false if the fitted law is far off the exported law
+  std::string off;      // how far, if it is fitted
   Values nominal;
   std::optional<Values> lower, upper;
 };
 
 template <class Values>
 Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how, bool is_near = true) {
-  Set<Values> variants{std::move(how), is_near, nominal, {}, {}};
+  Set<Values> variants{std::move(how), is_near, {}, nominal, {}, {}};
   if (subject.bounds.lower) variants.lower = scaled(nominal, *subject.bounds.lower);
   if (subject.bounds.upper) variants.upper = scaled(nominal, *subject.bounds.upper);
   return variants;
@@ -47,10 +48,10 @@ Errors errors_of(Subject const& subject, laws::LawEntry const& law, std::span<do
 template <class Values>
 Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::string_view what, Errors const& errors) {
   bool const far = far_off(errors.on_records) || far_off(errors.on_other_cycles);
-  return with_bounds(subject, nominal,
-                     fmt::format("{}{}: {}; {}", far ? "FAR OFF, " : "", what, deviation_text(errors.on_records),
-                                 text(errors.on_other_cycles)),
-                     !far);
+  auto const off = fmt::format("{}; {}", deviation_text(errors.on_records), text(errors.on_other_cycles));
+  auto variants = with_bounds(subject, nominal, fmt::format("{}{}: {}", far ? "FAR OFF, " : "", what, off), !far);
+  variants.off = off;
+  return variants;
 }
 
 std::vector<double> parameters_of(Wen const& v) {
@@ -281,6 +282,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
     page.line(fmt::format("| {} | {} |", label, harmless_markdown(text)));
   };
   fact("Law", fmt::format("{}: {} ({})", law.id, law.title, law.source));
+  fact("Equations", equations(law));
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
@@ -308,8 +310,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
     remarks.objections.emplace_back(
         "no link of these programs could be fitted in the law's place: the sheet holds its loop alone");
   else if (!near(wen) && !near(corner))
-    remarks.objections.emplace_back(
-        "the link that replaces the law in these programs is far off: the sheet says how far");
+    remarks.objections.push_back(fmt::format("the link that replaces the law in these programs is far off it: {}",
+                                             wen ? wen->off : corner->off));
   csi(page, subject, wen, rubber_isolator(subject), corner, units);
   others(page, free_bouc_wen(subject, wen), corner);
 

@@ -8,6 +8,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/named_device.hpp"
 #include "isolaw/data/files/text.hpp"
 #include "isolaw/study/draws.hpp"
 
@@ -189,7 +190,7 @@ Model make_model(ModelOptions const& options, campaign::Contents const& contents
   for (auto const& place : places)
     model.bearings.push_back(
         {.name = place.name, .x_mm = place.x_mm, .y_mm = place.y_mm, .angle_deg = place.angle_deg});
-  bool const lot = !contents.device_or_lot(device);
+  bool const lot = !campaign::named_device(contents, device);
   auto const collect = [&](auto const& add) {
     try {
       add();

@@ -11,6 +11,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/named_device.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/programs/untested_motions.hpp"
 
@@ -209,8 +210,10 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
          .found = contents.settings.analysis
                       ? "the one law of the lot is not there: it needs two devices on which the law was analysed"
                       : "no analysis was made, and with it no one law of the lot",
-         .allowed = "a law that was analysed on two devices or more, or the name of a device",
-         .advice = "isolaw calibrate ... --analysis full"});
+         .allowed = contents.devices.size() > 1
+                        ? std::string("a law that was analysed on two devices or more, or the name of a device")
+                        : "the name of the one device: " + campaign::devices_to_name(contents),
+         .advice = contents.devices.size() > 1 ? "isolaw calibrate ... --analysis full" : ""});
   subject.parameters = lot->mean.parameters;
   subject.refinement = lot->refinement;
   subject.objective = lot->mean.mean;
@@ -314,7 +317,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   subject.makers = campaign::text(std::span(summary.makers));
   subject.title = contents.title;
   subject.seed = contents.settings.seed;
-  auto const chosen = contents.device_or_lot(device);
+  auto const chosen = campaign::named_device(contents, device);
   subject.lot = !chosen;
   subject.device = std::string(device);
   for (auto const& other : contents.devices)

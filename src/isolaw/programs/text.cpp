@@ -171,7 +171,8 @@ std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
   };
   auto const& f = subject.fitted;
   auto const speed = [&](std::optional<double> value) {
-    return value ? fmt::format("up to {:.4g} {}/s", units.from_mm(*value), units.length.symbol)
+    return value ? fmt::format("up to {:.4g} {}/s, at the fastest of all samples", units.from_mm(*value),
+                               units.length.symbol)
                  : std::string("not stated");
   };
   return {{"Fitted to", study::part_text(f.part)},
@@ -233,6 +234,12 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   return facts;
 }
 
+std::string equations(laws::LawInfo const& law) {
+  std::vector<std::string_view> lines;
+  for (std::string_view text = law.formula; !text.empty();) lines.push_back(trimmed(take_part(text, '\n')));
+  return joined(lines, ";  ");
+}
+
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor) {
   auto const& law = subject.law->info;
@@ -242,6 +249,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Export", fmt::format("isolaw {}, for {}", subject.version, program)},
       {"Calibrated by", "isolaw " + subject.makers},
       {"Law", fmt::format("{}: {} ({})", law.id, law.title, law.source)},
+      {"Equations", equations(law)},
       {"Parameters of",
        (subject.lot ? std::string("the lot (one law for all its devices)") : "device " + subject.device) +
            (subject.title.empty() ? "" : ", lot " + subject.title)},
@@ -262,10 +270,11 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
   for (auto& fact : replay_facts(subject, realisation, units)) result.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) result.push_back({"Refused", refused});
   for (auto& fact : validity(subject, units)) result.push_back(std::move(fact));
-  result.push_back({"Beyond these",
-                    subject.fitted.part.empty()
-                        ? "nothing was tested, and the law is an extrapolation"
-                        : "of what it was fitted to the law is a prediction, and beyond the tests an extrapolation"});
+  result.push_back(
+      {"Beyond these",
+       subject.fitted.part.empty()
+           ? "nothing was tested, and the law is an extrapolation"
+           : "where the tests went beyond what the law was fitted to, it is a prediction; beyond the tests it is an extrapolation"});
   for (auto& fact : away_facts(subject, realisation)) result.push_back(std::move(fact));
   for (auto& fact : bound_facts(subject, one_factor)) result.push_back(std::move(fact));
   for (auto const& note : subject.notes) result.push_back({"Note", note});

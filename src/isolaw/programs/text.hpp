@@ -44,6 +44,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
 // The ranges in which the law was fitted and tested; "not stated" if the records do not say.
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
+std::string equations(laws::LawInfo const& law);  // the law's formula in one line
 std::vector<Fact> measured_facts(Subject const& subject);
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);

@@ -6,6 +6,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
 
@@ -67,9 +68,9 @@ Draws draw_devices(campaign::Contents const& contents, Summary const& summary, s
 
 std::vector<std::string> sentences(Draws const& draws) {
   auto const& population = *draws.population;
-  std::vector<std::string> texts{
-      fmt::format("{} devices of a population estimated from {}; {} of {} directions have scatter", draws.values.size(),
-                  population.devices, population.directions, population.names.size())};
+  std::vector<std::string> texts{fmt::format(
+      "{} drawn from a population that was estimated from {} tested devices; their parameters vary in {} of {} independent combinations",
+      counted(draws.values.size(), "device"), population.devices, population.directions, population.names.size())};
   if (draws.rejected > 0)
     texts.push_back(fmt::format(
         "{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the sample",

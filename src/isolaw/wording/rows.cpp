@@ -242,7 +242,7 @@ std::span<Row const> rows() {
       // [building]
       answer(
           building_bounds_cover, "building-bounds-cover", "answer",
-          "{answer}: with {law} the bounds cover {inside:0%} of {draws:,} buildings ({interval_low:.0f} to {interval_high:0%}) in the largest displacement of a bearing[, {nominal_outside}]; {factors}."),
+          "{answer}: with {law} the bounds cover {inside:0%} of {draws:,} buildings ({interval_low:0%} to {interval_high:0%}) in the largest displacement of a bearing[, {nominal_outside}]; {factors}."),
       answer(covering_factors, "covering-factors", "answer", "{factors}"),
       answer(building_bounds_cover_with, "building-bounds-cover-with", "answer",
              "With {law} the same bounds cover {inside:0%}."),
@@ -256,7 +256,7 @@ std::span<Row const> rows() {
       campaign(
           bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
-          "[ignore the {inside:0%} for {quantity}: ]both bound analyses ({lower:4} and {upper:4}[ {unit}]) are {side} the nominal building ({nominal:4}[ {unit}])."),
+          "[the share of {inside:0%} of the draws between the bounds says nothing about {quantity}, because ]both bound analyses ({lower:4} and {upper:4}[ {unit}]) are {side} the nominal building ({nominal:4}[ {unit}])."),
       campaign(bounds_cover_less, "bounds-cover-less", "bounds", caution, "Widen the factors for these quantities",
                by_law, with_building, law,
                "the bounds cover less than {wanted:0%} of the draws: ~{inside:0%} in {quantity}~."),
@@ -311,7 +311,7 @@ std::span<Row const> rows() {
           "the file mentions acceleration ('{line}'), but isolaw needs the displacement of the device, one face against the other, over time."),
       doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
-          "the force at a peak is <in cycle {cycle} of block {block} {percent:3} % of> the force in the cycles beside it. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
+          "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
       doubt(friction_in_force, "friction-in-force", caution, one_sentence, "", wording::jump_of_force),
       doubt(
@@ -321,7 +321,7 @@ std::span<Row const> rows() {
             "sampling is not uniform: <intervals from {least_s:6} to {largest_s:6} s>, {mean_s:6} s on average."),
       doubt(
           time_jumps, "time-jumps", caution, one_sentence,
-          "time jumps <{count} time{|s}, by up to {length_s:4} s after sample {sample} ({time_s:6} s), and isolaw counts {taken_s:4} s of that as motion>. It estimates the time of the motion from the speed before and after the jump; periods and frequency leave out the rest."),
+          "time jumps: <{count} jump{|s} of up to {length_s:4} s, the longest after sample {sample} ({time_s:6} s); isolaw counts {taken_s:4} s of that as motion>. It estimates the time of the motion from the speed before and after the jump; periods and frequency leave out the rest."),
       doubt(
           noise, "noise", caution, one_sentence,
           "noise of {disp_mm:2} mm in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2} kN in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),

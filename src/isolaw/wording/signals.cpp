@@ -143,11 +143,12 @@ std::string jump_of_force(Group group) {
 std::string largest_speed(Group group) {
   auto const& f = group.front();
   return fmt::format(
-      "the largest speed is {}; a {} of this amplitude and frequency has {} mm/s ({} f D). {}.",
+      "the largest speed of a cycle is {}; a {} of this amplitude and frequency has {} mm/s ({} f D). {}.",
       each(group,
            [](Finding const& finding) {
-             return fmt::format("{} mm/s in block {}, {} % off", number_text(finding.number("v_max_mm_s")),
-                                finding.blocks.front(), signed_text(finding.number("percent")));
+             return fmt::format("{} mm/s in block {} (the median of its cycles), {} % off",
+                                number_text(finding.number("v_max_mm_s")), finding.blocks.front(),
+                                signed_text(finding.number("percent")));
            }),
       f.word("of"), range(group, "expected_mm_s", 4), f.word("of") == "triangle" ? "4" : "2 pi",
       f.word("waveform") == "other" ? "The motion is neither a sine nor a triangle" : "The motion has that form");

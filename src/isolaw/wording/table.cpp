@@ -70,8 +70,17 @@ std::vector<std::string> remarks(std::vector<Finding> const& findings) {
   return all;
 }
 std::string reasons(std::vector<Finding> const& findings) {
+  std::vector<std::vector<Finding>> groups;
+  for (auto const& finding : findings) {
+    auto const group = std::ranges::find_if(
+        groups, [&](auto const& other) { return belongs(finding, other.front(), row(finding.kind).grouping); });
+    if (group == groups.end())
+      groups.push_back({finding});
+    else
+      group->push_back(finding);
+  }
   std::string text;
-  for (auto const& finding : findings) text += text.empty() ? remark(finding) : " " + capitalised(remark(finding));
+  for (auto const& group : groups) text += text.empty() ? remark(group) : " " + capitalised(remark(group));
   return text;
 }
 

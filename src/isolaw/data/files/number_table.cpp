@@ -50,7 +50,11 @@ void NumberTable::check_lengths(ChannelColumns const& columns, std::vector<Compl
 void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoice const& choice,
                              std::vector<Complaint>& complaints) const {
   FirstComplaints findings(place_of(column), "values that are no number");
-  auto const leave_out = [&](std::size_t row) { return without_row(choice.range, row, raw.values.size()); };
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < raw.values.size(); ++i)
+    if (!std::isfinite(raw.values[i]) && choice.contains(i + 1)) rows.push_back(i + 1);
+  if (rows.empty()) return;
+  auto const leave_out = without_rows(choice.range, rows, raw.values.size());
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
     if (std::isfinite(raw.values[i]) || !choice.contains(i + 1)) continue;
     auto const odd = list_[column].odd_cells.find(i);
@@ -59,10 +63,10 @@ void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoic
                    "numbers, or time stamps of one kind in the whole column", "--columns time=none --dt SECONDS");
     else if (odd != list_[column].odd_cells.end())
       findings.add(i + 1, fmt::format("{} in {} is not a number", in_quotes(odd->second), raw.column), "a number",
-                   leave_out(i + 1));
+                   leave_out);
     else
       findings.add(i + 1, fmt::format("'{}' in {} is not a finite number", raw.values[i], raw.column),
-                   "a finite number", leave_out(i + 1) + ", or test again");
+                   "a finite number", leave_out + ", or test again");
   }
   findings.append_to(complaints);
 }

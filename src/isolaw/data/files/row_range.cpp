@@ -41,4 +41,20 @@ std::string without_row(RowRange const& range, std::size_t row, std::size_t of) 
   return fmt::format("--rows {}, the rows behind it", rows_text({.first = row + 1, .last = range.last}));
 }
 
+std::string without_rows(RowRange const& range, std::vector<std::size_t> const& rows, std::size_t of) {
+  if (rows.size() == 1) return without_row(range, rows.front(), of);
+  auto const last = std::min(range.last.value_or(of), of);
+  RowRange longest{.first = range.first, .last = rows.front() - 1};
+  auto const length = [](RowRange const& one) { return *one.last + 1 - one.first; };
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (RowRange const between{.first = rows[i] + 1, .last = i + 1 < rows.size() ? rows[i + 1] - 1 : last};
+        length(between) > length(longest))
+      longest = between;
+  // A part is of use if it is most of the record.
+  if (2 * length(longest) >= last + 1 - range.first && length(longest) >= least_samples)
+    return fmt::format("--rows {}, the longest part without such rows", rows_text(longest));
+  return fmt::format("export the record again with a number in every cell, or delete these {} rows from a copy",
+                     rows.size());
+}
+
 }  // namespace isolaw::data

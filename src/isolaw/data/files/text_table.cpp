@@ -213,10 +213,23 @@ class RowReader {
     rows_.numbers.push_back(i + 1);
   }
 
-  std::string leave_out() {
-    if (row_count_ == 0)
-      for (auto i = header_.first_data; i < lines_.size(); ++i) row_count_ += is_row(i) ? 1u : 0u;
-    return without_row(choice_.range, rows_.of, row_count_);
+  // What to do about rows that cannot be read. Looks at all of them once, when the first one is refused.
+  std::string const& leave_out() {
+    if (!advice_.empty()) return advice_;
+    std::size_t count = 0;
+    std::vector<std::size_t> bad;
+    std::vector<std::string_view> cells;
+    for (auto i = header_.first_data; i < lines_.size(); ++i)
+      if (is_row(i) && choice_.contains(++count) && !is_good(i, cells)) bad.push_back(count);
+    return advice_ =
+               bad.empty() ? without_row(choice_.range, rows_.of, count) : without_rows(choice_.range, bad, count);
+  }
+  bool is_good(std::size_t i, std::vector<std::string_view>& cells) const {
+    split_row(lines_[i], dialect_, cells);
+    if (cells.size() != dialect_.columns) return false;
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      if (k != stamped_ && parse_cell(cells[indices_[k]], dialect_.format()).kind != CellKind::number) return false;
+    return true;
   }
   bool is_row(std::size_t i) const { return !is_comment(lines_[i]) && !is_blank(lines_[i], dialect_.delimiter); }
 
@@ -295,7 +308,7 @@ class RowReader {
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;
   std::vector<std::size_t> indices_;  // columns of the wanted channels
-  std::size_t row_count_ = 0;         // number of rows, counted when the first row is refused
+  std::string advice_;                // leave_out()
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
@@ -73,10 +74,15 @@ Figure histograms_figure(building::Answers const& answers) {
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
                   axis_label(drawn_quantity(q)));
       script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
-      int arrow = 1;
-      for (auto const& line : {Line{d.lower, vermillion, 1}, Line{d.nominal, black, 3}, Line{d.upper, vermillion, 2}})
-        script.line("set arrow {0} from first {1},graph 0 to first {1},graph 1 nohead front ls {2} dt {3}", arrow++,
-                    number(line.at), line.style, line.dash);
+      int arrow = 0;
+      for (auto const& line : {Line{d.lower, vermillion, 1}, Line{d.nominal, black, 3}, Line{d.upper, vermillion, 2}}) {
+        ++arrow;
+        if (std::isfinite(line.at))
+          script.line("set arrow {0} from first {1},graph 0 to first {1},graph 1 nohead front ls {2} dt {3}", arrow,
+                      number(line.at), line.style, line.dash);
+        else
+          script.line("unset arrow {}", arrow);  // that of the panel before would stay
+      }
       script.line("plot '{}.dat' index {} using 1:3:2 with boxes ls {} lw 0.5", name, panel, style_of(l));
     }
   script.line("unset multiplot");

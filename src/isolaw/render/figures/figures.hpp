@@ -31,12 +31,13 @@ std::vector<std::string> file_stems(std::vector<std::string> const& names,
 
 struct FigureOutcome {
   std::size_t figures = 0, drawn = 0;  // `drawn` also counts drawings kept from an earlier call with the same data
+  std::size_t removed = 0;             // with `none`: figures of former results that were removed
   bool program_missing = false;
   std::string reason;  // why some figures were not drawn
 };
 
 // Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
-// not chosen. Does nothing for `none`. Throws Error if files cannot be written.
+// not chosen. For `none` it only removes figures of other results than `summary`. Throws Error if files cannot be written.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);

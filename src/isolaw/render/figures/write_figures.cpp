@@ -72,10 +72,28 @@ FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> co
   return outcome;
 }
 
+// Removes figures of former results, so that none contradicts the reports beside it. Returns how many.
+std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
+  auto const own = own_figures(dir / "figures");
+  if (own.empty()) return 0;
+  std::size_t removed = 0;
+  for (auto const& [name, data] : figure_data(summary)) {
+    auto const stem = fs::path(name).stem().string();
+    if (std::ranges::find(own, stem) == own.end() || text_of(dir / name) == data) continue;
+    remove_figure(dir / "figures", stem);
+    ++removed;
+  }
+  return removed;
+}
+
 }  // namespace
 
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::path const& dir) {
-  if (choice == FigureChoice::none) return {};
+  if (choice == FigureChoice::none) {
+    FigureOutcome outcome;
+    outcome.removed = remove_outdated(summary, dir);
+    return outcome;
+  }
   return write_each(dir, [&](Use const& use) { for_each_figure(summary, choice, use); });
 }
 

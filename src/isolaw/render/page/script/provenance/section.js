@@ -33,8 +33,8 @@ const commandFigure = {
   wanted: () => report.command !== '',
   caption: () =>
     report.takes_lot_file
-      ? 'LOT.toml: the lot file that names these devices and says how their files are read. The name of a device is part of its seed.'
-      : 'The files by name, and every setting. If you gave columns or units, add them.',
+      ? 'LOT.toml: the lot file that names these devices and says how their files are read. If you gave options of reading besides it, add them. The name of a device is part of its seed.'
+      : 'Every setting, and every option that the files were read with. Run it in the folder of the files, which are named without it.',
   build: commandLine,
 };
 
