@@ -36,11 +36,11 @@ class DirectoryLock {  // keeps other processes out of a directory until the obj
   int descriptor_;
 };
 
-struct Continued {                 // how a campaign differs from the stored one that it continues
-  std::vector<std::string> added;  // for example "2 devices"
-  std::string released;            // rule set of the stored campaign if the new one has none
+struct Continued {                      // how a campaign differs from the stored one that it continues
+  std::vector<std::string> added = {};  // for example "2 devices"
+  std::string released = {};            // rule set of the stored campaign if the new one has none
   // Compression tests that only the stored campaign has, kept or dropped: "D01 (v.csv)" for the test of device D01.
-  std::vector<std::string> kept_vertical, dropped_vertical;
+  std::vector<std::string> kept_vertical = {}, dropped_vertical = {};
   std::string lost = {};  // what starting over replaced other than a store of isolaw; else empty
 };
 

@@ -4,7 +4,7 @@ import { withBadges } from '../laws.js';
 import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
 import { sentence } from '../text.js';
 
-export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: purposeControl, build: answer };
+export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: PURPOSES.length > 1 ? purposeControl : null, build: answer };
 
 function answer() {
   const purpose = purposeOf(chosen.purpose);
