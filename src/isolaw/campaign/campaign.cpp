@@ -122,32 +122,46 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
   }
 }
 
-// If a run ended at a bound of the automatic box, searches again with this bound ten times as far, until no such bound
-// is left or the wider box gains nothing. Leaves `run` and `box` as they were best. Returns false if interrupted.
+// If a run ended at a bound of the automatic box, descends on in a box whose bound lies ten times as far, until no such
+// bound is left or the wider box gains nothing. If the first box had decided, a whole search in the last one follows.
+// `run` and `box` end as they were best. Returns false if interrupted.
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;
   // A smaller gain is not worth a wider box: relative to the objective, and in itself.
   constexpr double least_gain = 1e-3, visible_gain = 1e-5;
-  if (settings.method != Method::best || settings.box != fit::BoxKind::scaled) return true;
-  for (int round = 1; round <= most_rounds && run.usable(); ++round) {
+  constexpr double decisive_gain = 0.1;
+  if (settings.method != Method::best || settings.box != fit::BoxKind::scaled || !run.usable()) return true;
+  double const stopped = run.objective;
+  std::vector<double> work, parameters(run.parameters.size());
+  for (int round = 0; round < most_rounds; ++round) {
     auto wider = fit::box_beyond(box, model.law(), run.parameters, settings.overrides);
-    if (!wider) return true;
-    auto const stream =
-        target.stream.split(static_cast<std::uint64_t>(run.number)).split(static_cast<std::uint64_t>(round));
-    auto const result = search_by(settings, *wider, model, stream, interrupted);
-    if (result.outcome == Outcome::interrupted) return false;
-    auto again = finished(target, *wider, model, run.number, result);
-    again.evaluations += run.evaluations;
-    again.failed_evaluations += run.failed_evaluations;
-    bool const gains = again.usable() && again.objective < (1.0 - least_gain) * run.objective - visible_gain;
-    if (!gains) {
-      run.evaluations = again.evaluations;
-      run.failed_evaluations = again.failed_evaluations;
-      return true;
-    }
-    run = std::move(again);
+    if (!wider) break;
+    auto const found = opt::descend(fit::IdentificationProblem(model, *wider), wider->contract(run.parameters), 1.0);
+    run.evaluations += found.evaluations;
+    run.failed_evaluations += found.failed_evaluations;
+    if (!found.usable()) break;
+    wider->expand(found.best, parameters);
+    double const objective = model.objective(parameters, work);
+    if (!(objective < (1.0 - least_gain) * run.objective - visible_gain)) break;
+    run.parameters = parameters;
+    run.objective = objective;
+    run.history.push_back(objective);
     box = std::move(*wider);
+  }
+  if (run.objective < stopped) run.integration_shift = model.integration_shift(run.parameters);
+  if (run.objective > (1.0 - decisive_gain) * stopped) return true;
+  auto const stream = target.stream.split(static_cast<std::uint64_t>(run.number)).split(1);
+  auto const result = search_by(settings, box, model, stream, interrupted);
+  if (result.outcome == Outcome::interrupted) return false;
+  auto again = finished(target, box, model, run.number, result);
+  again.evaluations += run.evaluations;
+  again.failed_evaluations += run.failed_evaluations;
+  if (again.usable() && again.objective < run.objective) {
+    run = std::move(again);
+  } else {
+    run.evaluations = again.evaluations;
+    run.failed_evaluations = again.failed_evaluations;
   }
   return true;
 }
