@@ -19,8 +19,7 @@
 namespace isolaw::app {
 
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
-  for (auto const& part : merged.absent)
-    say("{}: not there\n", printable(part));
+  for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
   if (!merged.lost.empty()) say("{}\n", printable(merged.lost));
   say("{}{} copied{} to {}\n", counted(merged.added, "run"),
       merged.analyses > 0 ? fmt::format(" and {} analyses", merged.analyses) : "",
