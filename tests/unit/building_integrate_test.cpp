@@ -241,7 +241,7 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
     }
 }
 
-// Springs of a law with a slope at rest are those of laws::Springs, and the others differ from them only within 1e-6 mm.
+// Springs of a law with a slope at rest are those of laws::Springs. The others differ from them only within 1e-6 mm.
 TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
   Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};
   auto const bearing = make_bearing("power-masing", values, Coupling::springs);

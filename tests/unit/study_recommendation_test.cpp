@@ -260,7 +260,7 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   EXPECT_EQ(law_of(summary, *recommendation(summary)), "whole");
 }
 
-// The error on blocks left out of the fit counts as a prediction of larger amplitudes only if one of them is the largest.
+// The error on blocks left out of the fit predicts larger amplitudes only if one of them has the largest.
 TEST(Recommendation, TakesBlocksOfLargerAmplitudeForLargerSwings) {
   auto summary = summary_of({{"a", {0.04}, {}, 0.06}, {"b", {0.05}, {}, 0.07}});
   data::Block small, large;

@@ -82,8 +82,8 @@ export function numbersOf(purpose, viewId) {
       [errorText(first?.error), 'least error, ' + first?.law.name],
       ['none', 'can be taken'],
     ];
-  const fits = first.new_device === null ? [errorText(first.fits), 'off what it was fitted to'] : [errorText(first.new_device), 'off on a new device'];
-  const predicts = [errorText(first.predicts), 'off on larger swings'];
+  const fits = first.new_device === null ? [errorText(first.fits), 'fits'] : [errorText(first.new_device), 'new device'];
+  const predicts = [errorText(first.predicts), 'larger swings'];
   const next = [second ? errorText(second.error) : '\u2013', second ? 'next, ' + second.law.name : 'no other law'];
   const parameters = [String(first.parameters), first.parameters === 1 ? 'parameter' : 'parameters'];
   return [fits, first.predicts === null ? next : predicts, parameters];
