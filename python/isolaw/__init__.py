@@ -401,11 +401,11 @@ def calibrate(
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
     laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches the least objective, "ga" is the
-    paper's genetic algorithm. runs: independent runs per law and device (3; ga: 20). seed: 0 to 2**64 - 1. set: texts
+    paper's genetic algorithm. runs: independent runs per law and device (2; ga: 20). seed: 0 to 2**64 - 1. set: texts
     "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance:
     settings of "ga"; giving one of them chooses that method if none is given.
     samples_per_cycle (None: all), smooth, center: how records are cleaned. weights: a sample counts by "time", "swing"
-    or "travel". fit_blocks, fit_cycles, score_blocks: the blocks and cycles that laws are fitted to, and the blocks on
+    or "travel"; "auto": see docs/method.md. fit_blocks, fit_cycles, score_blocks: the blocks and cycles that laws are fitted to, and the blocks on
     which they are tested, as texts: "2", "1-3", "2-".
     analysis: finds what the tests determine, intervals, and one law for the lot; it takes longer than the fits.
     replicates: number of its bootstrap samples. bidirectional: "springs" also fits spring models for laws without a

@@ -105,7 +105,7 @@ class Campaigns(InFolder):
         parameters = campaign.parameters("bilinear", "a")
         weighed = isolaw.objective("bilinear", parameters, record, weights="swing")
         self.assertEqual(weighed, campaign.runs("bilinear", "a")["objective"].min())
-        by_time = isolaw.objective("bilinear", parameters, record)
+        by_time = isolaw.objective("bilinear", parameters, record, weights="time")
         self.assertGreater(abs(weighed - by_time), 0.01 * by_time)
         self.assertAlmostEqual(by_time, campaign.summary["laws"][0]["devices"][0]["objective_by_time"], places=12)
 
