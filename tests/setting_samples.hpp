@@ -24,7 +24,10 @@ inline Json another(campaign::Setting const& setting) {
   if (auto const found = texts.find(setting.key); found != texts.end()) return *found;
   if (!setting.limits) throw std::logic_error("give an example of " + std::string(setting.key));
   if (setting.kind == Kind::real) return setting.limits->allow(0.25) ? 0.25 : setting.limits->least;
-  return static_cast<int>(setting.limits->least) + 2 * setting.limits->step;
+  campaign::Settings completed;
+  completed.complete();
+  int const next = static_cast<int>(setting.limits->least) + setting.limits->step;
+  return setting.get(completed) == next ? next + setting.limits->step : next;
 }
 
 // Values that are not valid for the setting.

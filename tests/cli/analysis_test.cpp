@@ -268,7 +268,7 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
   EXPECT_TRUE(contains(few.out, "device,K1 [kN/mm],K2 [kN/mm],xy [mm]\n1,"));
   EXPECT_EQ(count_of("\n", few.out), 6u);
   EXPECT_TRUE(many.out.starts_with(few.out)) << "a draw depends on its number alone";
-  EXPECT_TRUE(contains(few.err, "5 devices of a population estimated from 3"));
+  EXPECT_TRUE(contains(few.err, "5 devices drawn from a population that was estimated from 3 tested devices"));
   // Every device multiplies both stiffnesses by one factor, so their ratio is the same in all devices. The drawn
   // devices must keep this ratio.
   std::istringstream rows(many.out);

@@ -273,7 +273,7 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
   ASSERT_EQ(calibrate("bilinear,bouc-wen").code, 0);
   expect_refused(exported("linear", "a", "opensees"), {"linear", "no such law", "bilinear", "bouc-wen"});
   expect_refused(exported("abe", "a", "opensees"), {"law abe", "not in this campaign", "bilinear, bouc-wen"});
-  expect_refused(exported("bilinear", "c", "opensees"), {"'c'", "not in this campaign", "lot, a, b"});
+  expect_refused(exported("bilinear", "c", "opensees"), {"'c'", "not in this campaign", "allowed: a, b"});
   expect_refused(exported("bilinear", "lot", "opensees"), {"the lot", "no analysis was made", "--analysis full"});
   expect_refused(exported("bilinear", "a", "sap"), {"--to", "sap", "opensees, openseespy, "});
   expect_refused(exported("bilinear", "a", "json", {"--units", "MN-m"}), {"--units", "MN-m", "kN-mm, N-m, kip-in"});

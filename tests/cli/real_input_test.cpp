@@ -63,7 +63,7 @@ TEST_F(Bearing, laws_reach_what_is_known_of_them) {
   };
   std::vector<Known> const known{{"power-masing", 0.0252 * 1.02}, {"gallardo", 0.036}, {"kikuchi-aiken", 0.050}};
   auto const o = isolaw({"calibrate", file, "--laws", "power-masing,gallardo,kikuchi-aiken", "--dt", "0.00214823",
-                         "--smooth", "9", "--samples-per-cycle", "103", "--out", "O"});
+                         "--smooth", "9", "--samples-per-cycle", "103", "--weights", "time", "--out", "O"});
   ASSERT_EQ(o.code, 0) << o;
   auto const summary = json("O/summary.json");
   for (std::size_t i = 0; i < known.size(); ++i) {

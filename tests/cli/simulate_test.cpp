@@ -137,7 +137,7 @@ TEST_F(Simulate, what_cannot_be_found_is_said_with_what_there_is) {
   calibrated("bilinear");
   auto const with = [&](Words const& words) { return isolaw(Words{"simulate"} + words + Words{"--motion", "d.csv"}); };
   expect_refused(with({"bilinea"}), {"no such law", "bilinear"});
-  expect_refused(with({"bilinear", "--from", "O", "--device", "e"}), {"device 'e'", "lot, d"});
+  expect_refused(with({"bilinear", "--from", "O", "--device", "e"}), {"device 'e'", "allowed: d"});
   expect_refused(with({"abe", "--from", "O", "--device", "d"}), {"law abe: not in this campaign; allowed: bilinear"});
   expect_refused(with({"bilinear", "--from", "O", "--device", "lot"}), {"no one law for the lot", "--analysis full"});
   expect_refused(with({"bilinear", "--from", "O"}), {"--from", "--device NAME"});

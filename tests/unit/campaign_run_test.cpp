@@ -137,7 +137,7 @@ TEST_F(CampaignTest, PrepareThrowsEveryReasonWhenNoDeviceIsUsable) {
   } catch (Error const& error) {
     ASSERT_EQ(error.complaints().size(), 3u);
     std::string const text = error.what();
-    for (auto const* part : {"none of 2", "first: ", "first.csv", "second: ", "second.csv"})
+    for (auto const* part : {"none of its 2", "first: ", "first.csv", "second: ", "second.csv"})
       EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in: " << text;
   }
 }
