@@ -236,12 +236,16 @@ TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
       "; allowed: the same settings and records, to continue it; devices, laws and runs may be added; try: --fresh to start over";
   ASSERT_EQ(isolaw(command + genetic).code, 0);
   for (auto const& best : {Words{"--method", "best"}, Words{}})
-    expect_refused(isolaw(command + best),
-                   {"P/campaign.sqlite: the campaign there differs: method: ga there, best now; weights: time there, auto now" + advice});
+    expect_refused(
+        isolaw(command + best),
+        {"P/campaign.sqlite: the campaign there differs: method: ga there, best now; weights: time there, auto now" +
+         advice});
   ASSERT_EQ(isolaw(command + Words{"--fresh"}).code, 0);
   auto const before = read("P/campaign.sqlite");
-  expect_refused(isolaw(command + genetic),
-                 {"P/campaign.sqlite: the campaign there differs: method: best there, ga now; weights: auto there, time now" + advice});
+  expect_refused(
+      isolaw(command + genetic),
+      {"P/campaign.sqlite: the campaign there differs: method: best there, ga now; weights: auto there, time now" +
+       advice});
   EXPECT_EQ(read("P/campaign.sqlite"), before);
 }
 
