@@ -31,7 +31,7 @@ struct Standing {
   std::vector<Finding> weak = {};  // doubts about a law that is not ruled out
 };
 
-// The laws of least error that are not ruled out, in steady cycles at BeyondTests::asked_mm. A range of laws, no interval.
+// The laws of least error that are not ruled out, in steady cycles at BeyondTests::asked_mm: a range, not an interval.
 struct LawSpread {
   std::size_t count = 0;
   double disp_mm = 0.0;
