@@ -205,7 +205,8 @@ std::vector<Standing> standings_of(Summary const& summary) {
   return standings;
 }
 
-// Puts the laws in order and marks those that tie with the least error. The tied law with the fewest parameters is taken.
+// Puts the laws in order and marks those that tie with the least error. Of these, the one with the fewest parameters is
+// taken.
 void rank(std::vector<Standing>& standings) {
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
   auto const out = std::ranges::stable_partition(standings, [](Standing const& s) { return !s.reason; });

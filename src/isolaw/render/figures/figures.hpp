@@ -37,7 +37,7 @@ struct FigureOutcome {
 };
 
 // Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
-// not chosen. For `none` it only removes figures of other results than `summary`. Throws Error if files cannot be written.
+// not chosen. For `none` it only removes figures of other results than `summary`. Throws Error if it cannot write.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
