@@ -77,8 +77,8 @@ TEST_F(InOpenSees, tcl_scripts_in_an_interpreter_of_their_own) {
 TEST_F(InOpenSees, exports_of_the_measured_bearing) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
-  Words const thinned{"--dt",   "0.00214823", "--smooth",   "9",    "--samples-per-cycle", "103",
-                      "--runs", "1",          "--analysis", "none", "--out",               "C"};
+  Words const thinned{"--dt",       "0.00214823", "--smooth", "9", "--samples-per-cycle", "103", "--runs", "1",
+                      "--analysis", "none",       "--out",    "C"};
   auto const o = isolaw(Words{"calibrate", file, "--laws", "all"} + thinned);
   ASSERT_EQ(o.code, 0) << o;
   Words const laws = json("C/summary.json")["settings"]["laws"];
