@@ -122,8 +122,8 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
   return std::nullopt;
 }
 
-// The period of cycles of the tested displacement whose peak velocity is the nearest tested one. nullopt if the cycles of
-// the building are neither faster nor slower than all tests.
+// The period of cycles of the tested displacement whose peak velocity is the nearest tested one. nullopt if the cycles
+// of the building are neither faster nor slower than all tests.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;
