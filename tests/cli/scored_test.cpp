@@ -48,8 +48,8 @@ double objective_of(std::vector<Sample> const& measured, std::vector<Sample> con
 
 class Scored : public InFreshDirectory {
  protected:
-  // Calibrates with all parameters fixed at the device's values, weighed by time unless `more` says otherwise. The result
-  // is the objective of the law that made the undisturbed record.
+  // Calibrates with all parameters fixed at the device's values, weighed by time unless `more` says otherwise. The
+  // result is the objective of the law that made the undisturbed record.
   Json calibrated(Words more, std::string const& file = "one.csv") {
     if (std::ranges::find(more, "--weights") == more.end()) more = more + Words{"--weights", "time"};
     auto const o =

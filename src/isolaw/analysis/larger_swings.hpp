@@ -13,7 +13,8 @@
 namespace isolaw::analysis {
 
 // A law on each test twice: as fitted to its small swings, and as judged on its large ones. The law runs through the
-// whole history before them both times. A test without enough swings of a size, or with a constant force in them, has no model for it.
+// whole history before them both times. A test without enough swings of a size, or with a constant force in them, has
+// no model for it.
 struct SwingModels {
   std::vector<fit::LawOnRecord> small, large;
 };
@@ -35,7 +36,8 @@ struct LargerSwings {
 // Two fits of the small swings are equally good if their objectives differ by at most this share of the least one.
 inline constexpr double equally_good_fit = 0.02;
 // Makes eight descents from scattered starts, none from a fit to the whole tests: that would carry over what is to be
-// predicted. nullopt if interrupted or if no start has finite forces. An objective is infinite if a force is not finite.
+// predicted. nullopt if interrupted or if no start has finite forces. An objective is infinite if a force is not
+// finite.
 std::optional<LargerSwings> predict_larger_swings(SwingModels const& models, fit::SearchBox const& box,
                                                   num::Stream const& stream, Interrupted const& interrupted = {});
 

@@ -20,7 +20,8 @@ struct SteadyCycle {   // the third cycle of a law with one set of parameters
   double damping = 0.0;       // energy / (2 pi K amplitude^2)
   double largest_kN = 0.0;    // the largest |force|
   double overshoot = 0.0;     // largest |force| / (|K| amplitude): 1 if the force is largest at the peaks
-  // The largest change of force from sample to sample (of 4,000) where |x| is below 0.8 of the amplitude, over |K| amplitude.
+  // The largest change of force from sample to sample (of 4,000) where |x| is below 0.8 of the amplitude, over |K|
+  // amplitude.
   double jump = 0.0;
 };
 

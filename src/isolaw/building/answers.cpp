@@ -164,8 +164,8 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   return kept;
 }
 
-// Distribution and coverage of every quantity. `first` is the answer of the study's first law with a result, or null for
-// that law.
+// Distribution and coverage of every quantity. `first` is the answer of the study's first law with a result, or null
+// for that law.
 void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& places, Settings const& settings,
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {

@@ -43,8 +43,8 @@ class StoreKind {
   // column could run without end or fill the memory and a trigger could change results.
   sqlite::Connection to_read(std::filesystem::path const& file) const;
   sqlite::Connection to_write(std::filesystem::path const& file) const;
-  // Says what is lost if `file` is replaced: "" for a store of isolaw and for no file, else a sentence about a file that
-  // is empty or damaged. Throws Error for a database of another program, which isolaw does not replace.
+  // Says what is lost if `file` is replaced: "" for a store of isolaw and for no file, else a sentence about a file
+  // that is empty or damaged. Throws Error for a database of another program, which isolaw does not replace.
   std::string lost_with(std::filesystem::path const& file) const;
   // Writes the log that a killed program left into the file, or undoes the transaction that was not finished.
   void fold_log(std::filesystem::path const& file) const;

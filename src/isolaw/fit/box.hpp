@@ -64,8 +64,8 @@ inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-// A parameter's search interval with this bound ten times as far, within the physical limits. nullopt if the bound is such a
-// limit, or for AtBound::no.
+// A parameter's search interval with this bound ten times as far, within the physical limits. nullopt if the bound is
+// such a limit, or for AtBound::no.
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);

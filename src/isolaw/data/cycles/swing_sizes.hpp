@@ -1,5 +1,5 @@
-// The small and the large swings of a device's tests. A law that is fitted to the small ones and judged on the large ones
-// shows how well it predicts motions that are larger than those it was fitted to.
+// The small and the large swings of a device's tests. A law that is fitted to the small ones and judged on the large
+// ones shows how well it predicts motions that are larger than those it was fitted to.
 #pragma once
 
 #include <span>
