@@ -198,7 +198,7 @@ TEST_F(SmallThings, starting_over_replaces_no_database_of_another_program) {
   expect_refused(isolaw(fit), {"o/campaign.sqlite", "is a database of another program", "'accounts'", "--fresh"});
   EXPECT_EQ(read("o/campaign.sqlite"), before);
 
-  // What is no store, but holds nothing of another program either, is replaced, and its loss is told.
+  // A file that is no store and holds nothing of another program is replaced, and the program tells what is lost.
   for (auto const& [bytes, told] :
        {std::pair("", "was an empty file: nothing is lost"),
         std::pair("no database at all", "was damaged, or no store of isolaw: its 18 bytes are lost")}) {

@@ -169,7 +169,7 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
       all = all && completed;
       auto const numbers = fmt::format("{:.6g},{:.6g},{:.6g},{:.2e}", run.of(building::Measure::isolator),
                                        acceleration(0), acceleration(floors), run.of(building::Measure::balance));
-      // What was reached before an analysis stopped is no response of the building.
+      // An analysis that stopped early reached values that are no response of the building.
       print(fmt::format("{},{},{},{},{}\n", law.law, printable(motion.name), building::name(run.outcome),
                         completed ? numbers : ",,,", file));
       if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.why));

@@ -27,7 +27,7 @@ inline std::optional<std::size_t> named_device(Contents const& contents, std::st
                .allowed = shortened(std::move(names), shown)});
 }
 
-// What to name in place of the lot, for a campaign without a law of it.
+// The names that a user may give in place of the lot, for a campaign that has no law of the lot.
 inline std::string devices_to_name(Contents const& contents) {
   constexpr std::size_t shown = 5;
   std::vector<std::string> names;

@@ -15,7 +15,7 @@ namespace {
 
 using analysis::SteadyCycle;
 
-// What the tests of the lot say about cycles.
+// The sizes of the lot's tests that decide in which cycles a law is tried.
 struct Tested {
   double disp_mm = 0.0;          // the largest displacement
   std::vector<double> vel_mm_s;  // for each test the largest velocity in its largest swing; empty without time

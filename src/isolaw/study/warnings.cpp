@@ -172,7 +172,7 @@ class Collector {
     if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
-    // Of many runs, some may end elsewhere. Of two or three, each counts.
+    // If there are many runs, some may end elsewhere. If there are two or three, each counts.
     constexpr int few_runs = 3;
     for (auto const* fit : fits(law))
       if (fit->runs <= few_runs && fit->runs_apart > found_within)
