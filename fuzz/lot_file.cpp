@@ -11,8 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     fuzz::require(lot.devices.size() <= campaign::most_devices, "the number of devices is bounded");
     fuzz::require(is_printable(lot.title), "the title is printable");
     for (auto const& device : lot.devices) {
-      fuzz::require(is_printable(device.name) && is_printable(device.shown_file), "names are printable");
-      for (auto const& file : device.files)
+      fuzz::require(is_printable(device.name) && is_printable(device.shown_file()), "names are printable");
+      for (auto const& file : campaign::files_of(device))
         fuzz::require(!file.lexically_normal().lexically_relative(folder).empty() &&
                           *file.lexically_normal().lexically_relative(folder).begin() != "..",
                       "files lie in the folder");

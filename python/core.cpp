@@ -692,6 +692,24 @@ void add_records(py::module_& m) {
   m.def("read", &record_of_file, py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("how"));
 
   m.def(
+      "same_device",
+      [](std::vector<RecordPtr> const& tests, std::optional<std::string> const& name) {
+        std::vector<data::NamedTest> named;
+        for (auto const& test : tests) {
+          if (test->raw.force_kN.empty())
+            throw Error({.where = test->name, .found = "a motion without force", .allowed = "a record of a test"});
+          named.push_back({.name = test->name, .record = test->raw});
+        }
+        if (named.empty())
+          throw Error({.where = "records", .found = "there are none", .allowed = "one record or more"});
+        auto record = std::make_shared<Record>(Record{.name = {}, .raw = data::record_of_tests(std::move(named))});
+        record->name = name.value_or(tests.size() == 1 ? tests.front()->name
+                                                       : campaign::name_of_tests(record->raw.tests));
+        return record;
+      },
+      py::arg("records"), py::arg("name"));
+
+  m.def(
       "record",
       [](std::string const& name, Rows const& disp_mm, std::optional<Rows> const& force_kN,
          std::optional<Rows> const& time_s, std::optional<Rows> const& load_kN) {

@@ -44,6 +44,7 @@ __all__ = [
     "read_motion",
     "read_record",
     "record",
+    "same_device",
     "settings",
 ]
 
@@ -143,6 +144,16 @@ def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
     for values that are not finite, time that does not increase, exchanged displacement and force, and so on.
     """
     return _core.record(name, disp_mm, force_kN, time_s, load_kN)
+
+
+def same_device(records, *, name=None):
+    """Makes one Record of several tests of a device, which share the parameters of each law.
+
+    records: Records of tests, each with a name of its own. name: the device's name; by default it is made of the tests'
+    names. A law starts at rest in each test, and its objective is the mean over the tests. In the arrays of the result
+    the tests follow one another. Raises Error if only some of the tests have time, or if two have one name.
+    """
+    return _core.same_device(list(records), name)
 
 
 def _vertical(test):

@@ -47,6 +47,20 @@ class Records(unittest.TestCase):
         del record, second
         np.testing.assert_array_equal(first, x)
 
+    def test_tests_of_one_device_share_its_parameters(self):
+        t, x, f = arrays()
+        slow, fast = isolaw.record(x, f, t, name="slow"), isolaw.record(2.0 * x, 1.7 * f, t, name="fast")
+        both = isolaw.same_device([slow, fast])
+        self.assertEqual((both.name, len(both)), ("slow + fast", 2 * len(x)))
+        self.assertEqual(isolaw.same_device([slow, fast], name="B1").name, "B1")
+        model, apart = isolaw.Model("bilinear", both, weights="swing"), [isolaw.Model("bilinear", one, weights="swing") for one in (slow, fast)]
+        self.assertAlmostEqual(model.objective([1.5, 0.5, 30.0]), sum(one.objective([1.5, 0.5, 30.0]) for one in apart) / 2.0, places=12)
+        campaign = isolaw.calibrate([both], ["bilinear"], analysis=False)
+        self.assertEqual([one["test"] for one in campaign.summary["laws"][0]["devices"][0]["tests"]], ["slow", "fast"])
+        for wrong in ([], [slow, slow], [isolaw.motion(x, t)], [slow, isolaw.record(x, f, name="timeless")]):
+            with self.assertRaises(isolaw.Error):
+                isolaw.same_device(wrong)
+
     def test_properties_are_those_that_inspect_prints(self):
         file = SOURCE / "examples/published-lot/device-01.csv"
         found = isolaw.properties(isolaw.read_record(file))

@@ -14,7 +14,7 @@ namespace isolaw::analysis {
 namespace {
 
 SwingModels models_of(laws::LawEntry const& law, data::FitRecord const& record) {
-  auto const tests = std::array{&record};
+  std::array const tests{record};
   auto const sizes = data::swing_sizes(tests, data::Weighting::time);
   EXPECT_TRUE(sizes.tell);
   return swing_models(law, tests, sizes, laws::Integration::converged, laws::TurningPoints::as_sampled, 1);

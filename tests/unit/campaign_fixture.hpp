@@ -77,8 +77,8 @@ inline std::string record_text(double stiffness, bool with_time = true, int samp
 inline DeviceInput device_input(std::string name, std::vector<std::filesystem::path> files) {
   DeviceInput input;
   input.name = std::move(name);
-  input.shown_file = files.empty() ? "" : files.front().filename().string();
-  input.files = std::move(files);
+  input.tests.front().shown_file = files.empty() ? "" : files.front().filename().string();
+  input.tests.front().files = std::move(files);
   return input;
 }
 

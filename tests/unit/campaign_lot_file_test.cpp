@@ -115,9 +115,9 @@ columns = "disp=2,force=3"
   ASSERT_EQ(lot.devices.size(), 2u);
   auto const& a = lot.devices[0];
   EXPECT_EQ(a.name, "A");
-  ASSERT_EQ(a.files.size(), 1u);
-  EXPECT_EQ(a.files[0], folder / "records/a.csv");
-  EXPECT_EQ(a.shown_file, "records/a.csv");
+  ASSERT_EQ(a.tests[0].files.size(), 1u);
+  EXPECT_EQ(a.tests[0].files[0], folder / "records/a.csv");
+  EXPECT_EQ(a.shown_file(), "records/a.csv");
   EXPECT_EQ(a.info.serial, "0001");
   EXPECT_EQ(a.info.lot, "L7");
   EXPECT_EQ(a.info.test_date, "2023-05-11");
@@ -125,23 +125,23 @@ columns = "disp=2,force=3"
   EXPECT_EQ(a.info.rubber_thickness_mm, 208.0);
   EXPECT_EQ(a.info.rubber_area_mm2, 282743.5);
   using enum data::Channel;
-  EXPECT_EQ(a.read.columns,
+  EXPECT_EQ(a.tests[0].read.columns,
             (std::map<data::Channel, std::string>{{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft"}}));
   // Device A has no unit of displacement of its own, so the unit in [read] applies.
-  EXPECT_EQ(a.read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));
-  EXPECT_EQ(a.read.dt_s, 0.01);
-  EXPECT_TRUE(a.read.flip_force);
-  EXPECT_EQ(a.read.sheet, "Prüfung 2");
-  EXPECT_EQ(a.read.test, "all");
+  EXPECT_EQ(a.tests[0].read.units, (std::map<data::Channel, std::string>{{disp, "cm"}, {force, "tonf"}}));
+  EXPECT_EQ(a.tests[0].read.dt_s, 0.01);
+  EXPECT_TRUE(a.tests[0].read.flip_force);
+  EXPECT_EQ(a.tests[0].read.sheet, "Prüfung 2");
+  EXPECT_EQ(a.tests[0].read.test, "all");
   auto const& b = lot.devices[1];
-  EXPECT_EQ(b.files, (std::vector<std::filesystem::path>{folder / "b1.csv", folder / "b2.csv"}));
+  EXPECT_EQ(b.tests[0].files, (std::vector<std::filesystem::path>{folder / "b1.csv", folder / "b2.csv"}));
   EXPECT_EQ(b.info.test_date, "May 2023");
   EXPECT_EQ(b.info.temperature_C, std::nullopt);
-  EXPECT_EQ(b.read.dt_s, 0.002);
-  EXPECT_EQ(b.read.columns, (std::map<data::Channel, std::string>{{disp, "2"}, {force, "3"}}));
-  EXPECT_FALSE(b.read.flip_force);
-  EXPECT_EQ(b.read.sheet, "3");
-  EXPECT_EQ(b.read.test, "2");
+  EXPECT_EQ(b.tests[0].read.dt_s, 0.002);
+  EXPECT_EQ(b.tests[0].read.columns, (std::map<data::Channel, std::string>{{disp, "2"}, {force, "3"}}));
+  EXPECT_FALSE(b.tests[0].read.flip_force);
+  EXPECT_EQ(b.tests[0].read.sheet, "3");
+  EXPECT_EQ(b.tests[0].read.test, "2");
 }
 
 TEST_F(LotFileTest, TheShortestFileHasTheDefaults) {
@@ -421,7 +421,7 @@ TEST_F(LotFileTest, EveryProblemIsSaidAtOnce) {
 
 void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.name, b.name);
-  EXPECT_EQ(a.files, b.files);
+  EXPECT_EQ(a.tests[0].files, b.tests[0].files);
   EXPECT_EQ(a.info.serial, b.info.serial);
   EXPECT_EQ(a.info.lot, b.info.lot);
   EXPECT_EQ(a.info.test_date, b.info.test_date);
@@ -432,12 +432,12 @@ void expect_same(DeviceInput const& a, DeviceInput const& b) {
   EXPECT_EQ(a.vertical.stated_kN_per_mm, b.vertical.stated_kN_per_mm);
   EXPECT_TRUE(a.vertical.loads == b.vertical.loads);
   EXPECT_TRUE(a.vertical.read == b.vertical.read);
-  EXPECT_EQ(a.read.columns, b.read.columns);
-  EXPECT_EQ(a.read.units, b.read.units);
-  EXPECT_EQ(a.read.dt_s, b.read.dt_s);
-  EXPECT_EQ(a.read.flip_force, b.read.flip_force);
-  EXPECT_EQ(a.read.sheet, b.read.sheet);
-  EXPECT_EQ(a.read.test, b.read.test);
+  EXPECT_EQ(a.tests[0].read.columns, b.tests[0].read.columns);
+  EXPECT_EQ(a.tests[0].read.units, b.tests[0].read.units);
+  EXPECT_EQ(a.tests[0].read.dt_s, b.tests[0].read.dt_s);
+  EXPECT_EQ(a.tests[0].read.flip_force, b.tests[0].read.flip_force);
+  EXPECT_EQ(a.tests[0].read.sheet, b.tests[0].read.sheet);
+  EXPECT_EQ(a.tests[0].read.test, b.tests[0].read.test);
 }
 
 TEST_F(LotFileTest, WrittenDevicesReadBack) {
@@ -445,8 +445,8 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   lot.title = "O'Brien's \"lot\" <1>, second line – ½";
   DeviceInput first;
   first.name = "A \"1\"\\x";
-  first.files = {folder / "records" / "a 'b'.csv"};
-  first.shown_file = "records/a 'b'.csv";
+  first.tests[0].files = {folder / "records" / "a 'b'.csv"};
+  first.tests[0].shown_file = "records/a 'b'.csv";
   first.info = {.serial = "0001",
                 .lot = "L\\\"7",
                 .test_date = "2023-05-11",
@@ -454,22 +454,22 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
                 .rubber_thickness_mm = 208.0,
                 .rubber_area_mm2 = 0.1 + 0.2};
   using enum data::Channel;
-  first.read.columns = {{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft \"x\""}};
-  first.read.units = {{disp, "cm"}, {force, "tonf"}};
-  first.read.dt_s = 0.00214823;
-  first.read.flip_force = true;
-  first.read.sheet = "2, \"x\"";
-  first.read.test = "all";
+  first.tests[0].read.columns = {{time, "1"}, {disp, "Weg, horizontal"}, {force, "Kraft \"x\""}};
+  first.tests[0].read.units = {{disp, "cm"}, {force, "tonf"}};
+  first.tests[0].read.dt_s = 0.00214823;
+  first.tests[0].read.flip_force = true;
+  first.tests[0].read.sheet = "2, \"x\"";
+  first.tests[0].read.test = "all";
   DeviceInput second;
-  second.read.sheet = "2";
-  second.read.test = "12";
+  second.tests[0].read.sheet = "2";
+  second.tests[0].read.test = "12";
   second.name = "ß";
-  second.files = {folder / "b1.csv", folder / "b2.csv"};
-  second.shown_file = "b1.csv, b2.csv";
+  second.tests[0].files = {folder / "b1.csv", folder / "b2.csv"};
+  second.tests[0].shown_file = "b1.csv, b2.csv";
   DeviceInput elsewhere;
   elsewhere.name = "elsewhere";
-  elsewhere.files = {"/data/somewhere/else.csv"};
-  elsewhere.shown_file = "/data/somewhere/else.csv";
+  elsewhere.tests[0].files = {"/data/somewhere/else.csv"};
+  elsewhere.tests[0].shown_file = "/data/somewhere/else.csv";
   second.vertical.file = folder / "b-v.csv";
   second.vertical.shown_file = "b-v.csv";
   second.vertical.read.units = {{data::Channel::load, "MN"}};
@@ -483,7 +483,7 @@ TEST_F(LotFileTest, WrittenDevicesReadBack) {
   ASSERT_EQ(back.devices.size(), 3u) << text;
   for (std::size_t i = 0; i < 3; ++i) {
     expect_same(back.devices[i], lot.devices[i]);
-    EXPECT_EQ(back.devices[i].shown_file, lot.devices[i].shown_file);
+    EXPECT_EQ(back.devices[i].shown_file(), lot.devices[i].shown_file());
   }
   EXPECT_EQ(text.find(folder.string()), std::string::npos) << "names below the folder are relative: " << text;
   EXPECT_EQ(lot_file_text(back, folder), text);
@@ -495,21 +495,21 @@ TEST_F(LotFileTest, WhatAllDevicesShareIsSaidOnceKeyByKey) {
   for (std::string const name : {"a", "b"}) {
     DeviceInput device;
     device.name = name;
-    device.files = {folder / (name + ".csv")};
-    device.shown_file = name + ".csv";
-    device.read.columns = {{data::Channel::force, name == "a" ? "2" : "3"}};
-    device.read.units = {{data::Channel::force, "kN"}};
-    device.read.flip_force = name == "a";
-    device.read.corrections.skew_s = 0.004;
+    device.tests[0].files = {folder / (name + ".csv")};
+    device.tests[0].shown_file = name + ".csv";
+    device.tests[0].read.columns = {{data::Channel::force, name == "a" ? "2" : "3"}};
+    device.tests[0].read.units = {{data::Channel::force, "kN"}};
+    device.tests[0].read.flip_force = name == "a";
+    device.tests[0].read.corrections.skew_s = 0.004;
     lot.devices.push_back(device);
   }
   auto const text = lot_file_text(lot, folder);
   auto const back = read(text);
-  EXPECT_EQ(back.read.corrections, lot.devices[0].read.corrections) << text;
-  EXPECT_EQ(back.read.units, lot.devices[0].read.units) << text;
+  EXPECT_EQ(back.read.corrections, lot.devices[0].tests[0].read.corrections) << text;
+  EXPECT_EQ(back.read.units, lot.devices[0].tests[0].read.units) << text;
   EXPECT_TRUE(back.read.columns.empty()) << text;
   EXPECT_FALSE(back.read.flip_force) << text;
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.devices[i].read, lot.devices[i].read) << text;
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.devices[i].tests[0].read, lot.devices[i].tests[0].read) << text;
 }
 
 TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
@@ -517,7 +517,7 @@ TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
   lot.title = "lot";
   lot.devices.resize(1);
   lot.devices[0].name = "a";
-  lot.devices[0].files = {folder / "a.csv"};
+  lot.devices[0].tests[0].files = {folder / "a.csv"};
   lot.rules_are_file = true;
   lot.acceptance = {.rules = {}, .rules_file = (folder / "own.toml").string(), .design = "K_eff=1.2", .lot_size = 28};
   auto const text = lot_file_text(lot, folder);
@@ -535,8 +535,8 @@ TEST_F(LotFileTest, WrittenSettingsReadBack) {
   lot.title = "lot";
   DeviceInput device;
   device.name = "A";
-  device.files = {folder / "a.csv"};
-  device.shown_file = "a.csv";
+  device.tests[0].files = {folder / "a.csv"};
+  device.tests[0].shown_file = "a.csv";
   lot.devices = {device};
   lot.settings.seed = 9;
   lot.settings.runs = 4;
@@ -562,7 +562,7 @@ TEST_F(LotFileTest, EverySettingReadsBackAndIsRefusedAtItsLine) {
     Lot lot;
     lot.devices.resize(1);
     lot.devices[0].name = "a";
-    lot.devices[0].files = {folder / "a.csv"};
+    lot.devices[0].tests[0].files = {folder / "a.csv"};
     lot.settings = isolaw::testing::with(setting, isolaw::testing::another(setting));
     auto const text = lot_file_text(lot, folder);
     EXPECT_TRUE(text.find("\n" + setting.option() + " = ") != std::string::npos) << text;
@@ -580,9 +580,9 @@ TEST(LotOfFiles, NamesDevicesAfterTheirFiles) {
   std::set<std::string> names;
   for (auto const& device : lot.devices) {
     EXPECT_TRUE(names.insert(device.name).second) << device.name;
-    EXPECT_EQ(device.files.size(), 1u);
+    EXPECT_EQ(device.tests[0].files.size(), 1u);
   }
-  EXPECT_EQ(lot.devices[1].shown_file, "b.csv");
+  EXPECT_EQ(lot.devices[1].shown_file(), "b.csv");
 }
 
 // A comma before three digits may group thousands, so 1,200 mm is ambiguous and isolaw leaves the value to the user.

@@ -191,7 +191,7 @@ TEST(SwingSizes, TakeTheWayUpToALargerLevelForLarge) {
   auto const h = sampled_motion(0.01, 10.0, [](double t) { return (t < 5.0 ? 30.0 : 100.0) * unit_sine(t); });
   FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
   record.force_kN = h.disp_mm;
-  auto const tests = std::array<FitRecord const*, 1>{&record};
+  std::array const tests{record};
   auto const sizes = swing_sizes(tests, Weighting::time);
   EXPECT_TRUE(sizes.tell);
   auto const at = [&](double t) { return static_cast<std::size_t>(std::lround(t / 0.01)); };
@@ -216,7 +216,7 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
       h.disp_mm.push_back((t < small_until ? 30.0 : 100.0) * unit_sine(t));
     }
     FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
-    auto const tests = std::array<FitRecord const*, 1>{&record};
+    std::array const tests{record};
     return swing_sizes(tests, Weighting::time).tell;
   };
   EXPECT_TRUE(told(5.0, 7.0));
@@ -238,7 +238,7 @@ TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
     return record;
   };
   auto const small = record_of(30.0), large = record_of(100.0);
-  auto const tests = std::array<FitRecord const*, 2>{&small, &large};
+  std::array const tests{small, large};
   auto const sizes = swing_sizes(tests, Weighting::time);
   EXPECT_TRUE(sizes.tell);
   EXPECT_FALSE(sizes.tests[0].small.empty());

@@ -31,7 +31,7 @@ double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double
   return sum / static_cast<double>(models.size());
 }
 
-SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord const* const> tests,
+SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord const> tests,
                          data::SwingSizes const& sizes, laws::Integration integration,
                          laws::TurningPoints turning_points, int refinement) {
   SwingModels models;
@@ -45,8 +45,8 @@ SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord co
     }
   };
   for (std::size_t t = 0; t < tests.size(); ++t) {
-    add(models.small, *tests[t], sizes.tests[t].small);
-    add(models.large, *tests[t], sizes.tests[t].large);
+    add(models.small, tests[t], sizes.tests[t].small);
+    add(models.large, tests[t], sizes.tests[t].large);
   }
   return models;
 }

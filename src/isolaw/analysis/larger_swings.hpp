@@ -18,7 +18,7 @@ namespace isolaw::analysis {
 struct SwingModels {
   std::vector<fit::LawOnRecord> small, large;
 };
-SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord const* const> tests,
+SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord const> tests,
                          data::SwingSizes const& sizes, laws::Integration integration,
                          laws::TurningPoints turning_points, int refinement);
 

@@ -55,6 +55,7 @@ std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std:
   auto const record = sine(motion);
   fit::LawOnRecord const model(law, record, integration);
   std::vector<SteadyCycle> found;
+  double const spread_kN = model.spreads_kN().front();
   std::vector<double> rows, force(record.size());
   for (std::size_t first = 0; first < parameters.size(); first += most_at_once) {
     std::size_t const count = std::min(most_at_once, parameters.size() - first), stride = num::padded(count);
@@ -65,7 +66,7 @@ std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std:
         stride, rows);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t j = 0; j < record.size(); ++j)
-        force[j] = record.force_kN[j] - model.spread_kN() * rows[j * stride + i];
+        force[j] = record.force_kN[j] - spread_kN * rows[j * stride + i];
       found.push_back(third_cycle(force, record.disp_mm, motion.amplitude_mm));
     }
   }

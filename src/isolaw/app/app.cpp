@@ -113,11 +113,17 @@ void add_fresh(CLI::App& c, bool& fresh) {
   under(Heading::running, c.add_flag("--fresh", fresh, "start over, even if the directory holds another campaign"));
 }
 
+void add_same_device(CLI::App& c, bool& same_device) {
+  under(Heading::reading, c.add_flag("--same-device", same_device,
+                                     "all files are tests of one device, which share the parameters of each law"));
+}
+
 // Adds the options that calibrate and parts share: those that decide the results, and the folder of the results.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);
   add_reading(c, a.read);
+  add_same_device(c, a.same_device);
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
   add_jobs(c, a.jobs);
@@ -194,6 +200,7 @@ void add_init(Commands& commands) {
                                   "isolaw init d01.csv d02.csv --out lot.toml", init);
   c.add_option("files", a.files, "test records, or a directory of them")->required();
   add_reading(c, a.read);
+  add_same_device(c, a.same_device);
   c.add_option("--like", a.like, "lot file from which to copy settings and reading options");
   c.add_option("--out", a.out, "lot file to write (default lot.toml)");
   c.add_flag("--force", a.force, "overwrite the lot file");
@@ -205,6 +212,7 @@ void add_inspect(Commands& commands) {
       "isolaw inspect d01.csv d02.csv --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208", inspect);
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   add_reading(c, a.read);
+  add_same_device(c, a.same_device);
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
   c.add_option("--out", a.out, "directory for a page with drawn loops, tables and JSON");

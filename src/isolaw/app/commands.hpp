@@ -26,6 +26,7 @@ struct CalibrateArguments {
   std::optional<std::string> part;  // such as "3/40"
   std::string figures = "lot";
   bool fresh = false;
+  bool same_device = false;    // the records are tests of one device
   bool allow_outside = false;  // the lot file may name files outside its folder
   bool json = false, details = false;
 };
@@ -61,7 +62,7 @@ struct InspectArguments {
   Values read, acceptance;
   std::vector<std::string> vertical;         // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;  // for the page, tables and JSON
-  bool allow_outside = false;
+  bool same_device = false, allow_outside = false;
   bool json = false;
 };
 int inspect(InspectArguments const& arguments);
@@ -71,7 +72,7 @@ struct InitArguments {
   Values read;
   std::optional<std::filesystem::path> like;  // a lot file whose reading options are copied
   std::filesystem::path out = "lot.toml";
-  bool force = false;
+  bool same_device = false, force = false;
 };
 int init(InitArguments const& arguments);
 

@@ -38,14 +38,16 @@ bool refused(study::Summary const& summary) {
 }  // namespace
 
 int inspect(InspectArguments const& arguments) {
-  auto lot = lot_of_inputs(arguments.inputs, {.allow_outside = arguments.allow_outside, .other_out = true});
-  for (auto& device : lot.devices) apply(arguments.read, device.read);
+  auto lot = lot_of_inputs(arguments.inputs, {.allow_outside = arguments.allow_outside, .other_out = true},
+                           arguments.same_device);
+  for (auto& device : lot.devices) apply(arguments.read, device);
   apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
   // If the only record cannot be read, reading it again throws an error that holds every complaint.
   if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
-    for (auto const& file : lot.devices.front().files) data::read_record(file, lot.devices.front().read);
+    for (auto const& test : lot.devices.front().tests)
+      for (auto const& file : test.files) data::read_record(file, test.read);
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
   }
   auto const summary = study::build_summary(contents);
@@ -73,7 +75,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   lot.settings = other.settings;
   lot.acceptance = other.acceptance;
   lot.rules_are_file = other.rules_are_file;
-  auto read = other.read == data::ReadOptions{} ? other.devices.front().read : other.read;
+  auto read = other.read == data::ReadOptions{} ? other.devices.front().tests.front().read : other.read;
   std::erase_if(read.columns, [&](auto const& entry) {
     auto const& [channel, column] = entry;
     bool const is_file = data::file_column(column).has_value();
@@ -82,7 +84,7 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
           name(channel), in_quotes(printable(column)), shown(file), name(channel));
     return is_file;
   });
-  for (auto& device : lot.devices) device.read = read;
+  for (auto& device : lot.devices) device.tests.front().read = read;
 }
 
 // Makes a device for each test of each file. If a file holds several tests, the names get the sheet and the number.
@@ -91,15 +93,16 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
   if (arguments.like) take_over(*arguments.like, lot);
   std::vector<campaign::DeviceInput> devices;
   for (auto& device : lot.devices) {
-    apply(arguments.read, device.read);
+    apply(arguments.read, device);
+    auto const& input = device.tests.front();
     std::vector<data::TestChoice> tests;
     try {
-      tests = data::list_tests(device.files.front(), device.read);
+      tests = data::list_tests(input.files.front(), input.read);
     } catch (Error const&) {
-      tests.resize(1, {.sheet = device.read.sheet, .test = device.read.test, .place = {}});
+      tests.resize(1, {.sheet = input.read.sheet, .test = input.read.test, .place = {}});
     }
     if (auto const& other = tests.front().passed_over; !other.empty())
-      say("{}: {} {} no time, displacement or force, passed over\n", device.shown_file,
+      say("{}: {} {} no time, displacement or force, passed over\n", device.shown_file(),
           data::sheet_list(other, other.size() == 1 ? "sheet" : "sheets"), other.size() == 1 ? "names" : "name");
     bool const several = tests.size() > 1;
     bool const sheets = several && tests.front().sheet != tests.back().sheet;
@@ -108,8 +111,9 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
       if (sheets && test.sheet) one.name += " " + printable(*test.sheet);
       if (several && test.test) one.name += " test " + *test.test;
       one.name = std::string(trimmed(one.name));
-      one.read.sheet = test.sheet ? test.sheet : device.read.sheet;
-      one.read.test = test.test ? test.test : device.read.test;
+      auto& read = one.tests.front().read;
+      if (test.sheet) read.sheet = test.sheet;
+      if (test.test) read.test = test.test;
       devices.push_back(std::move(one));
     }
   }
@@ -119,10 +123,11 @@ campaign::Lot lot_of_tests(InitArguments const& arguments) {
 
 Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& lot) {
   std::vector<std::string> sheets;
-  for (auto const& device : lot.devices)
-    if (device.files.front() == file && device.read.sheet &&
-        std::ranges::find(sheets, *device.read.sheet) == sheets.end())
-      sheets.push_back(*device.read.sheet);
+  for (auto const& device : lot.devices) {
+    auto const& test = device.tests.front();
+    if (test.files.front() == file && test.read.sheet && std::ranges::find(sheets, *test.read.sheet) == sheets.end())
+      sheets.push_back(*test.read.sheet);
+  }
   return {.where = file.generic_string(),
           .found = fmt::format("{} taken for {}", data::sheet_list(sheets, "tables"),
                                sheets.size() == 1 ? "a test" : "tests"),
@@ -138,18 +143,19 @@ struct Recognition {
 
 // Reads a test and prints what was recognised. `device` keeps how it was read, and what its file says of it.
 void recognise(campaign::DeviceInput& device, Recognition& found) {
-  auto const& file = device.files.front();
+  auto& test = device.tests.front();
+  auto const& file = test.files.front();
   if (!is_printable(file.string()))
     throw Error({.where = file.string(),
                  .found = "a file name that no lot file can hold: it has control characters, marks that turn the "
                           "direction of writing, or bytes that are not UTF-8",
                  .allowed = "printable text in UTF-8",
                  .advice = "rename the file, or calibrate it without a lot file"});
-  auto const record = data::read_record(file, device.read);
-  device.read = record.layout;
+  auto const record = data::read_record(file, test.read);
+  test.read = record.layout;
   found.remarks.stated.push_back(campaign::take_device_facts(record.device_facts, device.info));
   found.devices.push_back(device);
-  fmt::print("{}: {}\n", device.name == campaign::name_of_file(file) ? device.shown_file : device.name,
+  fmt::print("{}: {}\n", device.name == campaign::name_of_file(file) ? test.shown_file : device.name,
              counted(record.size(), "sample"));
   for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
   if (auto const properties = data::cyclic_properties(record); properties.is_false)
@@ -162,13 +168,13 @@ Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   found.remarks.open_keys = true;
   std::set<std::filesystem::path> of_sheets;  // files that hold a sheet that cannot be read
   for (auto& device : lot.devices) {
-    auto const& file = device.files.front();
+    auto const& file = device.tests.front().files.front();
     try {
       recognise(device, found);
     } catch (Error const& error) {
       found.complaints.insert(found.complaints.end(), error.complaints().begin(), error.complaints().end());
       found.remarks.left_out.emplace_back(file, to_string(error.complaints().front()));
-      if (!sheet_given && device.read.sheet) of_sheets.insert(file);
+      if (!sheet_given && device.tests.front().read.sheet) of_sheets.insert(file);
     }
   }
   for (auto const& file : of_sheets) found.complaints.push_back(about_sheets(file, lot));
@@ -212,6 +218,10 @@ int init(InitArguments const& arguments) {
   if (!remarks.left_out.empty())
     say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(), shown(out));
   lot.devices = std::move(devices);
+  if (arguments.same_device) {
+    lot = campaign::as_one_device(std::move(lot));
+    remarks.stated.resize(1);
+  }
   review_lot_size(lot, arguments);
   std::vector<std::filesystem::path> inputs;
   for (auto const& device : lot.devices) std::ranges::copy(campaign::files_of(device), std::back_inserter(inputs));

@@ -129,6 +129,10 @@ void apply(Values const& given, data::ReadOptions& options) {
   options.corrections.validate();
 }
 
+void apply(Values const& given, campaign::DeviceInput& device) {
+  for (auto& test : device.tests) apply(given, test.read);
+}
+
 void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   load_rules(acceptance);
@@ -175,8 +179,14 @@ campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOp
   return campaign::read_lot_file(file, options);
 }
 
-campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options) {
+campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options,
+                            bool same_device) {
   bool const from_file = inputs.size() == 1 && is_lot_file(inputs.front());
+  if (from_file && same_device)
+    throw Error({.where = "--same-device",
+                 .found = fmt::format("{} is a lot file", inputs.front().string()),
+                 .allowed = "records, or a directory of them",
+                 .advice = "a [[device.test]] table for each test of a device in the lot file"});
   for (auto const& input : inputs)
     if (!from_file && is_lot_file(input))
       throw Error({.where = input.string(),
@@ -191,19 +201,20 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
   }
   auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
+  if (same_device) lot = campaign::as_one_device(std::move(lot));
   return lot;
 }
 
 campaign::Lot lot_of(CalibrateArguments const& a) {
   campaign::Settings unused;
   lay_over(a.settings, unused);  // reports wrong usage before files are read
-  auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()});
+  auto lot = lot_of_inputs(a.inputs, {.allow_outside = a.allow_outside, .other_out = a.out.has_value()}, a.same_device);
   auto& s = lot.settings;
   lay_over(a.settings, s);
   s.complete();
   if (a.out) lot.out = a.out;
   if (a.jobs) lot.jobs = a.jobs;
-  for (auto& device : lot.devices) apply(a.read, device.read);
+  for (auto& device : lot.devices) apply(a.read, device);
   apply_vertical(a.vertical, lot);
   apply(a.acceptance, lot.acceptance);
   if (s.laws.empty()) s.laws = campaign::parse_laws(campaign::usual_laws);

@@ -13,7 +13,9 @@ bool is_of_lot_file(CalibrateArguments const& arguments);
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
 campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
-campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options);
+// If `same_device`, all records are tests of one device.
+campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options,
+                            bool same_device);
 
 // Sets the given options, loads the rule set and parses the design values. Throws Error if one of them is wrong.
 void apply(Values const& given, campaign::Acceptance& acceptance);
@@ -21,6 +23,7 @@ void apply(Values const& given, campaign::Acceptance& acceptance);
 // Replaces a device's compression test by "DEVICE=FILE". Throws Error for an unknown device or one that is given twice.
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 void apply(Values const& given, data::ReadOptions& options);
+void apply(Values const& given, campaign::DeviceInput& device);  // to the reading of all its tests
 
 // The directory for the results: --out, else `out` of the lot file, else out/<name of the lot>.
 std::filesystem::path output_directory(CalibrateArguments const& arguments, campaign::Lot const& lot);

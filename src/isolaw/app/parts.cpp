@@ -34,6 +34,7 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
   add(data::reading_table(), given.read);
   add(campaign::acceptance_table(), given.acceptance);
   for (auto const& test : given.vertical) words.insert(words.end(), {"--vertical", test});
+  if (given.same_device) words.emplace_back("--same-device");
   if (given.allow_outside) words.emplace_back("--allow-outside");
   words.emplace_back("--");
   for (auto const& input : given.inputs) words.push_back(input.string());

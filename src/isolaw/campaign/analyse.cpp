@@ -320,7 +320,7 @@ fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement) {
   auto const& settings = contents.settings;
-  auto const tests = std::array{&contents.devices[device].record};
+  auto const tests = data::tests_of(contents.devices[device].record);
   auto const sizes = data::swing_sizes(tests, settings.clean.weights.value_or(data::Weighting::swing));
   if (!sizes.tell) return std::nullopt;
   auto models = analysis::swing_models(laws::find_law(law), tests, sizes, settings.integration, settings.turning_points,

@@ -45,7 +45,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
     auto const& stored = device.record;
     if (!close(again.time_s, stored.time_s) || !close(again.disp_mm, stored.disp_mm) ||
         !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN) ||
-        again.scored != stored.scored || again.block != stored.block || !close(again.weights, stored.weights) ||
+        again.starts != stored.starts || again.scored != stored.scored || again.block != stored.block || !close(again.weights, stored.weights) ||
         !close(again.dead_band_mm, stored.dead_band_mm))
       faults.push_back(fmt::format("{}: the record the laws saw is not the one its raw record gives", device.name));
   } catch (Error const& error) {

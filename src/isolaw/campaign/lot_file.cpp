@@ -38,7 +38,9 @@ void read_settings(TomlTable& table, Settings& settings) {
 
 void read_reading(TomlTable& table, data::ReadOptions& options) {
   for (auto const& option : data::reading_table())
-    table.json(option.option(), [&](Json const& value) { option.set(options, value); });
+    // The tables [[device.test]] have the name of the option that chooses one of a file's tests.
+    if (auto const* node = table.find(option.option()); node != nullptr && !node->is_array_of_tables())
+      table.json(option.option(), [&](Json const& value) { option.set(options, value); });
   try {
     options.corrections.validate();
   } catch (Error const& error) {
@@ -161,61 +163,126 @@ void read_vertical_input(TomlTable& table, std::filesystem::path const& director
   if (inside.find("file") == nullptr) inside.complain("a vertical test without a file", "file = \"...\"");
 }
 
-DeviceInput read_device(TomlTable& table, toml::table const& source, std::filesystem::path const& directory,
-                        data::ReadOptions const& defaults, LotFileOptions const& options, std::string const& lot_file,
-                        std::vector<Complaint>& complaints) {
-  DeviceInput device;
-  device.read = defaults;
-  device.directory = directory;
-  auto const check_inside = [&](std::string const& name) {
-    if (auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / name, directory))
+// Reads the tables of a device. Files outside the lot file's folder are refused unless the user allows them.
+class DeviceReader {
+ public:
+  DeviceReader(std::filesystem::path directory, LotFileOptions const& options, std::string file,
+               std::vector<Complaint>& complaints)
+      : directory_(std::move(directory)), options_(options), file_(std::move(file)), complaints_(complaints) {}
+
+  DeviceInput read(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) const {
+    DeviceInput device;
+    device.directory = directory_;
+    device.tests.clear();
+    device.name = name_in(table);
+    for (auto const& option : info_table())
+      table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
+    auto only = test_in(table, source, defaults);
+    auto const* tests = table.find("test");
+    if (tests != nullptr && tests->is_array_of_tables()) {
+      if (!only.files.empty())
+        table.complain(*tests, "a device with a file and with tests", "a file, or [[device.test]] tables with files");
+      for (auto const& node : *tests->as_array()) device.tests.push_back(named_test(*node.as_table(), only.read));
+      refuse_same_names(table, *tests, device.tests);
+    } else {
+      if (only.files.empty())
+        table.complain(source, "a device without a file",
+                       "file = \"...\", files = [...], or [[device.test]] tables with a file each");
+      if (device.name.empty() && !only.files.empty()) device.name = name_of_file(only.files.front());
+      find_columns(table, source, only);
+      device.tests.push_back(std::move(only));
+    }
+    if (device.name.empty() && !device.tests.empty() && !device.tests.front().files.empty())
+      device.name = name_of_file(device.tests.front().files.front());
+    read_vertical_input(
+        table, directory_, [&](std::string const& name) { check_inside(name); }, file_, complaints_, device.vertical);
+    table.refuse_unknown();
+    return device;
+  }
+
+ private:
+  void check_inside(std::string const& name) const {
+    if (auto const outside = options_.allow_outside ? std::nullopt : leads_outside(directory_ / name, directory_))
       throw Error({.where = {},
                    .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
                    .allowed = "files in the folder of the lot file or below it",
                    .advice = "copying the record there, or --allow-outside on the command line"});
-  };
-  auto const take_file = [&](std::string const& name) {
-    device.files.push_back(directory / name);
-    device.shown_file += (device.shown_file.empty() ? "" : ", ") + name;
-    check_inside(name);
-  };
-  table.value<std::string>("name", "text", [&](std::string const& name) {
-    auto const plain = trimmed(name);
-    if (plain.empty())
-      throw Error({.where = {}, .found = "empty", .allowed = "a name, or no such line: then the file's"});
-    if (plain != name)
-      throw Error({.where = {},
-                   .found = fmt::format("{} begins or ends with a blank", in_quotes(name)),
-                   .allowed = "a name without blanks around it",
-                   .advice = fmt::format("name = \"{}\"", plain)});
-    device.name = name;
-  });
-  auto const *one = table.find("file"), *several = table.find("files");
-  if (one != nullptr && several != nullptr)
-    table.complain(*several, "both file and files", "one of them",
-                   "files = [\"...\", \"...\"], read one after another as one history");
-  table.strings("file", take_file, longest_path);
-  table.strings("files", take_file, longest_path);
-  for (auto const& option : info_table())
-    table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
-  read_reading(table, device.read);
-  for (auto& [channel, column] : device.read.columns)
-    if (auto const other = data::file_column(column)) {
-      try {
-        check_inside(other->file);
-      } catch (Error const& error) {
-        auto const& complaint = error.complaints().front();
-        table.complain(source, fmt::format("columns: {}", complaint.found), complaint.allowed, complaint.advice);
+  }
+
+  static std::string name_in(TomlTable& table) {
+    std::string found;
+    table.value<std::string>("name", "text", [&](std::string const& name) {
+      auto const plain = trimmed(name);
+      if (plain.empty())
+        throw Error({.where = {}, .found = "empty", .allowed = "a name, or no such line: then the file's"});
+      if (plain != name)
+        throw Error({.where = {},
+                     .found = fmt::format("{} begins or ends with a blank", in_quotes(name)),
+                     .allowed = "a name without blanks around it",
+                     .advice = fmt::format("name = \"{}\"", plain)});
+      found = name;
+    });
+    return found;
+  }
+
+  // Reads the files of a test and how to read them.
+  TestInput test_in(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) const {
+    TestInput test;
+    test.read = defaults;
+    auto const take_file = [&](std::string const& name) {
+      test.files.push_back(directory_ / name);
+      test.shown_file += (test.shown_file.empty() ? "" : ", ") + name;
+      check_inside(name);
+    };
+    auto const *one = table.find("file"), *several = table.find("files");
+    if (one != nullptr && several != nullptr)
+      table.complain(*several, "both file and files", "one of them",
+                     "files = [\"...\", \"...\"], read one after another as one history");
+    table.strings("file", take_file, longest_path);
+    table.strings("files", take_file, longest_path);
+    read_reading(table, test.read);
+    return test;
+  }
+
+  // Finds the files that hold single channels, which may be named in [read] or in the device too.
+  void find_columns(TomlTable& table, toml::table const& source, TestInput& test) const {
+    for (auto& [channel, column] : test.read.columns)
+      if (auto const other = data::file_column(column)) {
+        try {
+          check_inside(other->file);
+        } catch (Error const& error) {
+          auto const& complaint = error.complaints().front();
+          table.complain(source, fmt::format("columns: {}", complaint.found), complaint.allowed, complaint.advice);
+        }
+        test.shown_file += ", " + other->file;
+        column = data::FileColumn{(directory_ / other->file).generic_string(), other->column}.text();
       }
-      device.shown_file += ", " + other->file;
-      column = data::FileColumn{(directory / other->file).generic_string(), other->column}.text();
-    }
-  read_vertical_input(table, directory, check_inside, lot_file, complaints, device.vertical);
-  table.refuse_unknown();
-  if (device.files.empty()) table.complain(source, "a device without a file", "file = \"...\" or files = [...]");
-  if (device.name.empty() && !device.files.empty()) device.name = name_of_file(device.files.front());
-  return device;
-}
+  }
+
+  TestInput named_test(toml::table const& source, data::ReadOptions const& defaults) const {
+    TomlTable table(source, file_, "[[device.test]]", complaints_);
+    auto test = test_in(table, source, defaults);
+    find_columns(table, source, test);
+    test.name = name_in(table);
+    if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
+    if (test.name.empty() && !test.files.empty()) test.name = name_of_file(test.files.front());
+    table.refuse_unknown();
+    return test;
+  }
+
+  static void refuse_same_names(TomlTable& table, toml::node const& node, std::vector<TestInput> const& tests) {
+    std::set<std::string> names;
+    for (auto const& test : tests)
+      if (!names.insert(test.name).second)
+        table.complain(node, fmt::format("two tests of a device are named '{}'", printable(test.name)),
+                       "a name of its own for each test of a device");
+  }
+
+  std::filesystem::path directory_;
+  LotFileOptions const& options_;
+  std::string file_;
+  std::vector<Complaint>& complaints_;
+};
 
 // Complains about each value that Settings::validate() refuses, at the line of its key.
 void refuse_settings(TomlTable const& reader, toml::table const& table, Settings const& settings,
@@ -284,8 +351,10 @@ Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {
     if (lot.devices.empty()) break;
-    auto const value = option.get(lot.devices.front().read);
-    auto const same = [&](DeviceInput const& device) { return option.get(device.read) == value; };
+    auto const value = option.get(lot.devices.front().tests.front().read);
+    auto const same = [&](DeviceInput const& device) {
+      return std::ranges::all_of(device.tests, [&](TestInput const& test) { return option.get(test.read) == value; });
+    };
     if (std::ranges::all_of(lot.devices, same)) shared[option.option()] = value;
   }
   return shared;
@@ -366,7 +435,8 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     std::set<std::string> names;
     for (auto const& node : tables) {
       TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
-      auto device = read_device(reader, *node.as_table(), path.parent_path(), defaults, options, file, complaints);
+      auto device =
+          DeviceReader(path.parent_path(), options, file, complaints).read(reader, *node.as_table(), defaults);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
                         "a name of its own for each device");
@@ -379,13 +449,22 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
 }
 
 std::vector<std::filesystem::path> files_of(DeviceInput const& device) {
-  auto files = device.files;
-  for (auto const& [channel, column] : device.read.columns)
-    if (auto const other = data::file_column(column)) {
-      std::filesystem::path file = other->file;
-      if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
-    }
+  std::vector<std::filesystem::path> files;
+  for (auto const& test : device.tests) {
+    files.insert(files.end(), test.files.begin(), test.files.end());
+    for (auto const& [channel, column] : test.read.columns)
+      if (auto const other = data::file_column(column)) {
+        std::filesystem::path file = other->file;
+        if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
+      }
+  }
   return files;
+}
+
+std::string DeviceInput::shown_file() const {
+  std::vector<std::string> files;
+  for (auto const& test : tests) files.push_back(test.shown_file);
+  return joined(files);
 }
 
 std::string name_of_file(std::filesystem::path const& file) {
@@ -405,11 +484,37 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);
-    device.files = {file};
-    device.shown_file = printable(file.filename().string());
+    device.tests.front().files = {file};
+    device.tests.front().shown_file = printable(file.filename().string());
     lot.devices.push_back(std::move(device));
   }
   return lot;
+}
+
+Lot as_one_device(Lot lot) {
+  DeviceInput one;
+  one.info = lot.devices.front().info;
+  one.tests.clear();
+  std::vector<data::TestSource> sources;
+  for (auto& device : lot.devices)
+    for (auto& test : device.tests) {
+      test.name = device.name;
+      sources.push_back({.name = test.name, .file = {}, .sha256 = {}});
+      one.tests.push_back(std::move(test));
+    }
+  one.name = one.tests.size() == 1 ? one.tests.front().name : name_of_tests(sources);
+  if (one.tests.size() == 1) one.tests.front().name.clear();
+  lot.devices = {std::move(one)};
+  return lot;
+}
+
+std::string name_of_tests(std::span<data::TestSource const> tests) {
+  constexpr std::size_t most_named = 3;
+  if (tests.size() > most_named)
+    return fmt::format("{} and {} more tests", tests.front().name, tests.size() - 1);
+  std::vector<std::string> names;
+  for (auto const& test : tests) names.push_back(test.name);
+  return joined(names, " + ");
 }
 
 namespace {
@@ -437,6 +542,18 @@ void insert_vertical(toml::table& device, VerticalInput const& vertical, std::fi
     table.is_inline(true);
     device.insert("vertical", std::move(table));
   }
+}
+
+void insert_test(toml::table& table, TestInput const& test, std::filesystem::path const& directory,
+                 Json const& shared_reading) {
+  if (test.files.size() == 1) {
+    table.insert("file", relative_name(test.files.front(), directory));
+  } else {
+    toml::array files;
+    for (auto const& file : test.files) files.push_back(relative_name(file, directory));
+    table.insert("files", std::move(files));
+  }
+  insert_reading(table, test.read, shared_reading);
 }
 
 std::string open_keys(DeviceInfo const& info, StatedFacts const& hints) {  // keys that have no value, as comments
@@ -480,7 +597,8 @@ StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> c
 
 std::string lot_file_text(Lot const& written, std::filesystem::path const& directory, LotFileRemarks const& remarks) {
   auto lot = written;
-  for (auto& device : lot.devices) device.read = with_relative_files(device.read, directory);
+  for (auto& device : lot.devices)
+    for (auto& test : device.tests) test.read = with_relative_files(test.read, directory);
   auto s = lot.settings;
   s.complete();
   toml::table calibrate;
@@ -491,17 +609,16 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
   for (std::size_t i = 0; i < lot.devices.size(); ++i) {
     auto const& input = lot.devices[i];
     toml::table device{{"name", input.name}};
-    if (input.files.size() == 1) {
-      device.insert("file", relative_name(input.files.front(), directory));
-    } else {
-      toml::array files;
-      for (auto const& file : input.files) files.push_back(relative_name(file, directory));
-      device.insert("files", std::move(files));
-    }
+    if (input.tests.size() == 1) insert_test(device, input.tests.front(), directory, shared);
     for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
     insert_vertical(device, input.vertical, directory);
-    insert_reading(device, input.read, shared);
     devices << "\n[[device]]\n" << device << '\n';
+    for (auto const& test : input.tests) {
+      if (input.tests.size() == 1) break;
+      toml::table table{{"name", test.name}};
+      insert_test(table, test, directory, shared);
+      devices << "[[device.test]]\n" << table << '\n';
+    }
     if (remarks.open_keys)
       devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : StatedFacts{});
   }

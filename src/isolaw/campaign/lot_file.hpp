@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,14 +25,21 @@ struct VerticalInput {  // a compression test before it is read: a file, or just
   bool given() const { return !file.empty() || stated_kN_per_mm; }
 };
 
+struct TestInput {  // one test before its record is read
+  std::string name = {};                     // empty for the only test of a device
+  std::vector<std::filesystem::path> files;  // read one after another as one history
+  std::string shown_file;                    // the name in reports
+  data::ReadOptions read;
+};
+
 struct DeviceInput {  // one device before its record is read
   std::string name;
-  std::vector<std::filesystem::path> files;  // read one after another as one history
-  std::filesystem::path directory;           // folder of the lot file; empty for files named on the command line
-  std::string shown_file;                    // the name in reports
+  std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
+  std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
   DeviceInfo info;
-  data::ReadOptions read;
   VerticalInput vertical = {};
+
+  std::string shown_file() const;  // the name in reports: the files of all tests
 };
 
 // All files of the device: its records, then files that hold single channels.
@@ -69,6 +77,10 @@ Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& optio
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
+// All records of a lot as tests of one device, which is named after them and has the facts of the first.
+Lot as_one_device(Lot lot);
+// "a + b", "a + b + c", or "a and 3 more tests".
+std::string name_of_tests(std::span<data::TestSource const> tests);
 
 using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
 

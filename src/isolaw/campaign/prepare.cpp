@@ -21,8 +21,8 @@
 namespace isolaw::campaign {
 namespace {
 
-// Joins the files of one device into one history. Between two files, time goes on by one sampling interval.
-data::TestRecord read_history(DeviceInput const& input) {
+// Joins the files of one test into one history. Between two files, time goes on by one sampling interval.
+data::TestRecord read_history(TestInput const& input) {
   auto record = data::read_record(input.files.front(), input.read);
   for (std::size_t i = 1; i < input.files.size(); ++i)
     data::continue_with(record, data::read_record(input.files[i], input.read), input.files[i].filename().string());
@@ -79,7 +79,7 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
 
 // Notes the options that the record was read with, so that a report can state a command that reads it again. They stand
 // as JSON beside the first decision of the reader, and no sentence shows them.
-void note_options(DeviceInput const& input, std::vector<Finding>& recognised) {
+void note_options(TestInput const& input, std::vector<Finding>& recognised) {
   if (recognised.empty()) return;
   Json given = Json::object();
   for (auto const& option : data::reading_table())
@@ -89,12 +89,21 @@ void note_options(DeviceInput const& input, std::vector<Finding>& recognised) {
         {std::string(given_options), given.dump(-1, ' ', false, Json::error_handler_t::replace)});
 }
 
+data::TestRecord read_tests(DeviceInput const& input) {
+  std::vector<data::NamedTest> tests;
+  for (auto const& test : input.tests) {
+    auto& read = tests.emplace_back(data::NamedTest{.name = test.name, .record = read_history(test)});
+    note_options(test, read.record.recognised);
+    read.record.file = test.shown_file;
+  }
+  return data::record_of_tests(std::move(tests));
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
-  Device device{.name = input.name, .file = input.shown_file, .info = input.info};
+  Device device{.name = input.name, .file = input.shown_file(), .info = input.info};
   try {
-    device.raw = read_history(input);
+    device.raw = read_tests(input);
     clean(device, cleaning, false_signals);
-    note_options(input, device.raw.recognised);
     show_files(device.raw.recognised, input.directory);
     show_files(device.raw.warnings, input.directory);
   } catch (Error const& error) {
@@ -106,7 +115,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     device.raw = {};
     device.raw.sha256 = hash_of_files(input);
   }
-  device.raw.file = input.shown_file;
+  device.raw.file = device.file;
   device.vertical = prepare_vertical(input.vertical, input.directory);
   return device;
 }

@@ -50,6 +50,31 @@ data::VerticalTest vertical_of(std::string const& json) {
   return test;
 }
 
+// The tests of a device as a JSON array; empty if there is one test.
+std::string tests_to_json(Device const& device) {
+  if (device.raw.tests.empty()) return {};
+  auto tests = nlohmann::ordered_json::array();
+  for (std::size_t t = 0; t < device.raw.tests.size(); ++t) {
+    auto const& test = device.raw.tests[t];
+    tests.push_back({{"name", test.name},
+                     {"file", test.file},
+                     {"sha256", test.sha256},
+                     {"first_raw", device.raw.starts[t]},
+                     {"first_fit", device.record.starts[t]}});
+  }
+  return tests.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+void take_tests(std::string const& json, Device& device) {
+  if (json.empty()) return;
+  for (auto const& test : nlohmann::ordered_json::parse(json)) {
+    device.raw.tests.push_back({.name = test.at("name").get<std::string>(),
+                                .file = test.at("file").get<std::string>(),
+                                .sha256 = test.at("sha256").get<std::string>()});
+    device.raw.starts.push_back(test.at("first_raw").get<std::size_t>());
+    device.record.starts.push_back(test.at("first_fit").get<std::size_t>());
+  }
+}
+
 template <class Visit>
 void for_each_vertical_series(auto& device, Visit&& visit) {
   visit("raw", "vertical_disp_mm", device.vertical.disp_mm);
@@ -91,7 +116,7 @@ class SeriesWriter {
 };
 
 void write_devices(Connection const& db, Contents const& contents) {
-  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement device(db, "INSERT INTO device VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   SeriesWriter series(db);
   for (std::size_t id = 0; id < contents.devices.size(); ++id) {
     auto const& d = contents.devices[id];
@@ -99,7 +124,7 @@ void write_devices(Connection const& db, Contents const& contents) {
     bind(device, d.info);
     for (auto const* findings : {&d.raw.recognised, &d.raw.corrections, &d.raw.warnings, &d.record.cleaning})
       device.bind(wording::findings_json(*findings));
-    device.bind(d.record.dead_band_mm, to_json(d.vertical)).insert();
+    device.bind(d.record.dead_band_mm, to_json(d.vertical), tests_to_json(d)).insert();
     for_each_series(d, series.of(id));
   }
 }
@@ -132,14 +157,14 @@ void read_settings(Connection const& db, Contents& contents) {
 void read_devices(Connection const& db, Contents& contents) {
   Statement device(
       db,
-      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning, dead_band_mm, vertical FROM device ORDER BY id");
+      "SELECT name, file, sha256, status, message, serial, lot, test_date, temperature_C, rubber_thickness_mm, rubber_area_mm2, recognised, corrections, warnings, cleaning, dead_band_mm, vertical, tests FROM device ORDER BY id");
   while (device.row()) {
     auto& d = contents.devices.emplace_back();
     auto& info = d.info;
-    std::string status, message, recognised, corrections, warnings, cleaning, vertical;
+    std::string status, message, recognised, corrections, warnings, cleaning, vertical, tests;
     device.read(d.name, d.file, d.raw.sha256, status, message, info.serial, info.lot, info.test_date);
     device.read(info.temperature_C, info.rubber_thickness_mm, info.rubber_area_mm2);
-    device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm, vertical);
+    device.read(recognised, corrections, warnings, cleaning, d.record.dead_band_mm, vertical, tests);
     d.raw.file = d.file;
     if (status == "refused") d.refusal = message.empty() ? status : message;
     d.raw.recognised = wording::findings_of(recognised);
@@ -147,6 +172,7 @@ void read_devices(Connection const& db, Contents& contents) {
     d.raw.warnings = wording::findings_of(warnings);
     d.record.cleaning = wording::findings_of(cleaning);
     d.vertical = vertical_of(vertical);
+    take_tests(tests, d);
   }
 }
 

@@ -11,7 +11,8 @@ CREATE TABLE device (
   serial TEXT NOT NULL, lot TEXT NOT NULL, test_date TEXT NOT NULL,
   temperature_C REAL, rubber_thickness_mm REAL, rubber_area_mm2 REAL,
   recognised TEXT NOT NULL, corrections TEXT NOT NULL, warnings TEXT NOT NULL, cleaning TEXT NOT NULL, dead_band_mm REAL NOT NULL,
-  vertical TEXT NOT NULL);  -- compression test as JSON but for its series; empty: none
+  vertical TEXT NOT NULL,  -- compression test as JSON but for its series; empty: none
+  tests TEXT NOT NULL);    -- several tests as JSON, with their first samples in the series; empty: one test
 CREATE TABLE series (  -- values: little-endian 8-byte floats; kind: as read, or as the laws saw it
   device INTEGER NOT NULL REFERENCES device(id), kind TEXT NOT NULL CHECK (kind IN ('raw', 'fit')),
   channel TEXT NOT NULL, count INTEGER NOT NULL, "values" BLOB NOT NULL,

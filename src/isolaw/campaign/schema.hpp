@@ -5,7 +5,7 @@
 
 namespace isolaw::campaign {
 
-inline constexpr int schema_version = 11;
+inline constexpr int schema_version = 12;
 
 StoreKind const& campaign_store();
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <span>
 
@@ -83,26 +84,54 @@ void drop_samples(FitRecord& record, std::size_t step) {
     *values = every(*values, step);
 }
 
-void choose_scored(FitRecord& record, TestRecord const& raw, Selection const& selection) {
-  if (selection.all()) return;
-  auto const segmentation = segment(raw.disp_mm, raw.time_s);
-  record.scored = scored_samples(selection, segmentation, raw.size());
-  record.block = block_numbers(selection, segmentation, raw.size());
+struct Chosen {  // which samples of the raw record the objective counts, and their blocks; as in FitRecord
+  std::vector<double> scored, block;
+};
+
+Chosen chosen_by(Selection const& selection, TestRecord const& raw) {
+  if (selection.all()) return {};
+  auto const segmentation = segment(raw.disp_mm, raw.time_s, raw.starts);
+  return {.scored = scored_samples(selection, segmentation, raw.size()),
+          .block = block_numbers(selection, segmentation, raw.size())};
+}
+
+void choose_scored(FitRecord& record, std::span<double const> scored, std::span<double const> block,
+                   Selection const& selection) {
+  if (scored.empty()) return;
+  record.scored.assign(scored.begin(), scored.end());
+  record.block.assign(block.begin(), block.end());
   record.cleaning.push_back({.kind = FindingKind::scored_in_part,
                              .numbers = {{"samples", static_cast<double>(std::ranges::count(record.scored, 1.0))},
-                                         {"of", static_cast<double>(raw.size())}},
+                                         {"of", static_cast<double>(scored.size())}},
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-void weigh(FitRecord& record, std::span<double const> time_s, std::optional<Weighting> asked) {
+// Gives the samples of all tests weights, unless they count by their time. The swings of all tests decide together.
+void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& tests, std::optional<Weighting> asked) {
   if (asked == Weighting::time) return;
-  auto const found = swings(record.disp_mm, time_s);
-  if (!asked && !found.empty() && are_alike(found)) return;
-  auto weighting = asked.value_or(Weighting::swing);
-  if (weighting == Weighting::swing && found.empty()) weighting = Weighting::time;
-  if (weighting != Weighting::time) record.weights = sample_weights(record.disp_mm, time_s, weighting);
-  record.cleaning.push_back(
-      {.kind = FindingKind::samples_weighed, .words = {{"weights", std::string(name(weighting))}}});
+  auto const ranges = test_ranges(record.starts, record.size());
+  auto const time_in = [&](TestRange const& range) {
+    return has_time ? range.of(record.time_s) : std::span<double const>();
+  };
+  std::vector<Swing> all;
+  std::vector<Weighting> used;
+  for (auto const& range : ranges) {
+    auto const found = swings(range.of(record.disp_mm), time_in(range));
+    all.insert(all.end(), found.begin(), found.end());
+    auto const wanted = asked.value_or(Weighting::swing);
+    used.push_back(wanted == Weighting::swing && found.empty() ? Weighting::time : wanted);
+  }
+  if (!asked && !all.empty() && are_alike(all)) return;
+  bool const one_way = std::ranges::count(used, used.front()) == std::ssize(used);
+  if (!one_way || used.front() != Weighting::time)
+    for (std::size_t t = 0; t < ranges.size(); ++t)
+      std::ranges::copy(sample_weights(ranges[t].of(record.disp_mm), time_in(ranges[t]), used[t]),
+                        std::back_inserter(record.weights));
+  for (std::size_t t = 0; t < (one_way ? 1 : used.size()); ++t) {
+    auto& finding = record.cleaning.emplace_back(
+        Finding{.kind = FindingKind::samples_weighed, .words = {{"weights", std::string(name(used[t]))}}});
+    if (!one_way) finding.words.push_back({"part", tests[t].name});
+  }
 }
 
 // An average over a quarter of a cycle lowers its amplitude by a tenth, so parameters fitted to it would mean nothing.
@@ -120,15 +149,9 @@ std::vector<double> sample_numbers(std::size_t size) {
   return numbers;
 }
 
-}  // namespace
-
-FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
-  return clean(raw, cyclic_properties(raw), options);
-}
-
-FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options) {
-  if (raw.size() == 0)
-    throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
+// All steps but the weights, which depend on the device's other tests too.
+FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::span<double const> scored,
+                     std::span<double const> block, CleanOptions const& options) {
   FitRecord record;
   record.disp_mm = raw.disp_mm;
   record.force_kN = raw.force_kN;
@@ -146,7 +169,7 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
   } else {
     record.cleaning.push_back({.kind = FindingKind::not_smoothed});
   }
-  choose_scored(record, raw, options.scored);
+  choose_scored(record, scored, block, options.scored);
   auto const step = thinning_step(record, properties, options.samples_per_cycle);
   int const window = static_cast<int>(step % 2 == 0 ? step + 1 : step);
   if (step >= 2) average(record, window);
@@ -166,8 +189,45 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
                                            {"samples", static_cast<double>(record.size())},
                                            {"window_samples", static_cast<double>(window)}}});
   }
-  weigh(record, raw.has_time() ? record.time_s : std::vector<double>{}, options.weights);
   record.dead_band_mm = options.dead_band_mm.value_or(dead_band_of(record.disp_mm));
+  return record;
+}
+
+void append(FitRecord& device, FitRecord test, std::string const& name) {
+  device.starts.push_back(device.size());
+  for (auto const channel : {&FitRecord::time_s, &FitRecord::disp_mm, &FitRecord::vel_mm_s, &FitRecord::force_kN,
+                             &FitRecord::scored, &FitRecord::block})
+    std::ranges::copy(test.*channel, std::back_inserter(device.*channel));
+  for (auto& step : test.cleaning) {
+    step.words.push_back({"part", name});
+    device.cleaning.push_back(std::move(step));
+  }
+  device.dead_band_mm = std::max(device.dead_band_mm, test.dead_band_mm);
+}
+
+}  // namespace
+
+FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
+  return clean(raw, cyclic_properties(raw), options);
+}
+
+FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options) {
+  if (raw.size() == 0)
+    throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
+  auto const chosen = chosen_by(options.scored, raw);
+  FitRecord record;
+  if (raw.starts.empty()) {
+    record = clean_test(raw, properties, chosen.scored, chosen.block, options);
+  } else {
+    auto const tests = tests_of(raw);
+    auto const ranges = test_ranges(raw.starts, raw.size());
+    for (std::size_t t = 0; t < tests.size(); ++t)
+      append(record,
+             clean_test(tests[t], cyclic_properties(tests[t]), ranges[t].of(chosen.scored), ranges[t].of(chosen.block),
+                        options),
+             raw.tests[t].name);
+  }
+  weigh(record, raw.has_time(), raw.tests, options.weights);
   return record;
 }
 

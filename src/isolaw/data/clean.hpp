@@ -24,7 +24,8 @@ struct CleanOptions {
 // Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;
 // 3. k = the record's samples per cycle / samples_per_cycle, rounded down; if k > 1: moving average over k samples
 // (k + 1 if k is even); 4. velocity, which is more exact with all samples; 5. keep every k-th sample. A record without
-// a complete cycle keeps all samples. Throws Error for a record without samples.
+// a complete cycle keeps all samples. Each of several tests is cleaned by itself, but the dead band is the largest of
+// theirs, and the swings of all decide how samples count. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -225,7 +226,45 @@ void continue_with(TestRecord& history, TestRecord const& next, std::string cons
     warning.words.push_back({"part", label});
     history.warnings.push_back(std::move(warning));
   }
+  for (auto correction : next.corrections) {
+    correction.words.push_back({"part", label});
+    history.corrections.push_back(std::move(correction));
+  }
   history.sha256 = sha256(history.sha256 + next.sha256);
+}
+
+TestRecord record_of_tests(std::vector<NamedTest> tests) {
+  TestRecord record = std::move(tests.front().record);
+  auto const& first = tests.front().name;
+  if (tests.size() == 1) return record;
+  record.starts = {0};
+  record.tests = {{.name = first, .file = record.file, .sha256 = record.sha256}};
+  for (auto& fault : record.faults) fault.finding.words.push_back({"part", first});
+  for (auto* findings : {&record.warnings, &record.corrections, &record.recognised})
+    for (auto& finding : *findings) finding.words.push_back({"part", first});
+  for (auto& test : tests | std::views::drop(1)) {
+    if (std::ranges::find(record.tests, test.name, &TestSource::name) != record.tests.end())
+      throw Error(Complaint{.where = test.name,
+                            .found = "two tests of this name",
+                            .allowed = "a name of its own for each test of a device"});
+    auto const start = record.size();
+    continue_with(record, test.record, test.name);
+    record.recognised.pop_back();  // that the history goes on: each test begins from rest
+    record.starts.push_back(start);
+    record.tests.push_back({.name = test.name, .file = test.record.file, .sha256 = test.record.sha256});
+    for (auto& line : test.record.recognised) {
+      line.words.push_back({"part", test.name});
+      record.recognised.push_back(std::move(line));
+    }
+  }
+  std::vector<std::string> names;
+  for (auto const& test : record.tests) names.push_back(test.name);
+  record.recognised.push_back(decision(
+      FindingKind::test_chosen,
+      fmt::format("{} tests of one device: {}; they share the parameters of each law, which starts at rest in each test",
+                  names.size(), joined(names)),
+      "--same-device"));
+  return record;
 }
 
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options) {

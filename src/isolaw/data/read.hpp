@@ -46,4 +46,11 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
 // Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
+// One record of several tests of a device. Throws Error as continue_with() does, and for two tests of one name.
+struct NamedTest {
+  std::string name;
+  TestRecord record;
+};
+TestRecord record_of_tests(std::vector<NamedTest> tests);
+
 }  // namespace isolaw::data

@@ -23,7 +23,7 @@ class SpringsOnRecord {
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
       : model_(law, record, laws::Integration::converged, laws::TurningPoints::as_sampled, refinement),
         measured_(record.force_kN),
-        spread_(model_.spread_kN()) {
+        spreads_(model_.spreads_kN()) {
     constexpr int count = laws::usual_springs;
     auto const [force_share, way_share] = laws::spring_shares(count);
     for (int i = 0; i < count; ++i) {
@@ -54,14 +54,13 @@ class SpringsOnRecord {
       law.force_kN(parameters, one);
       for (std::size_t j = 0; j < size(); ++j) found[j] -= force * one[j];
     }
-    for (double& r : found) r /= spread_;
+    for (std::size_t j = 0; j < size(); ++j) found[j] /= spreads_[j];
   }
 
  private:
   LawOnRecord model_;
   std::vector<Share> shares_;
-  std::vector<double> measured_;
-  double spread_ = 1.0;
+  std::vector<double> measured_, spreads_;
 };
 
 // Finds the springs' parameters that minimise the mean of the objective over all records.

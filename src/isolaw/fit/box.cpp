@@ -263,8 +263,12 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
   if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing of zero, or hardly any dissipation
 
-  double work = 0.0;  // over all samples, scored or not, because a law's state accumulates all work
-  for (std::size_t i = 1; i < x.size(); ++i) work += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
+  double work = 0.0;  // over all samples, scored or not, because a law's state accumulates all work of a test
+  for (auto const& test : data::test_ranges(record.starts, record.size())) {
+    double of_test = 0.0;
+    for (std::size_t i = test.first + 1; i < test.end; ++i) of_test += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);
+    work = std::max(work, of_test);
+  }
   if (!(work > 0.1 * force * disp)) work = force * disp;
 
   double const F = law.force.in_record_units, L = law.length.in_record_units;

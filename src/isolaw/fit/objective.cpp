@@ -102,27 +102,37 @@ double spread_of(data::FitRecord const& record, std::vector<double> const& value
   return std::sqrt(variance);
 }
 
-// Refuses records without duration, with weights by which no scored sample counts, or with a constant force. For these
-// the objective would be arbitrary.
-void require_something_to_fit(laws::LawInfo const& law, data::FitRecord const& record) {
+// Refuses tests without duration, tests of which no scored sample counts by the weights, and a constant force. For these
+// the objective would be arbitrary. Returns the number of tests of which samples count.
+std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::FitRecord const> tests) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
   };
-  if (record.size() < 2) refuse("a record of " + counted(record.size(), "sample"), "a record of two samples or more");
-  double const duration = time_weights(record).total;
-  if (!(duration > 0.0 && std::isfinite(duration)))
-    refuse(fmt::format("a record that lasts {} s", duration), "times that increase");
-  auto const weights = weights_of(record);
-  if (!(weights.total > 0.0 && std::isfinite(weights.total)))
+  std::size_t count = 0;
+  for (auto const& test : tests) {
+    if (test.size() < 2) refuse("a record of " + counted(test.size(), "sample"), "a record of two samples or more");
+    auto whole = test;
+    whole.scored.clear();
+    double const duration = time_weights(whole).total;
+    if (!(duration > 0.0 && std::isfinite(duration)))
+      refuse(fmt::format("a record that lasts {} s", duration), "times that increase");
+    auto const weights = weights_of(test);
+    if (weights.total == 0.0) continue;
+    ++count;
+    if (!std::isfinite(weights.total)) refuse("weights that are not finite", "finite weights");
+    double largest = 0.0;
+    for (double const force : scored_values(test, test.force_kN)) largest = std::max(largest, std::abs(force));
+    double const spread = spread_of(test, test.force_kN, weights);
+    // A standard deviation below 1e-12 of the largest force is only rounding.
+    if (!(spread > 1e-12 * largest && std::isfinite(spread)))
+      refuse(
+          fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
+                      spread, largest),
+          "a force that changes during the test");
+  }
+  if (count == 0)
     refuse("samples of which none counts with the weights asked for", "a part of the test in which the device swings");
-  double largest = 0.0;
-  for (double const force : scored_values(record, record.force_kN)) largest = std::max(largest, std::abs(force));
-  double const spread = spread_of(record, record.force_kN, weights);
-  // A standard deviation below 1e-12 of the largest force is only rounding.
-  if (!(spread > 1e-12 * largest && std::isfinite(spread)))
-    refuse(fmt::format("the measured force has a standard deviation of {} kN about its mean, its largest size is {} kN",
-                       spread, largest),
-           "a force that changes during the test");
+  return count;
 }
 
 std::string rate_independent_laws() {
@@ -150,23 +160,34 @@ LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motio
     throw Error({.where = "law " + std::string(law.info.id),
                  .found = "a history of 0 samples",
                  .allowed = "a history with samples"});
-  x_ = in_unit(law.info.traits.remembers ? laws::followed(motion.disp_mm, motion.dead_band_mm) : motion.disp_mm,
-               law.info.length.in_record_units);
+  x_ = motion.disp_mm;
+  if (law.info.traits.remembers)
+    for (auto const& range : data::test_ranges(motion.starts, motion.size()))
+      std::ranges::copy(laws::followed(range.of(motion.disp_mm), motion.dead_band_mm),
+                        x_.begin() + static_cast<std::ptrdiff_t>(range.first));
+  x_ = in_unit(std::move(x_), law.info.length.in_record_units);
   v_ = in_unit(motion.vel_mm_s, law.info.length.in_record_units);
-  path_ = path(refinement_);
+  make_tests(data::test_ranges(motion.starts, motion.size()));
 }
 
 LawOnMotion LawOnMotion::refined(int refinement) const {
+  std::vector<data::TestRange> ranges;
+  for (auto const& test : tests_) ranges.push_back(test.samples);
   LawOnMotion result = *this;
   result.refinement_ = refinement;
-  result.path_ = path(refinement);
+  result.make_tests(ranges);
   return result;
 }
 
-laws::Path LawOnMotion::path(int refinement) const {
-  return turning_points_ == laws::TurningPoints::interpolated
-             ? laws::make_path_with_turning_points(x_, v_, time_s_, refinement, law_->info.traits.remembers)
-             : laws::make_path(x_, v_, refinement, law_->info.traits.remembers);
+void LawOnMotion::make_tests(std::span<data::TestRange const> ranges) {
+  tests_.clear();
+  for (auto const& range : ranges) {
+    std::span<double const> const x = range.of(x_), v = range.of(v_), t = range.of(time_s_);
+    bool const remembers = law_->info.traits.remembers;
+    tests_.push_back({range, turning_points_ == laws::TurningPoints::interpolated
+                                 ? laws::make_path_with_turning_points(x, v, t, refinement_, remembers)
+                                 : laws::make_path(x, v, refinement_, remembers)});
+  }
 }
 
 std::vector<std::size_t> LawOnMotion::outline() const {
@@ -175,15 +196,17 @@ std::vector<std::size_t> LawOnMotion::outline() const {
   // With every third sample instead, half as many descents find the best minimum of the law abe.
   constexpr std::size_t distance_per_gap = 6, widest_gap = 8;
   std::vector<std::size_t> samples;
-  auto const reverses = [&](std::size_t i) {
-    return i > 0 && i + 1 < x_.size() && (x_[i] - x_[i - 1]) * (x_[i + 1] - x_[i]) <= 0.0;
-  };
-  std::size_t last = 0, reversal = 0;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (reverses(i)) reversal = i;
-    bool const marked = i == reversal || i + 1 == x_.size() || reverses(i + 1);
-    if (!marked && i - last < std::clamp<std::size_t>((i - reversal) / distance_per_gap, 1, widest_gap)) continue;
-    samples.push_back(last = i);
+  for (auto const& [range, path] : tests_) {
+    auto const reverses = [&, range = range](std::size_t i) {
+      return i > range.first && i + 1 < range.end && (x_[i] - x_[i - 1]) * (x_[i + 1] - x_[i]) <= 0.0;
+    };
+    std::size_t last = range.first, reversal = range.first;
+    for (std::size_t i = range.first; i < range.end; ++i) {
+      if (reverses(i)) reversal = i;
+      bool const marked = i == reversal || i + 1 == range.end || reverses(i + 1);
+      if (!marked && i - last < std::clamp<std::size_t>((i - reversal) / distance_per_gap, 1, widest_gap)) continue;
+      samples.push_back(last = i);
+    }
   }
   return samples;
 }
@@ -193,17 +216,26 @@ LawOnMotion LawOnMotion::at(std::span<std::size_t const> samples) const {
   result.time_s_ = at_samples(time_s_, samples);
   result.x_ = at_samples(x_, samples);
   result.v_ = at_samples(v_, samples);
-  result.path_ = result.path(refinement_);
+  std::vector<data::TestRange> ranges;
+  auto const place = [&](std::size_t sample) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(samples, sample) - samples.begin());
+  };
+  for (auto const& test : tests_) ranges.push_back({place(test.samples.first), place(test.samples.end)});
+  result.make_tests(ranges);
   return result;
 }
 
+void LawOnMotion::evaluate(std::span<double const> parameters, std::span<double> force) const {
+  for (auto const& test : tests_) law_->evaluate(parameters, test.path, integration_, test.samples.of(force));
+}
+
 void LawOnMotion::force_kN(std::span<double const> parameters, std::span<double> force) const {
-  law_->evaluate(parameters, path_, integration_, force);
+  evaluate(parameters, force);
   for (double& f : force) f *= law_->info.force.in_record_units;
 }
 
 std::vector<double> LawOnMotion::force_kN(std::span<double const> parameters) const {
-  std::vector<double> force(path_.samples());
+  std::vector<double> force(x_.size());
   force_kN(parameters, force);
   return force;
 }
@@ -211,12 +243,30 @@ std::vector<double> LawOnMotion::force_kN(std::span<double const> parameters) co
 LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
                          laws::TurningPoints turning_points, int refinement)
     : motion_(law, record, integration, turning_points, refinement) {
-  require_something_to_fit(law.info, record);
+  auto const tests = data::tests_of(record);
+  auto const count = static_cast<double>(require_something_to_fit(law.info, tests));
   measured_ = in_unit(record.force_kN, law.info.force.in_record_units);
-  auto const weights = weights_of(record);
-  share_ = weight_ = weights.weight;
-  spread_ = spread_of(record, measured_, weights);
-  for (double& w : weight_) w /= spread_;
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    auto const weights = weights_of(tests[t]);
+    bool const counts = weights.total > 0.0;
+    for (double const w : weights.weight) share_.push_back(counts ? w / count : 0.0);
+    auto const range = motion_.tests()[t].samples.of(measured_);
+    spread_.push_back(counts ? spread_of(tests[t], std::vector(range.begin(), range.end()), weights) : 1.0);
+  }
+  weigh();
+}
+
+void LawOnRecord::weigh() {
+  weight_ = share_;
+  for (std::size_t t = 0; t < spread_.size(); ++t)
+    for (double& w : motion_.tests()[t].samples.of(std::span(weight_))) w /= spread_[t];
+}
+
+std::vector<double> LawOnRecord::spreads_kN() const {
+  std::vector<double> spreads(samples());
+  for (std::size_t t = 0; t < spread_.size(); ++t)
+    std::ranges::fill(motion_.tests()[t].samples.of(std::span(spreads)), spread_[t] * law().info.force.in_record_units);
+  return spreads;
 }
 
 LawOnRecord LawOnRecord::refined(int refinement) const {
@@ -232,8 +282,8 @@ std::optional<LawOnRecord> LawOnRecord::outline() const {
   LawOnRecord result = *this;
   result.motion_ = motion_.at(kept);
   result.measured_ = at_samples(measured_, kept);
-  result.weight_ = result.share_ = shared_among(kept, share_);
-  for (double& w : result.weight_) w /= spread_;
+  result.share_ = shared_among(kept, share_);
+  result.weigh();
   return result;
 }
 
@@ -250,7 +300,7 @@ double LawOnRecord::misfit(std::vector<double> const& force) const {
 double LawOnRecord::objective(std::span<double const> parameters, std::vector<double>& work) const {
   work.resize(measured_.size());
   KernelTimer const timer;
-  law().evaluate(parameters, motion_.path(), motion_.integration(), work);
+  motion_.evaluate(parameters, work);
   return misfit(work);
 }
 
@@ -267,9 +317,8 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     return;
   }
   auto const code = kernel(set, law().index);
-  KernelRecord const record{motion_.path(), measured_, weight_};
   std::vector<double> block(dimension * wide_block);
-  std::array<double, wide_block> sums{};
+  std::array<double, wide_block> sums{}, of_test{};
   for (std::size_t first = 0; first < count;) {
     std::size_t const left = count - first, width = left > 2 * narrow_block ? wide_block : narrow_block;
     std::size_t const used = std::min(left, width);
@@ -281,7 +330,12 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     }
     {
       KernelTimer const timer;
-      (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), sums.data());
+      sums.fill(0.0);
+      for (auto const& test : motion_.tests()) {
+        KernelRecord const record{test.path, test.samples.of(measured_), test.samples.of(weight_)};
+        (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), of_test.data());
+        for (std::size_t lane = 0; lane < width; ++lane) sums[lane] += of_test[lane];
+      }
     }
     for (std::size_t lane = 0; lane < used; ++lane)
       values[first + lane] = usable[lane] && std::isfinite(sums[lane]) ? sums[lane] : infinite;
@@ -299,9 +353,11 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
       candidate(i, one);
       {
         KernelTimer const timer;
-        law().evaluate(one, motion_.path(), motion_.integration(), force);
+        motion_.evaluate(one, force);
       }
-      for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = (measured_[j] - force[j]) / spread_;
+      for (std::size_t t = 0; t < spread_.size(); ++t)
+        for (auto j = motion_.tests()[t].samples.first; j < motion_.tests()[t].samples.end; ++j)
+          rows[j * stride + i] = (measured_[j] - force[j]) / spread_[t];
     }
     for (std::size_t i = count; i < num::padded(count); ++i)
       for (std::size_t j = 0; j < samples; ++j) rows[j * stride + i] = 0.0;
@@ -317,8 +373,12 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }
     KernelTimer const timer;
-    (wide ? code.residuals : code.narrow_residuals)(block.data(), motion_.path(), motion_.integration(),
-                                                    measured_.data(), 1.0 / spread_, rows.data() + first, stride);
+    for (std::size_t t = 0; t < spread_.size(); ++t) {
+      auto const& [range, path] = motion_.tests()[t];
+      (wide ? code.residuals : code.narrow_residuals)(block.data(), path, motion_.integration(),
+                                                      range.of(measured_).data(), 1.0 / spread_[t],
+                                                      rows.data() + range.first * stride + first, stride);
+    }
     first += used;
   }
 }
@@ -336,26 +396,31 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   if (!law().info.traits.path_integrated) return 0.0;
   std::vector<double> force;
   double const here = objective(parameters, force);
-  auto const fine = motion_.path(shift_refinement * refinement());
+  auto const fine = motion_.refined(shift_refinement * refinement());
   KernelTimer const timer;
-  law().evaluate(parameters, fine, laws::Integration::converged, force);
+  for (auto const& test : fine.tests())
+    law().evaluate(parameters, test.path, laws::Integration::converged, test.samples.of(std::span(force)));
   return std::abs(misfit(force) - here);
 }
 
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored) {
-  data::FitRecord part{.time_s = record.time_s,
-                       .disp_mm = record.disp_mm,
-                       .vel_mm_s = {},
-                       .force_kN = record.force_kN,
-                       .scored = std::move(scored),
-                       .weights = record.weights,
-                       .cleaning = {}};
-  auto const weights = weights_of(part);
-  double const spread = spread_of(part, part.force_kN, weights);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < weights.weight.size(); ++i)
-    if (part.is_scored(i)) sum += weights.weight[i] * std::abs(record.force_kN[i] - force_kN[i]);
-  return weights.total > 0.0 && spread > 0.0 ? sum / spread : std::nan("");
+  auto part = record;
+  part.scored = std::move(scored);
+  double mean = 0.0, count = 0.0;
+  auto const ranges = data::test_ranges(record.starts, record.size());
+  auto const tests = data::tests_of(part);
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    auto const weights = weights_of(tests[t]);
+    if (!(weights.total > 0.0)) continue;
+    double const spread = spread_of(tests[t], tests[t].force_kN, weights);
+    double sum = 0.0;
+    auto const computed = ranges[t].of(force_kN);
+    for (std::size_t i = 0; i < weights.weight.size(); ++i)
+      if (tests[t].is_scored(i)) sum += weights.weight[i] * std::abs(tests[t].force_kN[i] - computed[i]);
+    mean += spread > 0.0 ? sum / spread : std::nan("");
+    count += 1.0;
+  }
+  return count > 0.0 ? mean / count : std::nan("");
 }
 
 IdentificationProblem::IdentificationProblem(LawOnRecord const& model, SearchBox const& box)

@@ -38,8 +38,12 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   laws::LawEntry const& law() const { return *law_; }
   laws::Integration integration() const { return integration_; }
   int refinement() const { return refinement_; }
-  laws::Path const& path() const { return path_; }
-  laws::Path path(int refinement) const;
+  // The motion of one test, in which the law starts at rest. Most records have one test.
+  struct Test {
+    data::TestRange samples;
+    laws::Path path;
+  };
+  std::span<Test const> tests() const { return tests_; }
 
   std::vector<std::size_t> outline() const;  // indices of kept samples: all next to a reversal, fewer elsewhere
   // The law on these samples, in rising order. A rate-independent law gives the same forces if all reversals are kept.
@@ -48,21 +52,25 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   // law's order and units; `force` has one element per sample. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
   std::vector<double> force_kN(std::span<double const> parameters) const;
+  void evaluate(std::span<double const> parameters, std::span<double> force) const;  // in the law's unit of force
 
  private:
+  void make_tests(std::span<data::TestRange const> ranges);
+
   laws::LawEntry const* law_;
   laws::Integration integration_;
   laws::TurningPoints turning_points_;
   int refinement_ = 1;
   std::vector<double> time_s_, x_, v_;  // x_ and v_ use the law's unit of length
-  laws::Path path_;
+  std::vector<Test> tests_;
 };
 
 class LawOnRecord {
  public:
   // The law makes `refinement` equal steps from sample to sample. The object keeps no reference to the record. Throws
   // Error if the law needs velocities and the record has no time, or if the objective is undefined: fewer than two
-  // samples, no duration, no scored sample that counts by the record's weights, a constant force.
+  // samples, no duration, no scored sample that counts by the record's weights, a constant force. A test without a
+  // scored sample that counts takes no part in the mean.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
@@ -75,8 +83,8 @@ class LawOnRecord {
   int refinement() const { return motion_.refinement(); }
 
   // Eq. (27): mean over time, or with the record's weights, of |measured - computed| force / standard deviation of the
-  // measured force; +infinity if a computed force is not finite. `parameters` are in the law's order and
-  // units; `work` is scratch space. Thread-safe.
+  // measured force; +infinity if a computed force is not finite. If the device has several tests, it is the mean of
+  // their values. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
   // Computes the objectives of `count` candidates in blocks; candidate(i, values) writes the parameters of candidate i.
   // Objectives above 1e-3 agree with objective() within block_tolerance, wherever a candidate is in its block.
@@ -93,7 +101,7 @@ class LawOnRecord {
 
   std::span<double const> residual_weights() const { return share_; }  // objective = sum of weight * |residual|
   std::size_t samples() const { return measured_.size(); }
-  double spread_kN() const { return spread_ * law().info.force.in_record_units; }  // std of measured force
+  std::vector<double> spreads_kN() const;  // for each sample, the standard deviation of the measured force in its test
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
@@ -101,17 +109,19 @@ class LawOnRecord {
   double integration_shift(std::span<double const> parameters) const;
 
  private:
+  void weigh();  // sets weight_
   double misfit(std::vector<double> const& force) const;
 
   LawOnMotion motion_;
   std::vector<double> measured_;  // in the law's unit of force
-  std::vector<double> weight_;    // share_ / standard deviation of the measured force
-  std::vector<double> share_;     // weight by time, swing or travel / sum of the weights of the scored samples
-  double spread_ = 1.0;           // standard deviation of the measured force, in the law's unit
+  std::vector<double> weight_;    // share_ / standard deviation of the measured force in the test
+  std::vector<double> share_;     // weight by time, swing or travel; the shares of a test sum to 1 / number of tests
+  std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 
-// The objective over the samples whose `scored` is not 0, for the forces of a law over the whole history. NaN if no
-// scored sample has a weight or if the measured force is the same at all scored samples.
+// The objective over the samples whose `scored` is not 0, for the forces of a law over the whole history: the mean over
+// the tests that have such samples. NaN if no scored sample has a weight or if the measured force is the same at all
+// scored samples of a test.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
 // The search for a law's free parameters on a record, as a problem in the unit box. Keeps references to both arguments.

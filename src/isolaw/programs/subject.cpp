@@ -20,14 +20,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The motion of a device's record: its samples and, if `interpolated`, the turning points between samples.
-History history_of(campaign::Device const& device, laws::TurningPoints turning_points) {
-  auto const& record = device.record;
+// The motion of one of a device's tests: its samples and, if `interpolated`, the turning points between samples.
+History history_of(std::string const& device, data::FitRecord const& record, laws::TurningPoints turning_points) {
   auto const path = turning_points == laws::TurningPoints::interpolated
                         ? laws::make_path_with_turning_points(record.disp_mm, record.vel_mm_s, record.time_s)
                         : laws::make_path(record.disp_mm, record.vel_mm_s);
   History history;
-  history.device = device.name;
+  history.device = device;
   history.timed = record.has_time();
   history.dead_band_mm = record.dead_band_mm;
   auto const add = [&](double t, double x, double v, double force) {
@@ -45,6 +44,17 @@ History history_of(campaign::Device const& device, laws::TurningPoints turning_p
     if (step.sample) ++sample;
   }
   return history;
+}
+
+// Adds the histories of a device's tests and puts the one of largest amplitude first.
+void add_histories(Subject& subject, campaign::Device const& device, laws::TurningPoints turning_points) {
+  for (auto const& test : data::tests_of(device.record))
+    subject.histories.push_back(history_of(device.name, test, turning_points));
+  auto const reach = [](History const& history) {
+    auto const [low, high] = std::ranges::minmax(history.disp_mm);
+    return std::max(-low, high);
+  };
+  std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
 }
 
 void widen(std::optional<double>& least, std::optional<double>& most, std::optional<double> low,
@@ -199,7 +209,7 @@ void add_device_parameters(Subject& subject, campaign::Contents const& contents,
   subject.parameters = run->parameters;
   subject.refinement = run->refinement;
   subject.objective = run->objective;
-  subject.histories.push_back(history_of(named, contents.settings.turning_points));
+  add_histories(subject, named, contents.settings.turning_points);
 }
 
 void add_lot_parameters(Subject& subject, campaign::Contents const& contents, std::string const& where) {
@@ -218,12 +228,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
   subject.refinement = lot->refinement;
   subject.objective = lot->mean.mean;
   for (auto const device : lot->devices)
-    subject.histories.push_back(history_of(contents.devices[device], contents.settings.turning_points));
-  auto const reach = [](History const& history) {
-    auto const [low, high] = std::ranges::minmax(history.disp_mm);
-    return std::max(-low, high);
-  };
-  std::ranges::stable_sort(subject.histories, std::ranges::greater{}, reach);
+    add_histories(subject, contents.devices[device], contents.settings.turning_points);
 }
 
 // A record may begin away from zero. The law may then have no finite force between zero and the record's first sample.

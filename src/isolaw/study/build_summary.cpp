@@ -1,6 +1,7 @@
 #include "isolaw/study/build_summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -106,7 +107,7 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   auto budget = data::error_budget(device.raw, result.properties, smooth);
   result.notes = std::move(budget.notes);
   if (is_irregular(result.properties))
-    if (auto const swings = data::swing_properties(device.raw.disp_mm, device.raw.force_kN, device.raw.time_s))
+    if (auto const swings = data::swing_properties(device.raw))
       result.notes.push_back({.kind = FindingKind::largest_swings,
                               .numbers = {{"pairs", static_cast<double>(swings->pairs)},
                                           {"amplitude_mm", swings->amplitude_mm},
@@ -157,15 +158,15 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
+// Sets the errors of one test: on its cycle, or on its largest swings if it has no cycles. They stay empty without both.
+void compare_properties(TestFit& fitted, data::FitRecord const& record, std::span<double const> force_kN) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
-  fitted.energy_fall = energy_fall(measured, record, fitted.force_kN);
   auto const error = [](double value, double truth) {
     return truth != 0.0 ? std::optional(100.0 * (value - truth) / truth) : std::nullopt;
   };
   if (auto const reference = compared_cycle(measured, record)) {
-    auto const computed = data::properties_on(*reference, record.disp_mm, fitted.force_kN);
+    auto const computed = data::properties_on(*reference, record.disp_mm, force_kN);
     fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference->K_eff_kN_per_mm);
     fitted.energy_error_percent = error(computed.energy_kN_mm, reference->energy_kN_mm);
     fitted.damping_error_percent = error(computed.damping_percent, reference->damping_percent);
@@ -174,10 +175,39 @@ void compare_properties(DeviceFit& fitted, data::FitRecord const& record) {
   auto const swings = data::scored_swings(record);
   auto const reference = data::properties_on(swings, record.disp_mm, record.force_kN);
   if (!is_irregular(measured) || !(reference.K_kN_per_mm > 0.0)) return;
-  auto const computed = data::properties_on(swings, record.disp_mm, fitted.force_kN);
+  auto const computed = data::properties_on(swings, record.disp_mm, force_kN);
   fitted.K_eff_error_percent = error(computed.K_kN_per_mm, reference.K_kN_per_mm);
   fitted.energy_error_percent = error(computed.energy_kN_mm, reference.energy_kN_mm);
   fitted.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
+}
+
+// Compares law and measurement in every test. The device has the largest error of its tests.
+void compare_tests(DeviceFit& fitted, data::FitRecord const& record, std::vector<data::TestSource> const& sources) {
+  auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
+  auto const measured =
+      data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}, record.starts});
+  fitted.energy_fall = energy_fall(measured, record, fitted.force_kN);
+  auto const tests = data::tests_of(record);
+  auto const ranges = data::test_ranges(record.starts, record.size());
+  std::vector<TestFit> all;
+  for (std::size_t t = 0; t < tests.size(); ++t) {
+    auto const force = ranges[t].of(fitted.force_kN);
+    auto& one = all.emplace_back();
+    if (t < sources.size()) one.test = sources[t].name;
+    if (double const misfit = fit::objective_on(tests[t], force, tests[t].scored); !std::isnan(misfit))
+      one.objective = misfit;
+    compare_properties(one, tests[t], force);
+  }
+  auto const worst = [&](std::optional<double> TestFit::*error) {
+    std::optional<double> largest;
+    for (auto const& one : all)
+      if (one.*error && (!largest || std::abs(*(one.*error)) > std::abs(*largest))) largest = one.*error;
+    return largest;
+  };
+  fitted.K_eff_error_percent = worst(&TestFit::K_eff_error_percent);
+  fitted.energy_error_percent = worst(&TestFit::energy_error_percent);
+  fitted.damping_error_percent = worst(&TestFit::damping_error_percent);
+  if (all.size() > 1) fitted.tests = std::move(all);
 }
 
 DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const& search, Runs const& runs) {
@@ -229,7 +259,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
     fitted.objective_by_time = fit::objective_on(by_time, fitted.force_kN, by_time.scored);
   }
   fitted.refinement = best->refinement;
-  compare_properties(fitted, device.record);
+  compare_tests(fitted, device.record, device.raw.tests);
   add_analysis(fitted, contents, search);
   return fitted;
 }

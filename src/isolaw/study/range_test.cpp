@@ -28,12 +28,14 @@ Tested tested_by(Summary const& summary) {
     auto const& record = device.record;
     for (double const x : record.disp_mm) tested.disp_mm = std::max(tested.disp_mm, std::abs(x));
     if (!record.has_time()) continue;
-    auto const swings = data::swings(record.disp_mm, record.time_s);
-    if (swings.empty()) continue;
-    auto const largest = std::ranges::max(swings, {}, &data::Swing::half_range_mm);
-    double fastest = 0.0;
-    for (auto i = largest.first; i <= largest.last; ++i) fastest = std::max(fastest, std::abs(record.vel_mm_s[i]));
-    tested.vel_mm_s.push_back(fastest);
+    for (auto const& test : data::tests_of(record)) {
+      auto const swings = data::swings(test.disp_mm, test.time_s);
+      if (swings.empty()) continue;
+      auto const largest = std::ranges::max(swings, {}, &data::Swing::half_range_mm);
+      double fastest = 0.0;
+      for (auto i = largest.first; i <= largest.last; ++i) fastest = std::max(fastest, std::abs(test.vel_mm_s[i]));
+      tested.vel_mm_s.push_back(fastest);
+    }
   }
   auto const& asked = summary.acceptance.design.disp_mm;
   tested.asked_mm = asked ? std::max(*asked, tested.disp_mm) : 2.0 * tested.disp_mm;
@@ -48,8 +50,7 @@ struct Measured {                      // on the device of a fit
 Measured measured_on(DeviceResult const& device) {
   Measured measured{.viscous = std::ranges::find(device.raw.warnings, FindingKind::damping_undefined, &Finding::kind) !=
                                device.raw.warnings.end()};
-  auto const swings = data::swing_properties(device.raw.disp_mm, device.raw.force_kN, device.raw.time_s);
-  if (swings) measured.damping = swings->damping_percent / 100.0;
+  if (auto const swings = data::swing_properties(device.raw)) measured.damping = swings->damping_percent / 100.0;
   return measured;
 }
 

@@ -243,10 +243,20 @@ inline constexpr Result<DeviceFit> fit_results[]{
      get<&DeviceFit::springs_given_objective>},
     {"blocks", "", "", "`block`, `fitted` (false: predicted), `objective`; only where blocks are predicted",
      nested<DeviceFit>},
+    {"tests", "", "", "one object for each of the device's tests; empty where it has one test", nested<DeviceFit>},
     {"measured_energy_fall_percent", "%", "energy lost, measured",
      "measured loss of energy per cycle, from the third counted cycle to the last, in the block that loses most; only where it falls steadily by a tenth or more through eight cycles or more",
      get<measured_energy_fall>},
     {"energy_fall_percent", "%", "energy lost, law", "the same loss by the law", get<energy_fall_of_law>},
+};
+
+inline constexpr Result<TestFit> test_results[]{
+    {"test", "", "test", "by its name", get<&TestFit::test>},
+    {"objective", "-", "OF", "on this test", get<&TestFit::objective>},
+    {"K_eff_error_percent", "%", "K_eff error", "as for the device", get<&TestFit::K_eff_error_percent>},
+    {"energy_error_percent", "%", "energy error", "the same for the dissipated energy",
+     get<&TestFit::energy_error_percent>},
+    {"damping_error_percent", "%", "damping error", "the same for the damping", get<&TestFit::damping_error_percent>},
 };
 
 inline constexpr Result<BlockScore> score_results[]{

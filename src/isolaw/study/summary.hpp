@@ -62,6 +62,11 @@ struct ParameterFit {
   std::optional<ParameterAnalysis> analysis;
 };
 
+struct TestFit {  // the law of a device on one of its several tests
+  std::string test;
+  std::optional<double> objective, K_eff_error_percent, energy_error_percent, damping_error_percent;
+};
+
 struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified on this device; "" if it was
@@ -70,7 +75,9 @@ struct DeviceFit {
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
   std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
+  // Of several tests the largest error counts.
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
+  std::vector<TestFit> tests;  // empty if the device has one test
   std::optional<double> integration_shift;
   int refinement = 1;                   // integration steps per sample, in the best run
   std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective

@@ -2,14 +2,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace isolaw::data {
+namespace {
+
+template <class Record>
+void keep_only(TestRange const& range, std::initializer_list<std::vector<double> Record::*> channels, Record& record) {
+  for (auto const channel : channels) {
+    auto const kept = range.of(record.*channel);
+    record.*channel = std::vector<double>(kept.begin(), kept.end());
+  }
+  record.starts.clear();
+}
+
+}  // namespace
 
 double FitRecord::largest_scored(std::vector<double> const& values) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (is_scored(i)) largest = std::max(largest, std::abs(values[i]));
   return largest;
+}
+
+std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::size_t samples) {
+  if (starts.empty()) return {{.first = 0, .end = samples}};
+  std::vector<TestRange> ranges;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    ranges.push_back({.first = starts[i], .end = i + 1 < starts.size() ? starts[i + 1] : samples});
+  return ranges;
+}
+
+std::vector<TestRecord> tests_of(TestRecord const& record) {
+  std::vector<TestRecord> tests;
+  for (auto const& range : test_ranges(record.starts, record.size())) {
+    auto& test = tests.emplace_back(record);
+    keep_only(range, {&TestRecord::time_s, &TestRecord::disp_mm, &TestRecord::force_kN, &TestRecord::load_kN}, test);
+    test.tests.clear();
+  }
+  return tests;
+}
+
+std::vector<FitRecord> tests_of(FitRecord const& record) {
+  std::vector<FitRecord> tests;
+  for (auto const& range : test_ranges(record.starts, record.size()))
+    keep_only(range,
+              {&FitRecord::time_s, &FitRecord::disp_mm, &FitRecord::vel_mm_s, &FitRecord::force_kN, &FitRecord::scored,
+               &FitRecord::weights, &FitRecord::block},
+              tests.emplace_back(record));
+  return tests;
 }
 
 }  // namespace isolaw::data

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,12 @@ struct SignalFault {
   Finding finding = {};              // counts samples from 1; has times if the record has time
 };
 
+struct TestSource {  // one of several tests of a device
+  std::string name, file, sha256;
+
+  bool operator==(TestSource const&) const = default;
+};
+
 // Values as measured, in mm, kN and s. All channels are of one length, but `time_s` and `load_kN` may be empty.
 struct TestRecord {
   std::string file;    // as the user named it, relative to the lot file
@@ -37,6 +44,10 @@ struct TestRecord {
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
   std::vector<Finding> warnings;
   std::vector<SignalFault> faults;  // faults of the measured signals, except repaired spikes; not stored
+  // A device may have several tests, which stand one after another, each from rest: where each test begins, and what it
+  // is. Both are empty if there is one test.
+  std::vector<std::size_t> starts = {};
+  std::vector<TestSource> tests = {};
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
@@ -52,6 +63,7 @@ struct FitRecord {
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
   std::vector<double> weights = {};    // how much a sample counts in the objective, to any scale; empty: its time
   std::vector<double> block = {};      // number of each sample's block if only some blocks are fitted, else empty
+  std::vector<std::size_t> starts = {};  // as in TestRecord: laws begin anew at each test
   double dead_band_mm = 0.0;           // laws that remember turning points ignore smaller reversals
   std::vector<Finding> cleaning = {};  // each step of cleaning, with its numbers
 
@@ -60,5 +72,22 @@ struct FitRecord {
   std::size_t size() const { return disp_mm.size(); }
   double largest_scored(std::vector<double> const& values) const;
 };
+
+struct TestRange {  // the samples of one test, from `first` to before `end`
+  std::size_t first = 0, end = 0;
+
+  std::size_t size() const { return end - first; }
+  template <class T>
+  std::span<T> of(std::span<T> values) const {  // empty for a channel without values
+    return values.empty() ? values : values.subspan(first, size());
+  }
+  std::span<double const> of(std::vector<double> const& values) const { return of(std::span(values)); }
+};
+// The tests of a record with `samples` samples, whose tests begin at `starts`; empty `starts` stand for one test.
+std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::size_t samples);
+
+// One record for each test, which has all of the record's options and findings.
+std::vector<TestRecord> tests_of(TestRecord const& record);
+std::vector<FitRecord> tests_of(FitRecord const& record);
 
 }  // namespace isolaw::data

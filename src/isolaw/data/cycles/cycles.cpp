@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/data/channels/time_gaps.hpp"
 #include "isolaw/data/cycles/cycle_blocks.hpp"
 #include "isolaw/data/cycles/excursions.hpp"
@@ -286,6 +287,55 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
                       {"largest_mm", (largest.largest - largest.least) / 2.0}}};
 }
 
+Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s) {
+  auto gaps = time_gaps(disp_mm, time_s);
+  auto const moving = without_gaps(time_s, gaps);
+  if (!moving.empty()) time_s = moving;
+  Segmentation segmentation;
+  if (disp_mm.empty()) {
+    segmentation.refusal = Finding{.kind = FindingKind::no_complete_cycle};
+    return segmentation;
+  }
+  auto const found = reversals(disp_mm);
+  Motion motion;
+  motion.x = disp_mm;
+  motion.time = time_s;
+  motion.gaps = std::move(gaps);
+  segmentation.band_mm = found.band_mm;
+  if (found.at.size() < 2) {
+    segmentation.refusal = too_short(disp_mm, motion, segmentation);
+    return segmentation;
+  }
+  auto const swings = swings_of(disp_mm, found.at);
+  segmentation.centre_mm = centre_of(disp_mm, swings, found.band_mm);
+  motion.centre = segmentation.centre_mm;
+  motion.noise = noise_deviation(disp_mm);
+  motion.excursions = excursions(disp_mm, time_s, found, segmentation.centre_mm);
+  for (auto& excursion : motion.excursions) excursion.has_gap = has_gap(motion.gaps, excursion.first, excursion.last);
+  motion.groups = group_excursions(motion.excursions);
+  if (motion.count(Part::cycle) == 0) {
+    segmentation.refusal = too_short(disp_mm, motion, segmentation);
+    segmentation.cycles = with_parts({}, motion);
+    return segmentation;
+  }
+  std::vector<Shape> shapes;
+  for (auto const& group : motion.groups)
+    if (group.part == Part::cycle) shapes.push_back(motion.shape(group));
+  segmentation.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
+  segmentation.regular_share = regular_share(shapes, swings, motion, found.at);
+  segmentation.cyclic = segmentation.regular_share >= least_regular_share;
+  if (!segmentation.cyclic) {
+    segmentation.refusal = not_cyclic(shapes, segmentation.regular_share);
+    for (auto& cut : segmentation.cycles) {
+      cut.block = 1;
+      cut.number = 0;
+      cut.not_counted = not_cyclic_cycle;
+    }
+  }
+  segmentation.cycles = with_parts(std::move(segmentation.cycles), motion, segmentation.cyclic);
+  return segmentation;
+}
+
 }  // namespace
 
 // Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
@@ -344,53 +394,33 @@ Reversals reversals(std::span<double const> disp_mm) {
   return found;
 }
 
-Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s) {
-  auto gaps = time_gaps(disp_mm, time_s);
-  auto const moving = without_gaps(time_s, gaps);
-  if (!moving.empty()) time_s = moving;
-  Segmentation segmentation;
-  if (disp_mm.empty()) {
-    segmentation.refusal = Finding{.kind = FindingKind::no_complete_cycle};
-    return segmentation;
-  }
-  auto const found = reversals(disp_mm);
-  Motion motion;
-  motion.x = disp_mm;
-  motion.time = time_s;
-  motion.gaps = std::move(gaps);
-  segmentation.band_mm = found.band_mm;
-  if (found.at.size() < 2) {
-    segmentation.refusal = too_short(disp_mm, motion, segmentation);
-    return segmentation;
-  }
-  auto const swings = swings_of(disp_mm, found.at);
-  segmentation.centre_mm = centre_of(disp_mm, swings, found.band_mm);
-  motion.centre = segmentation.centre_mm;
-  motion.noise = noise_deviation(disp_mm);
-  motion.excursions = excursions(disp_mm, time_s, found, segmentation.centre_mm);
-  for (auto& excursion : motion.excursions) excursion.has_gap = has_gap(motion.gaps, excursion.first, excursion.last);
-  motion.groups = group_excursions(motion.excursions);
-  if (motion.count(Part::cycle) == 0) {
-    segmentation.refusal = too_short(disp_mm, motion, segmentation);
-    segmentation.cycles = with_parts({}, motion);
-    return segmentation;
-  }
-  std::vector<Shape> shapes;
-  for (auto const& group : motion.groups)
-    if (group.part == Part::cycle) shapes.push_back(motion.shape(group));
-  segmentation.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
-  segmentation.regular_share = regular_share(shapes, swings, motion, found.at);
-  segmentation.cyclic = segmentation.regular_share >= least_regular_share;
-  if (!segmentation.cyclic) {
-    segmentation.refusal = not_cyclic(shapes, segmentation.regular_share);
-    for (auto& cut : segmentation.cycles) {
-      cut.block = 1;
-      cut.number = 0;
-      cut.not_counted = not_cyclic_cycle;
+Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s,
+                     std::span<std::size_t const> starts) {
+  if (starts.empty()) return cut_test(disp_mm, time_s);
+  Segmentation all;
+  int blocks = 0;
+  for (auto const& range : test_ranges(starts, disp_mm.size())) {
+    auto test = cut_test(range.of(disp_mm), range.of(time_s));
+    if (test.cyclic == all.cyclic ? test.band_mm > all.band_mm : test.cyclic) {
+      all.band_mm = test.band_mm;
+      all.centre_mm = test.centre_mm;
+      all.regular_share = test.regular_share;
+    }
+    all.cyclic = all.cyclic || test.cyclic;
+    if (!all.refusal) all.refusal = std::move(test.refusal);
+    int const before = blocks;
+    for (auto& cut : test.cycles) {
+      if (cut.first == 0.0) cut.turns_at_start = true;  // a test starts and ends at rest
+      if (cut.last == static_cast<double>(range.size() - 1)) cut.turns_at_end = true;
+      cut.first += static_cast<double>(range.first);
+      cut.last += static_cast<double>(range.first);
+      cut.block += before;
+      blocks = std::max(blocks, cut.block);
+      all.cycles.push_back(std::move(cut));
     }
   }
-  segmentation.cycles = with_parts(std::move(segmentation.cycles), motion, segmentation.cyclic);
-  return segmentation;
+  if (all.cyclic) all.refusal.reset();
+  return all;
 }
 
 }  // namespace isolaw::data

@@ -30,17 +30,17 @@ std::vector<Swing> scored_swings(FitRecord const& record) {
   return found;
 }
 
-SwingSizes swing_sizes(std::span<FitRecord const* const> tests, Weighting weighting) {
+SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting) {
   std::vector<std::vector<Swing>> swings_of;
   double largest = 0.0;
-  for (auto const* record : tests)
-    for (auto const& swing : swings_of.emplace_back(scored_swings(*record)))
-      largest = std::max(largest, larger_turn(*record, swing));
+  for (auto const& record : tests)
+    for (auto const& swing : swings_of.emplace_back(scored_swings(record)))
+      largest = std::max(largest, larger_turn(record, swing));
   SwingSizes sizes;
   std::size_t small = 0, large = 0;
   double small_share = 0.0, large_share = 0.0;
   for (std::size_t t = 0; t < tests.size(); ++t) {
-    auto const& record = *tests[t];
+    auto const& record = tests[t];
     auto const is_small = [&](Swing const& swing) { return larger_turn(record, swing) <= small_swing * largest; };
     auto const first_large = std::stable_partition(swings_of[t].begin(), swings_of[t].end(), is_small);
     auto const count_small = static_cast<std::size_t>(first_large - swings_of[t].begin());

@@ -30,6 +30,6 @@ std::vector<Swing> scored_swings(FitRecord const& record);
 
 // Swings with a sample that the objective does not count are left out. A record's weights must be those of `weighting`,
 // or empty for those of time.
-SwingSizes swing_sizes(std::span<FitRecord const* const> tests, Weighting weighting);
+SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting);
 
 }  // namespace isolaw::data

@@ -434,7 +434,8 @@ Budget error_budget(CycleView const& view, Properties const& properties, int smo
 }
 
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth) {
-  return error_budget(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN}, properties, smooth);
+  return error_budget(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts},
+                      properties, smooth);
 }
 
 }  // namespace isolaw::data

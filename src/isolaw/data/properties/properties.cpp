@@ -319,7 +319,7 @@ Properties cyclic_properties(CycleView const& given) {
   Properties properties;
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s));
   if (!moving.empty()) view.time_s = moving;
-  auto const cut = segment(view.disp_mm, view.time_s);
+  auto const cut = segment(view.disp_mm, view.time_s, view.starts);
   properties.centre_mm = cut.centre_mm;
   std::vector<double> lengths;
   for (auto const& piece : cut.cycles) {
@@ -341,7 +341,8 @@ Properties cyclic_properties(CycleView const& given) {
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  auto properties = cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN});
+  auto properties = cyclic_properties(
+      CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
   properties.refusal.clear();

@@ -86,6 +86,7 @@ struct CycleView {
   std::span<double const> force_kN;
   std::span<double const> time_s;
   std::span<double const> load_kN;
+  std::span<std::size_t const> starts = {};  // as in TestRecord
 };
 
 Properties cyclic_properties(CycleView const& view);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/data/cycles/swings.hpp"
 
 namespace isolaw::data {
@@ -24,6 +25,8 @@ struct SwingProperties {
 // nullopt if there are fewer than two swings, or if the stiffness is not above 0.
 std::optional<SwingProperties> swing_properties(std::span<double const> disp_mm, std::span<double const> force_kN,
                                                 std::span<double const> time_s);
+// Those of the test that has the largest amplitude.
+std::optional<SwingProperties> swing_properties(TestRecord const& record);
 // The same swings with another force, such as the force that a law computes at the same samples.
 SwingProperties properties_on(std::span<Swing const> swings, std::span<double const> disp_mm,
                               std::span<double const> force_kN);

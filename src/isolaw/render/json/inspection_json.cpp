@@ -21,6 +21,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
                   std::vector<Finding> const& findings) {
   write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                 "message", device.message, "samples", device.raw.size());
+  write_tests(out, device);
   write_complaints(out.key("complaints"), device.complaints);
   auto const write_channels = [&](std::string_view key, auto const& of) {
     out.key(key).object([&] {

@@ -91,6 +91,12 @@ void write_verdict(JsonWriter& out, OverallVerdict const& verdict) {
   });
 }
 
+void write_tests(JsonWriter& out, DeviceResult const& device) {
+  out.key("tests").objects(device.raw.tests, [&](data::TestSource const& test) {
+    write_members(out, "name", test.name, "file", test.file, "sha256", test.sha256);
+  });
+}
+
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   auto const& properties = device.properties;

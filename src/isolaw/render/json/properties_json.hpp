@@ -11,6 +11,8 @@ namespace isolaw::render {
 // Adds to a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
 // counting_block, levels, vertical, verdict, copy_of, doubts, assessments.
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device);
+// Adds the member `tests`: one object for each test of the device, or an empty list if it has one test.
+void write_tests(JsonWriter& out, DeviceResult const& device);
 // Adds the overall verdict as the member `result`.
 void write_verdict(JsonWriter& out, OverallVerdict const& verdict);
 // Writes the object of the rule set and the lot, with members rule_set, design, lot.

@@ -20,6 +20,7 @@ void write(JsonWriter& out, ParameterFit const& parameter) {
 void write(JsonWriter& out, DeviceFit const& fit) {
   write_results(out, fit_results, fit, Digits::all, [&](std::string_view key) {
     if (key == "blocks") return write_rows(out, score_results, fit.blocks, Digits::all);
+    if (key == "tests") return write_rows(out, test_results, fit.tests, Digits::all);
     out.object([&] {
       if (key == "intervals") return write_results(out, interval_results, fit, Digits::all);
       for (auto const& parameter : fit.parameters) out.key(parameter.name).object([&] { write(out, parameter); });
@@ -84,6 +85,7 @@ std::string summary_json(Summary const& summary, std::string_view profile) {
   out.key("devices").objects(summary.devices, [&](DeviceResult const& device) {
     write_members(out, "name", device.name, "file", device.file, "sha256", device.sha256, "status", device.status,
                   "message", device.message, "dead_band_mm", device.record.dead_band_mm);
+    write_tests(out, device);
   });
   out.key("laws").objects(summary.laws, [&](LawResult const& law) { write(out, law); });
   out.member("title", summary.title);

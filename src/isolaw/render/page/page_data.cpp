@@ -102,6 +102,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
   write_properties(out, lot, device);
+  write_tests(out, device);
   write_raw(out, device.raw, most);
   out.key("recognised").objects(device.raw.recognised, [&](Finding const& finding) {
     out.member("sentence", wording::remark(finding)).member("option", finding.word("option"));
@@ -178,6 +179,7 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   out.member("device", device);
   write_results(out, fit_results, fit, Digits::shown, [&](std::string_view key) {
     if (key == "blocks") return write_rows(out, score_results, fit.blocks, Digits::shown);
+    if (key == "tests") return write_rows(out, test_results, fit.tests, Digits::shown);
     out.object([&] {
       if (key == "intervals") return write_results(out, interval_results, fit, Digits::all);
       write_parameter_columns(out, fit.parameters);

@@ -11,6 +11,7 @@
 
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/shell.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
@@ -434,9 +435,11 @@ std::string answer(Summary const& summary, std::string_view directory, int width
                 counted(every.size() - std::min(most, groups.size()), "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
-    text += fmt::format("Next        isolaw export {} --law {} --device {} --to {}\n", directory, law->id,
-                        law->lot ? "lot" : printable(study::device_names(summary).front()),
-                        shown.programs ? "opensees-cpp" : "openseespy");
+    text += fmt::format(
+        "Next        {}\n",
+        shell_quoted(std::vector<std::string>{"isolaw", "export", std::string(directory), "--law", law->id, "--device",
+                                              law->lot ? "lot" : printable(study::device_names(summary).front()), "--to",
+                                              shown.programs ? "opensees-cpp" : "openseespy"}));
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }

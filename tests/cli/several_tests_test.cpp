@@ -1,0 +1,107 @@
+// A device with several tests, which share the parameters of each law: on the command line, in a lot file, in the store,
+// in reports and exports.
+#include <cmath>
+
+#include "cli/records.hpp"
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+Words const laws{"--laws", "bilinear,bouc-wen", "--replicates", "0", "--figures", "none"};
+
+class SeveralTests : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    write("small.csv", csv(record({.amplitude_mm = 50.0})));
+    write("large.csv", csv(record({.amplitude_mm = 100.0})));
+  }
+};
+
+TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
+  auto const o =
+      isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O", "--figures", "all"} + laws);
+  ASSERT_EQ(o.code, 0) << o;
+  auto const s = json("O/summary.json");
+  ASSERT_EQ(s["devices"].size(), 1u);
+  EXPECT_EQ(s["devices"][0]["name"], "small + large");
+  EXPECT_EQ(s["devices"][0]["tests"][1]["name"], "large");
+  EXPECT_EQ(s["devices"][0]["tests"][1]["file"], "large.csv");
+  for (auto const& law : s["laws"]) {
+    ASSERT_EQ(law["devices"].size(), 1u);
+    auto const& fit = law["devices"][0];
+    ASSERT_EQ(fit["tests"].size(), 2u);
+    double const mean =
+        (fit["tests"][0]["objective"].get<double>() + fit["tests"][1]["objective"].get<double>()) / 2.0;
+    EXPECT_NEAR(fit["objective"]["best"].get<double>(), mean, 1e-9);
+    EXPECT_TRUE(fit["larger_swings_objective"].is_number()) << "the large test shows how the law goes on";
+  }
+  auto const checked = isolaw({"check", "O"});
+  EXPECT_EQ(checked.code, 0) << checked;
+}
+
+// The lot file names what --same-device says, and both give the same numbers. Its tests may be read in different ways.
+TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
+  write("lot.toml",
+        "title = \"lot\"\n[[device]]\nname = \"small + large\"\n[[device.test]]\nfile = \"small.csv\"\n[[device.test]]\n"
+        "file = \"large.csv\"\nname = \"large\"\n");
+  ASSERT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L"} + laws).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O"} + laws).code, 0);
+  EXPECT_EQ(json("L/summary.json")["laws"], json("O/summary.json")["laws"]);
+  ASSERT_EQ(isolaw({"init", "small.csv", "large.csv", "--same-device", "--out", "made.toml"}).code, 0);
+  auto const made = read("made.toml");
+  EXPECT_TRUE(contains(made, "[[device.test]]")) << made;
+  ASSERT_EQ(isolaw(Words{"calibrate", "made.toml", "--out", "M"} + laws).code, 0);
+  EXPECT_EQ(json("M/summary.json")["laws"], json("O/summary.json")["laws"]);
+}
+
+TEST_F(SeveralTests, have_each_their_own_way_of_reading) {
+  write("metres.csv", csv(record({.amplitude_mm = 0.1, .stiffness_kN_per_mm = 500.0, .yield_mm = 0.01}), "time,a,b"));
+  write("lot.toml",
+        "[[device]]\nname = \"d\"\n[[device.test]]\nfile = \"small.csv\"\n[[device.test]]\nfile = \"metres.csv\"\n"
+        "columns = { disp = \"a\", force = \"b\" }\nunits = { time = \"s\", disp = \"m\", force = \"kN\" }\n");
+  auto const o = isolaw({"inspect", "lot.toml", "--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const device = Json::parse(o.out);
+  EXPECT_EQ(device["tests"].size(), 2u);
+  EXPECT_EQ(device["blocks"].size(), 2u);
+  EXPECT_NEAR(device["blocks"][1]["amplitude_mm"].get<double>(), 100.0, 0.1);
+}
+
+TEST_F(SeveralTests, are_refused_where_they_make_no_sense) {
+  auto const device = [](std::string const& rest) { return "[[device]]\nname = \"d\"\n" + rest; };
+  auto const refused = [&](std::string const& lot, Words const& parts) {
+    write("lot.toml", lot);
+    expect_refused(isolaw({"inspect", "lot.toml"}), parts);
+  };
+  refused(device("file = \"small.csv\"\n[[device.test]]\nfile = \"large.csv\"\n"),
+          {"a device with a file and with tests"});
+  refused(device("[[device.test]]\nname = \"a\"\n"), {"a test without a file"});
+  refused(device("[[device.test]]\nfile = \"small.csv\"\nname = \"a\"\n[[device.test]]\nfile = \"large.csv\"\nname = \"a\"\n"),
+          {"two tests of a device are named 'a'"});
+  refused(device("[[device.test]]\nfile = \"../x.csv\"\n"), {"lot.toml:4", "leads outside"});
+  refused(device("[[device.test]]\nfile = \"small.csv\"\nfiel = 1\n"), {"unknown key 'fiel'", "file"});
+  refused(device(""), {"a device without a file", "[[device.test]]"});
+  write("lot.toml", device("file = \"small.csv\"\n"));
+  expect_refused(isolaw({"inspect", "lot.toml", "--same-device"}), {"--same-device", "[[device.test]]"});
+}
+
+TEST_F(SeveralTests, are_read_from_the_store_and_exported) {
+  ASSERT_EQ(isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O"} + laws).code, 0);
+  auto const before = json("O/summary.json");
+  ASSERT_EQ(isolaw({"report", "O", "--out", "R", "--figures", "none"}).code, 0);
+  EXPECT_EQ(json("R/summary.json")["laws"], before["laws"]);
+  auto const page = page_data(read("R/report.html"));
+  EXPECT_EQ(page["devices"][0]["tests"].size(), 2u);
+  EXPECT_TRUE(contains(page["command"].get<std::string>(), "small.csv large.csv --same-device")) << page["command"];
+  auto const exported =
+      isolaw({"export", "O", "--law", "bilinear", "--device", "small + large", "--to", "opensees", "--out", "b.tcl"});
+  EXPECT_EQ(exported.code, 0) << exported;
+  auto const again = isolaw(Words{"calibrate", "small.csv", "large.csv", "--out", "O"} + laws);
+  EXPECT_NE(again.code, 0) << "two devices are another campaign than one device with two tests";
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test
