@@ -50,7 +50,7 @@ std::vector<double> part(std::vector<double> const& values, TestRange const& ran
   return {found.begin(), found.end()};
 }
 
-TEST(SeveralTests, StandOneAfterAnotherAndComeApartAgain) {
+TEST(TestsOfADevice, StandOneAfterAnotherAndComeApartAgain) {
   auto const small = cyclic(50.0), large = cyclic(100.0, 3.0);
   auto const record = joined_record({small, large});
   ASSERT_EQ(record.starts, (std::vector<std::size_t>{0, small.size()}));
@@ -66,14 +66,14 @@ TEST(SeveralTests, StandOneAfterAnotherAndComeApartAgain) {
   EXPECT_EQ(joined_record({small}).starts, std::vector<std::size_t>{}) << "one test is a record like any other";
 }
 
-TEST(SeveralTests, NeedNamesOfTheirOwnAndTimeInAllOrNone) {
+TEST(TestsOfADevice, NeedNamesOfTheirOwnAndTimeInAllOrNone) {
   EXPECT_THROW(record_of_tests({{"a", cyclic(50.0)}, {"a", cyclic(60.0)}}), Error);
   auto timeless = cyclic(50.0);
   timeless.time_s.clear();
   EXPECT_THROW(joined_record({cyclic(50.0), timeless}), Error);
 }
 
-TEST(SeveralTests, KeepFaultsWarningsAndCorrectionsOfEach) {
+TEST(TestsOfADevice, KeepFaultsWarningsAndCorrectionsOfEach) {
   auto first = cyclic(50.0), second = cyclic(60.0);
   second.faults = {{.kind = FaultKind::spike, .channel = "force", .samples = {3}}};
   second.warnings = {{.kind = FindingKind::channel_interpolated}};
@@ -86,7 +86,7 @@ TEST(SeveralTests, KeepFaultsWarningsAndCorrectionsOfEach) {
   EXPECT_EQ(record.corrections[0].word("part"), "b");
 }
 
-TEST(SeveralTests, AreCutIntoCyclesEachByItself) {
+TEST(TestsOfADevice, AreCutIntoCyclesEachByItself) {
   auto const small = cyclic(50.0), large = cyclic(100.0, 3.0);
   auto const both = cyclic_properties(joined_record({small, large}));
   auto const one = cyclic_properties(small), two = cyclic_properties(large);
@@ -105,13 +105,13 @@ TEST(SeveralTests, AreCutIntoCyclesEachByItself) {
 }
 
 // A test that is not cyclic takes nothing from one that is.
-TEST(SeveralTests, OneCyclicTestIsEnoughForProperties) {
+TEST(TestsOfADevice, OneCyclicTestIsEnoughForProperties) {
   auto const both = cyclic_properties(joined_record({monotonic(), cyclic(80.0)}));
   EXPECT_TRUE(both.refusal.empty());
   EXPECT_NEAR(both.reported.value().amplitude_mm, 80.0, 1e-9);
 }
 
-TEST(SeveralTests, AreCleanedEachByItself) {
+TEST(TestsOfADevice, AreCleanedEachByItself) {
   auto const small = cyclic(50.0, 2.0, 800), large = cyclic(100.0, 3.0, 400);
   CleanOptions const options{.smooth = 3, .center = true};
   auto const both = clean(joined_record({small, large}), options);
@@ -126,7 +126,7 @@ TEST(SeveralTests, AreCleanedEachByItself) {
 }
 
 // Each test has one amplitude, but the device has two: its samples count by swing.
-TEST(SeveralTests, DecideTogetherHowSamplesCount) {
+TEST(TestsOfADevice, DecideTogetherHowSamplesCount) {
   auto const small = cyclic(50.0), large = cyclic(100.0);
   EXPECT_TRUE(clean(small, {}).weights.empty());
   auto const both = clean(joined_record({small, large}), {});
@@ -138,7 +138,7 @@ TEST(SeveralTests, DecideTogetherHowSamplesCount) {
   EXPECT_TRUE(clean(joined_record({small, large}), {.weights = Weighting::time}).weights.empty());
 }
 
-TEST(SeveralTests, ATestWithoutSwingsCountsByItsTimeAndSaysSo) {
+TEST(TestsOfADevice, ATestWithoutSwingsCountsByItsTimeAndSaysSo) {
   auto const both = clean(joined_record({monotonic(), cyclic(100.0), cyclic(50.0)}), {});
   auto const first = test_ranges(both.starts, both.size())[0];
   auto const weights = part(both.weights, first);
@@ -150,7 +150,7 @@ TEST(SeveralTests, ATestWithoutSwingsCountsByItsTimeAndSaysSo) {
   EXPECT_EQ(of_first->word("weights"), "time");
 }
 
-TEST(SeveralTests, BlocksAreNumberedThroughTheDevice) {
+TEST(TestsOfADevice, BlocksAreNumberedThroughTheDevice) {
   CleanOptions options;
   options.scored.blocks = parse_numbers("--fit-blocks", "2");
   auto const both = clean(joined_record({cyclic(50.0), cyclic(100.0)}), options);

@@ -87,7 +87,8 @@ TEST(SummaryJson, ExactText) {
       "sha256": "00ff",
       "status": "ok",
       "message": "",
-      "dead_band_mm": 0
+      "dead_band_mm": 0,
+      "tests": []
     }
   ],
   "laws": [
@@ -155,6 +156,7 @@ TEST(SummaryJson, ExactText) {
           "springs_objective": null,
           "springs_given_objective": null,
           "blocks": [],
+          "tests": [],
           "measured_energy_fall_percent": null,
           "energy_fall_percent": null
         }

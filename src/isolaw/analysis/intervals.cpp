@@ -1,6 +1,7 @@
 #include "isolaw/analysis/intervals.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <numbers>
@@ -67,13 +68,21 @@ Matrix curvature(Sensitivity const& response) {
   return num::weighted_gram(response.jacobian, weights);
 }
 
-// The factor n / (n - p) by which the variance grows, because fitting makes residuals smaller and less correlated than
-// the errors. The record tells as much as n independent samples. The factor is at most 4, which doubles the intervals.
-double freedom_lost(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
+// What is left of a record after a fit of `fitted` parameters, if neighbouring residuals are correlated.
+struct Freedom {
+  double share = 1.0;    // 1 - p / n, where n is the number of independent samples that the record is worth
+  double degrees = 0.0;  // n - p
+};
+// The residuals of the fit are less correlated than the errors, by about the same share. So the number of independent
+// samples that they seem to be is n / share, and n is the larger root of n^2 - seeming n + p seeming = 0. The share is
+// at least a half, which doubles the intervals.
+Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
-  double const independent = static_cast<double>(samples) / std::max(1.0, total);
-  return independent / std::max(independent - static_cast<double>(fitted), 0.25 * independent);
+  double const seeming = static_cast<double>(samples) / std::max(1.0, total), p = static_cast<double>(fitted);
+  double const n = 0.5 * (seeming + std::sqrt(std::max(0.0, seeming * (seeming - 4.0 * p))));
+  double const share = std::max(0.5, 1.0 - p / n);
+  return {.share = share, .degrees = std::max(2.0, share * n)};
 }
 
 // Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of signs at one distance get
@@ -187,6 +196,10 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   for (double const weight : model.residual_weights()) result.samples += weight > 0.0 ? 1 : 0;
   result.block = 1;
   std::vector<std::vector<double>> refits(n);
+  double const tail = 0.5 * (1.0 - options.level);
+  double const normal_reach = std::numbers::sqrt2 * boost::math::erf_inv(options.level);
+  double reach = normal_reach;  // half the interval over the standard deviation
+  double widening = 1.0;        // of the bootstrap's intervals
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
@@ -197,8 +210,12 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     auto const neighbours = serial({signs.data(), result.samples}, 0.0);
     result.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
                                            std::max<std::size_t>(1, result.samples / 8));
-    covariance = covariance_in_box(curvature(response), variance_of_score(response, neighbours.correlation) *
-                                                            freedom_lost(result.samples, n, neighbours.correlation));
+    auto const left = freedom_left(result.samples, n, neighbours.correlation);
+    // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V.
+    covariance = covariance_in_box(curvature(response) * left.share,
+                                   variance_of_score(response, neighbours.correlation));
+    reach = boost::math::quantile(boost::math::students_t(left.degrees), 1.0 - tail);
+    widening = reach / normal_reach / left.share;
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
     std::vector<opt::Found> fits(count);
     WorkAhead replicates(count, [&](std::size_t i) {
@@ -216,7 +233,6 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     }
   }
 
-  double const z = std::numbers::sqrt2 * boost::math::erf_inv(options.level), tail = 0.5 * (1.0 - options.level);
   std::size_t const free_count = box.free_count();
   result.covariance.assign(free_count * free_count, 0.0);
   std::vector<std::pair<std::size_t, double>> inside;  // index among free parameters of `box`, d value / d coordinate
@@ -229,12 +245,13 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
       if (options.replicates > 0) found.bootstrap_lower = found.bootstrap_upper = optimum[i];
     } else {
       auto const k = inside.size();  // index among the free parameters of `inner`
-      double const reach = z * std::sqrt(covariance(static_cast<Index>(k), static_cast<Index>(k)));
-      found.linear_lower = p.at(start[k] - reach);
-      found.linear_upper = p.at(start[k] + reach);
+      double const half = reach * std::sqrt(covariance(static_cast<Index>(k), static_cast<Index>(k)));
+      found.linear_lower = p.at(start[k] - half);
+      found.linear_upper = p.at(start[k] + half);
       if (refits[k].size() > 1) {
-        found.bootstrap_lower = p.at(quantile(refits[k], tail));
-        found.bootstrap_upper = p.at(quantile(refits[k], 1.0 - tail));
+        auto const widened = [&](double quantile_) { return p.at(start[k] + widening * (quantile_ - start[k])); };
+        found.bootstrap_lower = widened(quantile(refits[k], tail));
+        found.bootstrap_upper = widened(quantile(refits[k], 1.0 - tail));
       }
       inside.emplace_back(row, slope(p, start[k]));
     }
