@@ -97,11 +97,13 @@ class Choice(unittest.TestCase):
 
     def test_a_hold_inside_a_test_changes_nothing(self):
         """Three cycles, with and without sixty seconds in which the device stands still."""
-        x = cycles([60.0], per_cycle=200) + cycles([100.0])
+        draw, at = random.Random(3), 700
+        x = cycles([60.0]) + cycles([100.0])
         force = DEVICES["lead-rubber"](x)
-        at = 700
-        write_record(self.folder / "plain.csv", x, force)
-        write_record(self.folder / "held.csv", x[:at] + [x[at]] * 6000 + x[at:], force[:at] + [force[at]] * 6000 + force[at:])
+        for name, hold in (("plain", 0), ("held", 6000)):
+            samples = list(zip(x[:at] + [x[at]] * hold + x[at:], force[:at] + [force[at]] * hold + force[at:]))
+            write_record(self.folder / f"{name}.csv", [a + 0.01 * draw.gauss(0.0, 1.0) for a, _ in samples],
+                         [f + 2.0 * draw.gauss(0.0, 1.0) for _, f in samples])
         found = [self.calibrate(name, f"{name}.csv", "--laws", "bilinear,bouc-wen,ramberg-osgood", "--samples-per-cycle", "all")
                  for name in ("plain", "held")]
         self.assertEqual(*(one["recommendation"]["law"] for one in found))
@@ -133,11 +135,12 @@ class Choice(unittest.TestCase):
     def test_the_example_lot_is_answered_for_a_device_left_out(self):
         """The paper's laws, one amplitude: samples count by time, and no swing is larger than the others."""
         self.isolaw("example", "lot")
-        records = sorted((self.folder / "lot").glob("device-*.csv"))
-        summary = self.calibrate("out", *records, "--laws", "paper")
+        summary = self.calibrate("out", "lot", "--laws", "paper")
         wanted = {"jankowski": 0.0419, "hwang-wu": 0.0421, "abe-y0": 0.0441, "abe": 0.0441, "bouc-wen": 0.0461, "vaiana": 0.0476, "bilinear": 0.0657}
         for law in summary["laws"]:
-            self.assertAlmostEqual(law["loo_objective"], wanted[law["id"]], delta=0.02 * wanted[law["id"]], msg=law["id"])
+            # One run in ten finds vaiana's best fit, so the lot's law depends on the starts.
+            tolerance = 0.06 if law["id"] == "vaiana" else 0.01
+            self.assertAlmostEqual(law["loo_objective"], wanted[law["id"]], delta=tolerance * wanted[law["id"]], msg=law["id"])
             self.assertIsNone(law["larger_swings_objective"])
         self.assertEqual(summary["recommendation"]["law"], "bouc-wen")
 

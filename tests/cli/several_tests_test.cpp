@@ -21,7 +21,7 @@ class SeveralTests : public InFreshDirectory {
 };
 
 TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
-  auto const o = isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O"} + laws);
+  auto const o = isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O", "--analysis", "full"} + laws);
   ASSERT_EQ(o.code, 0) << o;
   auto const s = json("O/summary.json");
   ASSERT_EQ(s["devices"].size(), 1u);
