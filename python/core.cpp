@@ -703,8 +703,8 @@ void add_records(py::module_& m) {
         if (named.empty())
           throw Error({.where = "records", .found = "there are none", .allowed = "one record or more"});
         auto record = std::make_shared<Record>(Record{.name = {}, .raw = data::record_of_tests(std::move(named))});
-        record->name = name.value_or(tests.size() == 1 ? tests.front()->name
-                                                       : campaign::name_of_tests(record->raw.tests));
+        record->name =
+            name.value_or(tests.size() == 1 ? tests.front()->name : campaign::name_of_tests(record->raw.tests));
         return record;
       },
       py::arg("records"), py::arg("name"));

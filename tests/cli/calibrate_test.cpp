@@ -136,7 +136,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
   EXPECT_EQ(s["seed"], 1);
   ASSERT_EQ(s["devices"].size(), 10u);
   for (auto const& device : s["devices"]) {
-    EXPECT_EQ(keys(device), (Words{"name", "file", "sha256", "status", "message", "dead_band_mm"}));
+    EXPECT_EQ(keys(device), (Words{"name", "file", "sha256", "status", "message", "dead_band_mm", "tests"}));
     EXPECT_EQ(device["status"], "ok");
     EXPECT_EQ(device["message"], "");
     EXPECT_EQ(device["sha256"].get<std::string>().size(), 64u);
@@ -221,6 +221,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                   "springs_objective",
                                   "springs_given_objective",
                                   "blocks",
+                                  "tests",
                                   "measured_energy_fall_percent",
                                   "energy_fall_percent"}));
       EXPECT_EQ(fit["name"], s["devices"][d]["name"]);
@@ -491,7 +492,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
             (Words{"fit|disp_mm|601", "fit|force_kN|601", "fit|time_s|601", "fit|vel_mm_s|601", "raw|disp_mm|601",
                    "raw|force_kN|601", "raw|load_kN|601", "raw|time_s|601"}));
   EXPECT_EQ(query(store, "SELECT DISTINCT length(history) / 8, evaluations FROM run"), Words{"5|100"});
-  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"11"});
+  EXPECT_EQ(query(store, "SELECT value FROM meta WHERE key = 'schema'"), Words{"12"});
   EXPECT_EQ(query(store, "PRAGMA journal_mode"), Words{"delete"});
 }
 

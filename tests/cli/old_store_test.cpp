@@ -21,7 +21,7 @@ TEST_F(OldStore, is_refused_with_what_to_do_and_not_changed) {
   Words const calibrate{"calibrate", "a.csv", "--laws", "bilinear", "--out", "O"};
   for (Words const& command : {Words{"report", "O"}, Words{"check", "O"}, Words{"sample", "O", "--law", "bilinear"},
                                Words{"export", "O", "--law", "bilinear", "--device", "a", "--to", "json"}, calibrate})
-    expect_refused(isolaw(command), {"O/campaign.sqlite: a store of schema 8, written by isolaw '0.3.0'", "schema 11",
+    expect_refused(isolaw(command), {"O/campaign.sqlite: a store of schema 8, written by isolaw '0.3.0'", "schema 12",
                                      "calibrate again with the same command and --fresh", "the isolaw that wrote it"});
   EXPECT_EQ(read("O/campaign.sqlite"), read_file(stored()));
   EXPECT_EQ(isolaw(calibrate + Words{"--runs", "1", "--analysis", "none", "--fresh"}).code, 0);

@@ -1,5 +1,5 @@
-// A device with several tests, which share the parameters of each law: on the command line, in a lot file, in the store,
-// in reports and exports.
+// A device with several tests, which share the parameters of each law: on the command line, in a lot file, in the
+// store, in reports and exports.
 #include <cmath>
 
 #include "cli/records.hpp"
@@ -21,7 +21,8 @@ class SeveralTests : public InFreshDirectory {
 };
 
 TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
-  auto const o = isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O", "--analysis", "full"} + laws);
+  auto const o =
+      isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O", "--analysis", "full"} + laws);
   ASSERT_EQ(o.code, 0) << o;
   auto const s = json("O/summary.json");
   ASSERT_EQ(s["devices"].size(), 1u);
@@ -32,8 +33,7 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
     ASSERT_EQ(law["devices"].size(), 1u);
     auto const& fit = law["devices"][0];
     ASSERT_EQ(fit["tests"].size(), 2u);
-    double const mean =
-        (fit["tests"][0]["objective"].get<double>() + fit["tests"][1]["objective"].get<double>()) / 2.0;
+    double const mean = (fit["tests"][0]["objective"].get<double>() + fit["tests"][1]["objective"].get<double>()) / 2.0;
     EXPECT_NEAR(fit["objective"]["best"].get<double>(), mean, 1e-9);
     EXPECT_TRUE(fit["larger_swings_objective"].is_number()) << "the large test shows how the law goes on";
   }
@@ -43,9 +43,10 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
 
 // The lot file names what --same-device says, and both give the same numbers. Its tests may be read in different ways.
 TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
-  write("lot.toml",
-        "title = \"lot\"\n[[device]]\nname = \"small + large\"\n[[device.test]]\nfile = \"small.csv\"\n[[device.test]]\n"
-        "file = \"large.csv\"\nname = \"large\"\n");
+  write(
+      "lot.toml",
+      "title = \"lot\"\n[[device]]\nname = \"small + large\"\n[[device.test]]\nfile = \"small.csv\"\n[[device.test]]\n"
+      "file = \"large.csv\"\nname = \"large\"\n");
   ASSERT_EQ(isolaw(Words{"calibrate", "lot.toml", "--out", "L"} + laws).code, 0);
   ASSERT_EQ(isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O"} + laws).code, 0);
   EXPECT_EQ(json("L/summary.json")["laws"], json("O/summary.json")["laws"]);
@@ -78,10 +79,13 @@ TEST_F(SeveralTests, are_refused_where_they_make_no_sense) {
   refused(device("file = \"small.csv\"\n[[device.test]]\nfile = \"large.csv\"\n"),
           {"a device with a file and with tests"});
   refused(device("[[device.test]]\nname = \"a\"\n"), {"a test without a file"});
-  refused(device("[[device.test]]\nfile = \"small.csv\"\nname = \"a\"\n[[device.test]]\nfile = \"large.csv\"\nname = \"a\"\n"),
-          {"two tests of a device are named 'a'"});
+  refused(
+      device(
+          "[[device.test]]\nfile = \"small.csv\"\nname = \"a\"\n[[device.test]]\nfile = \"large.csv\"\nname = \"a\"\n"),
+      {"two tests of a device are named 'a'"});
   refused(device("[[device.test]]\nfile = \"../x.csv\"\n"), {"lot.toml:4", "leads outside"});
   refused(device("[[device.test]]\nfile = \"small.csv\"\nfiel = 1\n"), {"unknown key 'fiel'", "file"});
+  refused("[[read.test]]\nfile = \"small.csv\"\n" + device("file = \"small.csv\"\n"), {"lot.toml:1", "test"});
   refused(device(""), {"a device without a file", "[[device.test]]"});
   write("lot.toml", device("file = \"small.csv\"\n"));
   expect_refused(isolaw({"inspect", "lot.toml", "--same-device"}), {"--same-device", "[[device.test]]"});

@@ -130,8 +130,7 @@ TEST(SeveralTests, ATestWithoutScoredSamplesTakesNoPart) {
   auto const& law = laws::find_law("bilinear");
   std::vector<double> const parameters{1.5, 0.5, 30.0};
   std::vector<double> work;
-  double const alone =
-      LawOnRecord(law, device.large, laws::Integration::converged).objective(parameters, work);
+  double const alone = LawOnRecord(law, device.large, laws::Integration::converged).objective(parameters, work);
   LawOnRecord const model(law, both, laws::Integration::converged);
   EXPECT_NEAR(model.objective(parameters, work), alone, 1e-12);
   auto const force = model.force_kN(parameters);

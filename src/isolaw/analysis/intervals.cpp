@@ -212,8 +212,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                            std::max<std::size_t>(1, result.samples / 8));
     auto const left = freedom_left(result.samples, n, neighbours.correlation);
     // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V.
-    covariance = covariance_in_box(curvature(response) * left.share,
-                                   variance_of_score(response, neighbours.correlation));
+    covariance =
+        covariance_in_box(curvature(response) * left.share, variance_of_score(response, neighbours.correlation));
     reach = boost::math::quantile(boost::math::students_t(left.degrees), 1.0 - tail);
     widening = reach / normal_reach / left.share;
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));

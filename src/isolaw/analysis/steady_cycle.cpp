@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t per_cycle = 4000, cycles = 3;
 constexpr double inner_part = 0.8;  // of the amplitude: nearer to the peaks a force may change fast
 
-// The sine with a force of 1 kN per mm, because the kernels compute the difference between a law and a measured force.
+// The sine, with a force of 1 kN per mm that stands for a measured one: the kernels give a law's difference from it,
+// and steady_cycles() adds it again. Any force would do that is not constant.
 data::FitRecord sine(SteadyMotion const& motion) {
   data::FitRecord record;
   double const rate = 2.0 * std::numbers::pi / motion.period_s;
@@ -65,8 +66,7 @@ std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std:
         [&](std::size_t i, std::span<double> values) { std::ranges::copy(parameters[first + i], values.begin()); },
         stride, rows);
     for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = 0; j < record.size(); ++j)
-        force[j] = record.force_kN[j] - spread_kN * rows[j * stride + i];
+      for (std::size_t j = 0; j < record.size(); ++j) force[j] = record.force_kN[j] - spread_kN * rows[j * stride + i];
       found.push_back(third_cycle(force, record.disp_mm, motion.amplitude_mm));
     }
   }

@@ -35,7 +35,8 @@ campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem:
 // Fits `settings.laws` (the usual laws if empty) to every record, as the command `isolaw calibrate` does. The same
 // settings, records, names and seed give the same numbers, whatever the number of threads. After an interruption
 // complete() is false, and the same call with the same directory continues the campaign. Throws Error for empty or
-// repeated names, wrong settings, no usable record, an unusable directory, and a part without a directory.
+// repeated names, wrong settings, no usable record, an unusable directory, and if `options` ask for a part of the
+// campaign's runs but give no directory to keep it in.
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options = {});
 

@@ -90,7 +90,8 @@ Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord c
 }
 
 // If more than a thousandth of an optimum's objective is step error, the law is fitted again from this optimum in finer
-// steps, until steps two and four times finer agree. The run fails if finer steps give no finite force.
+// steps, until steps two and four times finer give the same objective within this thousandth. The run fails if finer
+// steps give no finite force.
 void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;

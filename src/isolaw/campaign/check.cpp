@@ -45,8 +45,8 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
     auto const& stored = device.record;
     if (!close(again.time_s, stored.time_s) || !close(again.disp_mm, stored.disp_mm) ||
         !close(again.vel_mm_s, stored.vel_mm_s) || !close(again.force_kN, stored.force_kN) ||
-        again.starts != stored.starts || again.scored != stored.scored || again.block != stored.block || !close(again.weights, stored.weights) ||
-        !close(again.dead_band_mm, stored.dead_band_mm))
+        again.starts != stored.starts || again.scored != stored.scored || again.block != stored.block ||
+        !close(again.weights, stored.weights) || !close(again.dead_band_mm, stored.dead_band_mm))
       faults.push_back(fmt::format("{}: the record the laws saw is not the one its raw record gives", device.name));
   } catch (Error const& error) {
     faults.push_back(fmt::format("{}: its raw record cannot be cleaned again: {}", device.name, error.what()));

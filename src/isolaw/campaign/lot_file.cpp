@@ -36,10 +36,15 @@ void read_settings(TomlTable& table, Settings& settings) {
   }
 }
 
-void read_reading(TomlTable& table, data::ReadOptions& options) {
+bool has_tests(TomlTable& device) {
+  auto const* tests = device.find("test");
+  return tests != nullptr && tests->is_array_of_tables();
+}
+
+// The tables [[device.test]] have the name of the option that chooses one of a file's tests; `skip_tests` passes them.
+void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests = false) {
   for (auto const& option : data::reading_table())
-    // The tables [[device.test]] have the name of the option that chooses one of a file's tests.
-    if (auto const* node = table.find(option.option()); node != nullptr && !node->is_array_of_tables())
+    if (!skip_tests || option.option() != "test")
       table.json(option.option(), [&](Json const& value) { option.set(options, value); });
   try {
     options.corrections.validate();
@@ -177,17 +182,17 @@ class DeviceReader {
     device.name = name_in(table);
     for (auto const& option : info_table())
       table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
-    auto only = test_in(table, source, defaults);
-    auto const* tests = table.find("test");
-    if (tests != nullptr && tests->is_array_of_tables()) {
+    auto only = test_in(table, defaults, has_tests(table));
+    if (has_tests(table)) {
+      auto const* tests = table.find("test");
       if (!only.files.empty())
         table.complain(*tests, "a device with a file and with tests", "a file, or [[device.test]] tables with files");
       for (auto const& node : *tests->as_array()) device.tests.push_back(named_test(*node.as_table(), only.read));
       refuse_same_names(table, *tests, device.tests);
     } else {
       if (only.files.empty())
-        table.complain(source, "a device without a file",
-                       "file = \"...\", files = [...], or [[device.test]] tables with a file each");
+        table.complain(source, "a device without a file", "file = \"...\" or files = [...]",
+                       "a [[device.test]] table for each test of a device with several");
       if (device.name.empty() && !only.files.empty()) device.name = name_of_file(only.files.front());
       find_columns(table, source, only);
       device.tests.push_back(std::move(only));
@@ -225,8 +230,8 @@ class DeviceReader {
     return found;
   }
 
-  // Reads the files of a test and how to read them.
-  TestInput test_in(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) const {
+  // Reads the files of a test and how to read them, or, of a device with tests, what its tests share.
+  TestInput test_in(TomlTable& table, data::ReadOptions const& defaults, bool skip_tests) const {
     TestInput test;
     test.read = defaults;
     auto const take_file = [&](std::string const& name) {
@@ -240,7 +245,7 @@ class DeviceReader {
                      "files = [\"...\", \"...\"], read one after another as one history");
     table.strings("file", take_file, longest_path);
     table.strings("files", take_file, longest_path);
-    read_reading(table, test.read);
+    read_reading(table, test.read, skip_tests);
     return test;
   }
 
@@ -261,7 +266,7 @@ class DeviceReader {
 
   TestInput named_test(toml::table const& source, data::ReadOptions const& defaults) const {
     TomlTable table(source, file_, "[[device.test]]", complaints_);
-    auto test = test_in(table, source, defaults);
+    auto test = test_in(table, defaults, false);
     find_columns(table, source, test);
     test.name = name_in(table);
     if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
@@ -510,8 +515,7 @@ Lot as_one_device(Lot lot) {
 
 std::string name_of_tests(std::span<data::TestSource const> tests) {
   constexpr std::size_t most_named = 3;
-  if (tests.size() > most_named)
-    return fmt::format("{} and {} more tests", tests.front().name, tests.size() - 1);
+  if (tests.size() > most_named) return fmt::format("{} and {} more tests", tests.front().name, tests.size() - 1);
   std::vector<std::string> names;
   for (auto const& test : tests) names.push_back(test.name);
   return joined(names, " + ");

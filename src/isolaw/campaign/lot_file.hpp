@@ -25,7 +25,7 @@ struct VerticalInput {  // a compression test before it is read: a file, or just
   bool given() const { return !file.empty() || stated_kN_per_mm; }
 };
 
-struct TestInput {  // one test before its record is read
+struct TestInput {                           // one test before its record is read
   std::string name = {};                     // empty for the only test of a device
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::string shown_file;                    // the name in reports

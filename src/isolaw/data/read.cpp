@@ -261,8 +261,9 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
   for (auto const& test : record.tests) names.push_back(test.name);
   record.recognised.push_back(decision(
       FindingKind::test_chosen,
-      fmt::format("{} tests of one device: {}; they share the parameters of each law, which starts at rest in each test",
-                  names.size(), joined(names)),
+      fmt::format(
+          "{} tests of one device: {}; they share the parameters of each law, which starts at rest in each test",
+          names.size(), joined(names)),
       "--same-device"));
   return record;
 }

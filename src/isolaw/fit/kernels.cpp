@@ -41,7 +41,8 @@ inline constexpr bool crowded = requires {
   Law::crowded;
 };
 
-// Computes the objectives of a block in parts if the whole block would need more registers than the processor has.
+// Computes the objectives of a block of candidates in parts if the whole block would need more registers than the
+// processor has.
 template <class Law, std::size_t Block, class T = num::Batch<Block>>
 void objectives(double const* parameters, KernelRecord const& record, laws::Integration integration, double* out) {
   constexpr auto part = Block > 8 * num::vector_lanes ? narrow_block

@@ -102,8 +102,8 @@ double spread_of(data::FitRecord const& record, std::vector<double> const& value
   return std::sqrt(variance);
 }
 
-// Refuses tests without duration, tests of which no scored sample counts by the weights, and a constant force. For these
-// the objective would be arbitrary. Returns the number of tests of which samples count.
+// Refuses tests without duration, tests of which no scored sample counts by the weights, and a constant force. For
+// these the objective would be arbitrary. Returns the number of tests of which samples count.
 std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::FitRecord const> tests) {
   auto const refuse = [&](std::string found, std::string allowed) {
     throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});

@@ -164,8 +164,8 @@ struct Gallardo {
     return exp2(-log2(T(1.0) - T(2.0) * phi) / p.n);
   }
 
-  // Must be called when the motion turns at x and goes on in `direction`. Sets the strength that z has after it passes
-  // 0, and the place on the curve of `flow` from which z goes on.
+  // Must be called when the motion turns at x and goes on in `direction`. Sets the strength by which z is divided after
+  // it passes 0, and the place on the curve of `flow` from which z goes on.
   template <class T, class X, class N>
   static void turn(Params<T> const& p, Constants<T, X> const& c, State<N>& state, double x, double direction) {
     N const none(0.0), z = N(direction) * state.z;

@@ -83,7 +83,8 @@ Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, st
 
 Realisation realise(Subject const& subject);
 
-// Replays a form's commands in a unit system, as the program would, and returns the force in kN.
+// Replays a form, the commands that stand for a law in a program, in a unit system, as the program would, and returns
+// the force in kN.
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm);
 
 // Replays a form and stores the result in `realised`. Returns how the form differs from the law, or "" if it agrees.

@@ -158,7 +158,8 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-// Sets the errors of one test: on its cycle, or on its largest swings if it has no cycles. They stay empty without both.
+// Sets the errors of one test: on its cycle, or on its largest swings if it has no cycles. They stay empty without
+// both.
 void compare_properties(TestFit& fitted, data::FitRecord const& record, std::span<double const> force_kN) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});

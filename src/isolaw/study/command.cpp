@@ -38,8 +38,8 @@ std::vector<std::string_view> options_of(DeviceResult const& device) {
     return {recognised.empty() ? std::string_view() : recognised.front().word(campaign::given_options)};
   std::vector<std::string_view> options;
   for (auto const& test : device.raw.tests) {
-    auto const first = std::ranges::find_if(
-        recognised, [&](Finding const& finding) { return finding.word("part") == test.name; });
+    auto const first =
+        std::ranges::find_if(recognised, [&](Finding const& finding) { return finding.word("part") == test.name; });
     options.push_back(first == recognised.end() ? std::string_view() : first->word(campaign::given_options));
   }
   return options;

@@ -61,11 +61,11 @@ struct FitRecord {
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
-  std::vector<double> weights = {};    // how much a sample counts in the objective, to any scale; empty: its time
-  std::vector<double> block = {};      // number of each sample's block if only some blocks are fitted, else empty
+  std::vector<double> weights = {};      // how much a sample counts in the objective, to any scale; empty: its time
+  std::vector<double> block = {};        // number of each sample's block if only some blocks are fitted, else empty
   std::vector<std::size_t> starts = {};  // as in TestRecord: laws begin anew at each test
-  double dead_band_mm = 0.0;           // laws that remember turning points ignore smaller reversals
-  std::vector<Finding> cleaning = {};  // each step of cleaning, with its numbers
+  double dead_band_mm = 0.0;             // laws that remember turning points ignore smaller reversals
+  std::vector<Finding> cleaning = {};    // each step of cleaning, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }
   bool is_scored(std::size_t i) const { return scored.empty() || scored[i] != 0.0; }

@@ -39,9 +39,9 @@ struct Segmentation {
   std::vector<CycleCut> cycles;    // in order, with partial cycles; also set if the record is not cyclic
 };
 
-// If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by itself,
-// and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in time and
-// memory.
+// If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
+// itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in
+// time and memory.
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {},
                      std::span<std::size_t const> starts = {});
 

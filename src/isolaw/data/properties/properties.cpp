@@ -341,8 +341,8 @@ Properties cyclic_properties(CycleView const& given) {
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  auto properties = cyclic_properties(
-      CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
+  auto properties =
+      cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
   properties.refusal.clear();

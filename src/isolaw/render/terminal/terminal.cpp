@@ -388,7 +388,9 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
   bool fresh = true;
   std::string const clean = printable(text);
   for (std::size_t at = 0; at < clean.size();) {
-    std::size_t const end = std::min(clean.find(' ', at), clean.size());
+    std::size_t end = std::min(clean.find(' ', at), clean.size());
+    // A number stays with its percent sign.
+    if (clean.compare(end, 2, " %") == 0) end = std::min(clean.find(' ', end + 1), clean.size());
     std::string_view const word = std::string_view(clean).substr(at, end - at);
     if (!fresh && columns(line) + 1 + columns(word) > width) {
       out += line + '\n';
@@ -438,8 +440,8 @@ std::string answer(Summary const& summary, std::string_view directory, int width
     text += fmt::format(
         "Next        {}\n",
         shell_quoted(std::vector<std::string>{"isolaw", "export", std::string(directory), "--law", law->id, "--device",
-                                              law->lot ? "lot" : printable(study::device_names(summary).front()), "--to",
-                                              shown.programs ? "opensees-cpp" : "openseespy"}));
+                                              law->lot ? "lot" : printable(study::device_names(summary).front()),
+                                              "--to", shown.programs ? "opensees-cpp" : "openseespy"}));
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }

@@ -1,4 +1,4 @@
-// The choices of a report when it opens, and controls for its devices and laws.
+// The device and laws that a report shows when it opens, and the controls with which its reader chooses others.
 
 import { choose, chooser, chosen } from './choice.js';
 import {

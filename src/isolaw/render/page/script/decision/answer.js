@@ -19,10 +19,10 @@ function answer() {
   return element(
     'div',
     { class: 'answer' },
-    element('p', { class: 'headline' }, ...withBadges(answerOf(purpose, chosen.view), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
+    element('p', { class: 'headline' }, ...withBadges(sentence(answerOf(purpose, chosen.view)), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
-    surer ? element('p', { class: 'why' }, 'To be surer: ' + surer + '.') : null,
+    surer ? element('p', { class: 'why' }, 'To be surer: ' + sentence(surer) + '.') : null,
     recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );
 }

@@ -1,6 +1,6 @@
 import { chosen } from '../choice.js';
 import { onScreen } from '../dom.js';
-import { THIN, fixed, signed } from '../text.js';
+import { THIN, enumerate, fixed, signed } from '../text.js';
 import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, isScored, loopData, measuredCurve, shownLoops } from './fits.js';
 
 export const loopFigure = {
@@ -30,8 +30,9 @@ function loopCaption() {
     device.record.drawn < device.record.samples
       ? ' Drawn: ' + device.record.drawn + ' of ' + device.record.samples + ' samples.'
       : '';
+  const tests = device.tests.length > 0 ? ' Its tests: ' + enumerate(device.tests.map(({ name }) => name)) + '.' : '';
   return (
-    device.name + ', measured (grey) and best fits. ' + said.join('; ') +
+    device.name + ', measured (grey) and best fits.' + tests + ' ' + said.join('; ') +
     (said.length > 0 ? '.' : onScreen('Choose a law above.')) +
     missing.map((law) => ' ' + law.name + ' has no fit' + why(law) + '.').join('') + partly + cutOff(chosenLaws()) + thinned
   );
