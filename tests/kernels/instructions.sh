@@ -51,7 +51,7 @@ binary() {
     {
       zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
       # Code that is compiled for an instruction set and called from elsewhere need not use wide registers. AVX encodings
-      # on 128-bit registers and BMI instructions are therefore counted too, as no x86-64 processor must have them.
+      # on 128-bit registers and BMI instructions are therefore counted too: not every x86-64 processor has them.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++

@@ -68,7 +68,7 @@ Matrix curvature(Sensitivity const& response) {
   return num::weighted_gram(response.jacobian, weights);
 }
 
-// What is left of a record after a fit of `fitted` parameters, if neighbouring residuals are correlated.
+// The freedom that a record keeps after a fit of `fitted` parameters, if neighbouring residuals are correlated.
 struct Freedom {
   double share = 1.0;    // 1 - p / n, where n is the number of independent samples that the record is worth
   double degrees = 0.0;  // n - p

@@ -75,7 +75,7 @@ struct DeviceFit {
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
   std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
-  // Of several tests the largest error counts.
+  // If the device has several tests, these are the largest errors of them.
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::vector<TestFit> tests;  // empty if the device has one test
   std::optional<double> integration_shift;
