@@ -104,7 +104,7 @@ TEST(TestsOfADevice, AreCutIntoCyclesEachByItself) {
   EXPECT_NEAR(swing_properties(joined_record({large, small}))->amplitude_mm, 100.0, 1e-9);
 }
 
-// A test that is not cyclic takes nothing from one that is.
+// The device has the properties of its cyclic test, although the other test has no cycles.
 TEST(TestsOfADevice, OneCyclicTestIsEnoughForProperties) {
   auto const both = cyclic_properties(joined_record({monotonic(), cyclic(80.0)}));
   EXPECT_TRUE(both.refusal.empty());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -39,7 +40,7 @@ void require_device(Device const& d) {
     fail(fmt::format("the weights of the samples of device '{}' are no weights", d.name));
   auto const begin_in = [](std::vector<std::size_t> const& starts, std::size_t samples) {
     return starts.empty() || (starts.front() == 0 && starts.back() < samples &&
-                              std::ranges::is_sorted(starts, std::ranges::less_equal{}));
+                              std::ranges::is_sorted(starts, std::less_equal<>{}));
   };
   if (raw.starts.size() != raw.tests.size() || fit.starts.size() != raw.starts.size() ||
       !begin_in(raw.starts, raw.size()) || !begin_in(fit.starts, fit.size()))

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -242,7 +241,8 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
   for (auto& fault : record.faults) fault.finding.words.push_back({"part", first});
   for (auto* findings : {&record.warnings, &record.corrections, &record.recognised})
     for (auto& finding : *findings) finding.words.push_back({"part", first});
-  for (auto& test : tests | std::views::drop(1)) {
+  for (std::size_t t = 1; t < tests.size(); ++t) {
+    auto& test = tests[t];
     if (std::ranges::find(record.tests, test.name, &TestSource::name) != record.tests.end())
       throw Error(Complaint{.where = test.name,
                             .found = "two tests of this name",

@@ -209,8 +209,9 @@ std::vector<Standing> standings_of(Summary const& summary) {
 // taken.
 void rank(std::vector<Standing>& standings) {
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
-  auto const out = std::ranges::stable_partition(standings, [](Standing const& s) { return !s.reason; });
-  auto const count = static_cast<std::size_t>(out.begin() - standings.begin());
+  std::ranges::stable_sort(standings, {}, [](Standing const& s) { return s.reason.has_value(); });
+  auto const count = static_cast<std::size_t>(
+      std::ranges::count_if(standings, [](Standing const& s) { return !s.reason.has_value(); }));
   if (count == 0) return;
   double const most = (1.0 + tie_share) * or_infinite(standings.front().error);
   std::size_t tied = 0;

@@ -20,8 +20,9 @@ std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  // Errors as means over the devices: of the fits to what the laws are judged by; on devices that the law was not
-  // fitted to; on larger swings, or on blocks of larger amplitude, that it was not fitted to.
+  // Errors as means over the devices: `fits` on the tests, or the part of them, that the law was fitted to;
+  // `new_device` on devices that it was not fitted to; `predicts` on larger swings, or on blocks of larger amplitude,
+  // that it was not fitted to.
   std::optional<double> fits, new_device, predicts;
   // The mean of two errors: on a new device if there are three devices or more, else of the fits; and of `predicts`.
   // If one of the two is not known, it is the other. It decides which law is taken.
