@@ -479,7 +479,14 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
   for (auto const& record : records) {
     if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
     named.push_back({.name = record->name, .record = record->raw, .info = {}});
-    named.back().record.file = printable(std::filesystem::path(record->raw.file).filename().string());
+    auto& raw = named.back().record;
+    auto const last_part = [](std::string const& file) {
+      return printable(std::filesystem::path(file).filename().string());
+    };
+    raw.file = last_part(raw.file);
+    std::vector<std::string> files;
+    for (auto& test : raw.tests) files.push_back(test.file = last_part(test.file));
+    if (!files.empty()) raw.file = joined(files);
     if (record->raw.force_kN.empty())
       throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
   }

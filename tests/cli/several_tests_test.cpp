@@ -53,6 +53,8 @@ TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
   ASSERT_EQ(isolaw({"init", "small.csv", "large.csv", "--same-device", "--out", "made.toml"}).code, 0);
   auto const made = read("made.toml");
   EXPECT_TRUE(contains(made, "[[device.test]]")) << made;
+  EXPECT_LT(made.find("# serial = "), made.find("[[device.test]]"))
+      << "the open keys are those of the device: " << made;
   ASSERT_EQ(isolaw(Words{"calibrate", "made.toml", "--out", "M"} + laws).code, 0);
   EXPECT_EQ(json("M/summary.json")["laws"], json("O/summary.json")["laws"]);
 }

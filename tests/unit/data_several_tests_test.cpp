@@ -71,6 +71,37 @@ TEST(TestsOfADevice, NeedNamesOfTheirOwnAndTimeInAllOrNone) {
   auto timeless = cyclic(50.0);
   timeless.time_s.clear();
   EXPECT_THROW(joined_record({cyclic(50.0), timeless}), Error);
+  EXPECT_THROW(joined_record({cyclic(50.0), cyclic(50.0)}), Error) << "one record twice";
+  EXPECT_THROW(joined_record({joined_record({cyclic(50.0), cyclic(60.0)}), cyclic(70.0)}), Error);
+}
+
+// Without time the samples are counted through the device, and as a motion each test has its own velocities.
+TEST(TestsOfADevice, AreCountedOnWithoutTime) {
+  auto const without_time = [](TestRecord record) {
+    record.time_s.clear();
+    return record;
+  };
+  auto const both = clean(joined_record({without_time(cyclic(50.0)), without_time(cyclic(60.0))}), {});
+  EXPECT_TRUE(std::ranges::is_sorted(both.time_s, std::ranges::less_equal{}));
+  EXPECT_EQ(both.time_s[both.starts[1]], 601.0);
+}
+
+TEST(TestsOfADevice, AreMotionsOfTheirOwn) {
+  auto const small = cyclic(50.0), large = cyclic(100.0);
+  auto const both = motion_of(joined_record({small, large}));
+  EXPECT_EQ(both.starts, (std::vector<std::size_t>{0, small.size()}));
+  auto const alone = motion_of(large).vel_mm_s;
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(both.vel_mm_s[small.size() + i], alone[i], 1e-9) << i;
+}
+
+TEST(TestsOfADevice, LoseTheLoadThatNotAllHaveAndSaySo) {
+  auto loaded = cyclic(50.0);
+  loaded.load_kN.assign(loaded.size(), 1000.0);
+  auto const both = joined_record({loaded, cyclic(60.0)});
+  EXPECT_TRUE(both.load_kN.empty());
+  EXPECT_TRUE(std::ranges::any_of(both.recognised, [](Finding const& one) {
+    return one.word("text").find("vertical load is left out") != std::string_view::npos;
+  }));
 }
 
 TEST(TestsOfADevice, KeepFaultsWarningsAndCorrectionsOfEach) {
@@ -134,7 +165,7 @@ TEST(TestsOfADevice, DecideTogetherHowSamplesCount) {
   auto const ranges = test_ranges(both.starts, both.size());
   auto const alone = clean(large, {.weights = Weighting::swing}).weights;
   for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(part(both.weights, ranges[1])[i], alone[i], 1e-9);
-  EXPECT_TRUE(clean(joined_record({small, small}), {}).weights.empty()) << "all swings are alike";
+  EXPECT_TRUE(clean(joined_record({small, cyclic(50.5)}), {}).weights.empty()) << "all swings are alike";
   EXPECT_TRUE(clean(joined_record({small, large}), {.weights = Weighting::time}).weights.empty());
 }
 

@@ -39,8 +39,8 @@ void require_device(Device const& d) {
   if (!std::ranges::all_of(fit.weights, [](double value) { return std::isfinite(value) && value >= 0.0; }))
     fail(fmt::format("the weights of the samples of device '{}' are no weights", d.name));
   auto const begin_in = [](std::vector<std::size_t> const& starts, std::size_t samples) {
-    return starts.empty() || (starts.front() == 0 && starts.back() < samples &&
-                              std::ranges::is_sorted(starts, std::less_equal<>{}));
+    return starts.empty() ||
+           (starts.front() == 0 && starts.back() < samples && std::ranges::is_sorted(starts, std::less_equal<>{}));
   };
   if (raw.starts.size() != raw.tests.size() || fit.starts.size() != raw.starts.size() ||
       !begin_in(raw.starts, raw.size()) || !begin_in(fit.starts, fit.size()))

@@ -168,6 +168,14 @@ void read_vertical_input(TomlTable& table, std::filesystem::path const& director
   if (inside.find("file") == nullptr) inside.complain("a vertical test without a file", "file = \"...\"");
 }
 
+// The name of a device that has none of its own: that of its only file, or one made of the names of its tests.
+std::string name_of(std::vector<TestInput> const& tests) {
+  if (tests.size() == 1) return tests.front().files.empty() ? std::string() : name_of_file(tests.front().files.front());
+  std::vector<data::TestSource> sources;
+  for (auto const& test : tests) sources.push_back({.name = test.name, .file = {}, .sha256 = {}});
+  return sources.empty() ? std::string() : name_of_tests(sources);
+}
+
 // Reads the tables of a device. Files outside the lot file's folder are refused unless the user allows them.
 class DeviceReader {
  public:
@@ -193,12 +201,10 @@ class DeviceReader {
       if (only.files.empty())
         table.complain(source, "a device without a file", "file = \"...\" or files = [...]",
                        "a [[device.test]] table for each test of a device with several");
-      if (device.name.empty() && !only.files.empty()) device.name = name_of_file(only.files.front());
       find_columns(table, source, only);
       device.tests.push_back(std::move(only));
     }
-    if (device.name.empty() && !device.tests.empty() && !device.tests.front().files.empty())
-      device.name = name_of_file(device.tests.front().files.front());
+    if (device.name.empty()) device.name = name_of(device.tests);
     read_vertical_input(
         table, directory_, [&](std::string const& name) { check_inside(name); }, file_, complaints_, device.vertical);
     table.refuse_unknown();
@@ -500,14 +506,12 @@ Lot as_one_device(Lot lot) {
   DeviceInput one;
   one.info = lot.devices.front().info;
   one.tests.clear();
-  std::vector<data::TestSource> sources;
   for (auto& device : lot.devices)
     for (auto& test : device.tests) {
       test.name = device.name;
-      sources.push_back({.name = test.name, .file = {}, .sha256 = {}});
       one.tests.push_back(std::move(test));
     }
-  one.name = one.tests.size() == 1 ? one.tests.front().name : name_of_tests(sources);
+  one.name = name_of(one.tests);
   if (one.tests.size() == 1) one.tests.front().name.clear();
   lot.devices = {std::move(one)};
   return lot;
@@ -617,14 +621,14 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
     for (auto const& option : info_table()) insert(device, option.option(), option.get(input.info));
     insert_vertical(device, input.vertical, directory);
     devices << "\n[[device]]\n" << device << '\n';
+    if (remarks.open_keys)
+      devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : StatedFacts{});
     for (auto const& test : input.tests) {
       if (input.tests.size() == 1) break;
       toml::table table{{"name", test.name}};
       insert_test(table, test, directory, shared);
       devices << "[[device.test]]\n" << table << '\n';
     }
-    if (remarks.open_keys)
-      devices << open_keys(input.info, i < remarks.stated.size() ? remarks.stated[i] : StatedFacts{});
   }
   toml::table read;
   for (auto const& [key, value] : shared.items())

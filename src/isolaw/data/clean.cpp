@@ -193,13 +193,21 @@ FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::s
   return record;
 }
 
-void append(FitRecord& device, FitRecord test, std::string const& name) {
+struct Before {  // the tests that stand before one in a record
+  std::size_t samples = 0;
+  int blocks = 0;
+};
+
+void append(FitRecord& device, FitRecord test, TestSource const& source, Before const& before) {
   device.starts.push_back(device.size());
+  if (!test.has_time())
+    for (double& sample : test.time_s) sample += static_cast<double>(before.samples);
   for (auto const channel : {&FitRecord::time_s, &FitRecord::disp_mm, &FitRecord::vel_mm_s, &FitRecord::force_kN,
                              &FitRecord::scored, &FitRecord::block})
     std::ranges::copy(test.*channel, std::back_inserter(device.*channel));
   for (auto& step : test.cleaning) {
-    step.words.push_back({"part", name});
+    step.words.push_back({"part", source.name});
+    for (int& block : step.blocks) block += before.blocks;
     device.cleaning.push_back(std::move(step));
   }
   device.dead_band_mm = std::max(device.dead_band_mm, test.dead_band_mm);
@@ -221,11 +229,13 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
   } else {
     auto const tests = tests_of(raw);
     auto const ranges = test_ranges(raw.starts, raw.size());
-    for (std::size_t t = 0; t < tests.size(); ++t)
-      append(record,
-             clean_test(tests[t], cyclic_properties(tests[t]), ranges[t].of(chosen.scored), ranges[t].of(chosen.block),
-                        options),
-             raw.tests[t].name);
+    int blocks = 0;
+    for (std::size_t t = 0; t < tests.size(); ++t) {
+      auto const of_test = cyclic_properties(tests[t]);
+      append(record, clean_test(tests[t], of_test, ranges[t].of(chosen.scored), ranges[t].of(chosen.block), options),
+             raw.tests[t], {.samples = ranges[t].first, .blocks = blocks});
+      if (!of_test.blocks.empty()) blocks += of_test.blocks.back().number;
+    }
   }
   weigh(record, raw.has_time(), raw.tests, options.weights);
   return record;
@@ -242,7 +252,10 @@ FitRecord motion_of(TestRecord const& record) {
   FitRecord motion;
   motion.disp_mm = record.disp_mm;
   motion.time_s = record.has_time() ? record.time_s : sample_numbers(record.size());
-  if (record.has_time()) motion.vel_mm_s = central_difference(motion.time_s, motion.disp_mm);
+  motion.starts = record.starts;
+  if (record.has_time())
+    for (auto const& test : tests_of(record))
+      std::ranges::copy(central_difference(test.time_s, test.disp_mm), std::back_inserter(motion.vel_mm_s));
   return motion;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -90,6 +91,56 @@ std::optional<std::string> line_about_acceleration(std::string_view bytes) {
 
 constexpr std::string_view displacement_needed =
     "the displacement of the device, one face against the other, over time";
+
+// Appends channels, faults, warnings and corrections.
+void append_record(TestRecord& history, TestRecord const& next, std::string const& label) {
+  if (next.has_time() != history.has_time())
+    throw Error(Complaint{.where = label,
+                          .found = "only some of the device's files have a time channel",
+                          .allowed = "all of them or none",
+                          .advice = "--dt SECONDS"});
+  if (history.has_time()) {
+    double const pause = history.time_s.back() - history.time_s[history.time_s.size() - 2];
+    double const offset = history.time_s.back() + pause - next.time_s.front();
+    for (double const t : next.time_s) history.time_s.push_back(t + offset);
+  }
+  auto const before = history.size();
+  bool const loads = !history.load_kN.empty() && !next.load_kN.empty();
+  if (!loads) history.load_kN.clear();
+  auto const add = [](std::vector<double>& to, std::vector<double> const& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(history.disp_mm, next.disp_mm);
+  add(history.force_kN, next.force_kN);
+  if (loads) add(history.load_kN, next.load_kN);
+  for (auto fault : next.faults) {
+    for (auto& sample : fault.samples) sample += before;
+    fault.finding.words.push_back({"part", label});
+    history.faults.push_back(std::move(fault));
+  }
+  for (auto warning : next.warnings) {
+    warning.words.push_back({"part", label});
+    history.warnings.push_back(std::move(warning));
+  }
+  for (auto correction : next.corrections) {
+    correction.words.push_back({"part", label});
+    history.corrections.push_back(std::move(correction));
+  }
+  history.sha256 = sha256(history.sha256 + next.sha256);
+}
+
+// Refuses a test that has the name or the values of an earlier one.
+void refuse_repeated(NamedTest const& test, std::span<NamedTest const> earlier) {
+  for (auto const& other : earlier) {
+    if (other.name == test.name)
+      throw Error(Complaint{.where = test.name,
+                            .found = "two tests of this name",
+                            .allowed = "a name of its own for each test of a device"});
+    if (other.record.disp_mm == test.record.disp_mm && other.record.force_kN == test.record.force_kN)
+      throw Error(Complaint{
+          .where = test.name, .found = "the same record as " + other.name, .allowed = "each test of a device once"});
+  }
+}
 
 }  // namespace
 
@@ -195,47 +246,24 @@ TestRecord record_of_values(std::string const& name, Values values) {
 }
 
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label) {
-  if (next.has_time() != history.has_time())
-    throw Error(Complaint{.where = label,
-                          .found = "only some of the device's files have a time channel",
-                          .allowed = "all of them or none",
-                          .advice = "--dt SECONDS"});
-  if (history.has_time()) {
-    double const pause = history.time_s.back() - history.time_s[history.time_s.size() - 2];
-    double const offset = history.time_s.back() + pause - next.time_s.front();
-    for (double const t : next.time_s) history.time_s.push_back(t + offset);
-  }
-  auto const before = history.size();
-  bool const loads = !history.load_kN.empty() && !next.load_kN.empty();
-  if (!loads) history.load_kN.clear();
-  auto const add = [](std::vector<double>& to, std::vector<double> const& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  add(history.disp_mm, next.disp_mm);
-  add(history.force_kN, next.force_kN);
-  if (loads) add(history.load_kN, next.load_kN);
+  auto const corrections = history.corrections.size();
+  append_record(history, next, label);
   history.recognised.push_back(
       decision(FindingKind::test_chosen, fmt::format("{} continues the history with {} samples", label, next.size())));
-  for (auto fault : next.faults) {
-    for (auto& sample : fault.samples) sample += before;
-    fault.finding.words.push_back({"part", label});
-    history.faults.push_back(std::move(fault));
-  }
-  for (auto warning : next.warnings) {
-    warning.words.push_back({"part", label});
-    history.warnings.push_back(std::move(warning));
-  }
-  for (auto correction : next.corrections) {
-    correction.words.push_back({"part", label});
-    history.corrections.push_back(std::move(correction));
-  }
-  history.sha256 = sha256(history.sha256 + next.sha256);
+  for (std::size_t i = corrections; i < history.corrections.size(); ++i)
+    history.recognised.push_back(history.corrections[i]);
 }
 
 TestRecord record_of_tests(std::vector<NamedTest> tests) {
+  if (tests.size() == 1) return std::move(tests.front().record);
+  for (auto const& test : tests)
+    if (!test.record.starts.empty())
+      throw Error(
+          Complaint{.where = test.name, .found = "a record of several tests", .allowed = "records of one test each"});
+  for (std::size_t t = 1; t < tests.size(); ++t) refuse_repeated(tests[t], std::span(tests).first(t));
+  bool const some_loads = std::ranges::any_of(tests, [](auto const& test) { return !test.record.load_kN.empty(); });
   TestRecord record = std::move(tests.front().record);
   auto const& first = tests.front().name;
-  if (tests.size() == 1) return record;
   record.starts = {0};
   record.tests = {{.name = first, .file = record.file, .sha256 = record.sha256}};
   for (auto& fault : record.faults) fault.finding.words.push_back({"part", first});
@@ -243,13 +271,8 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
     for (auto& finding : *findings) finding.words.push_back({"part", first});
   for (std::size_t t = 1; t < tests.size(); ++t) {
     auto& test = tests[t];
-    if (std::ranges::find(record.tests, test.name, &TestSource::name) != record.tests.end())
-      throw Error(Complaint{.where = test.name,
-                            .found = "two tests of this name",
-                            .allowed = "a name of its own for each test of a device"});
     auto const start = record.size();
-    continue_with(record, test.record, test.name);
-    record.recognised.pop_back();  // that the history goes on: each test begins from rest
+    append_record(record, test.record, test.name);
     record.starts.push_back(start);
     record.tests.push_back({.name = test.name, .file = test.record.file, .sha256 = test.record.sha256});
     for (auto& line : test.record.recognised) {
@@ -263,8 +286,10 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
       FindingKind::test_chosen,
       fmt::format(
           "{} tests of one device: {}; they share the parameters of each law, which starts at rest in each test",
-          names.size(), joined(names)),
-      "--same-device"));
+          names.size(), joined(names))));
+  if (some_loads && record.load_kN.empty())
+    record.recognised.push_back(decision(FindingKind::columns_unused,
+                                         "the vertical load is left out, because not every test has one", "--columns"));
   return record;
 }
 

@@ -36,11 +36,12 @@ std::optional<double> parse_number(std::string_view text) {
 std::vector<double> forces_at_zero(data::FitRecord const& record) {
   auto const &x = record.disp_mm, &f = record.force_kN;
   std::vector<double> forces;
-  for (std::size_t i = 1; i < x.size(); ++i) {
-    if (!record.is_scored(i - 1) || !record.is_scored(i) || x[i - 1] == 0.0 || x[i - 1] * x[i] > 0.0) continue;
-    double const t = x[i - 1] / (x[i - 1] - x[i]);
-    forces.push_back(f[i - 1] + t * (f[i] - f[i - 1]));
-  }
+  for (auto const& test : data::test_ranges(record.starts, record.size()))
+    for (std::size_t i = test.first + 1; i < test.end; ++i) {
+      if (!record.is_scored(i - 1) || !record.is_scored(i) || x[i - 1] == 0.0 || x[i - 1] * x[i] > 0.0) continue;
+      double const t = x[i - 1] / (x[i - 1] - x[i]);
+      forces.push_back(f[i - 1] + t * (f[i] - f[i - 1]));
+    }
   return forces;
 }
 

@@ -131,7 +131,7 @@ std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::F
           "a force that changes during the test");
   }
   if (count == 0)
-    refuse("samples of which none counts with the weights asked for", "a part of the test in which the device swings");
+    refuse("no sample that counts in the objective", "a part of the test in which time goes on and the device swings");
   return count;
 }
 

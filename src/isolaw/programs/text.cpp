@@ -49,9 +49,10 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     if (far_off(form.from_law))
       facts.push_back({"Far off", joined(titles) + ": not to be taken for the law without a look at what follows"});
     facts.push_back(
-        {joined(titles), fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
-                                     subject.lot ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
-                                     units.length.symbol, deviation_text(form.from_law))});
+        {joined(titles),
+         fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
+                     subject.histories.size() > 1 ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
+                     units.length.symbol, deviation_text(form.from_law))});
     if (form.finer)
       facts.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
     if (form.from_measured && first == 0)
@@ -197,7 +198,8 @@ std::vector<Fact> measured_facts(Subject const& subject) {
   for (auto const& history : subject.histories)
     if (!history.measured_kN.empty()) keep_worst(worst, deviation(history, history.law_kN, history.measured_kN));
   if (worst.largest > 0.0)
-    facts.push_back({fmt::format("The law against the measured force{}", subject.lot ? "s (the worst of them)" : ""),
+    facts.push_back({fmt::format("The law against the measured force{}",
+                                 subject.histories.size() > 1 ? "s (the worst of them)" : ""),
                      deviation_text(worst)});
   return facts;
 }

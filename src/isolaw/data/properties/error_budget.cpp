@@ -178,12 +178,15 @@ class Assessment {
                                 {"scatter_percent", scatter}});
   }
 
-  // Notes rests and holds that last longer than the period of their cycle, except a rest before the first motion.
+  // Notes rests and holds that last longer than the period of their cycle, except a rest before a test's first motion.
   void rests() {
     Cycle const* longest = nullptr;
     int count = 0;
     for (auto const* counted : properties_.counted()) {
-      bool const is_long = counted->first > 0.0 && counted->still_s && *counted->still_s > *counted->period_s;
+      bool const starts_test = counted->first == 0.0 || std::ranges::any_of(view_.starts, [&](std::size_t start) {
+                                 return static_cast<double>(start) == counted->first;
+                               });
+      bool const is_long = !starts_test && counted->still_s && *counted->still_s > *counted->period_s;
       if (!is_long) continue;
       ++count;
       if (longest == nullptr || *counted->still_s > *longest->still_s) longest = counted;
