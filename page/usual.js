@@ -1,7 +1,7 @@
 // Values of the program that the page needs before the program has started. The test page.commands compares them with
 // the program.
 
-export const usualRuns = (method) => (method === 'ga' ? 20 : 3);
+export const usualRuns = (method) => (method === 'ga' ? 20 : 2);
 
 // The program accepts these options only together with the genetic algorithm.
 export const OF_GA = ['population', 'generations', 'stagnation-tolerance'];
