@@ -226,6 +226,25 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
   EXPECT_FALSE(told(98.0, 99.8));  // the large swings hold less than a twentieth of the time
 }
 
+// The limit lies between 0.68 and 0.72 of the largest displacement.
+TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
+  auto const record_of = [](double amplitude_mm) {
+    FitRecord record;
+    for (double t = 0.0; t <= 5.0; t += 0.01) {
+      record.time_s.push_back(t);
+      record.disp_mm.push_back(amplitude_mm * unit_sine(t));
+      record.vel_mm_s.push_back(0.0);
+    }
+    return record;
+  };
+  for (double const amplitude_mm : {68.0, 72.0}) {
+    std::array const tests{record_of(amplitude_mm), record_of(100.0)};
+    auto const sizes = swing_sizes(tests, Weighting::time);
+    EXPECT_EQ(sizes.tests[0].small.empty(), amplitude_mm > 70.0) << amplitude_mm;
+    EXPECT_EQ(sizes.tests[0].large.empty(), amplitude_mm < 70.0) << amplitude_mm;
+  }
+}
+
 // The largest displacement is that of all tests of a device. A test of small swings alone serves the fit of these.
 TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
   auto const record_of = [](double amplitude_mm) {
