@@ -1,7 +1,9 @@
 // Opens the report of a made-up lot in headless Chromium and fails on everything that would disturb a reader: script
 // errors, figures that are not drawn, a page wider than its window, requests to the network, and HTML in names that the
 // browser executes.
-//   node report_page.mjs MAKE_PAGE [CHROMIUM]
+//   node report_page.mjs fit|inspection|analysis MAKE_PAGE [CHROMIUM]
+// The first argument chooses the cases: pages with laws that were only fitted, pages without laws, and pages of a
+// campaign with its analyses.
 // ISOLAW_SCREENSHOTS=DIR saves pictures of every case, screen by screen, and its PDF.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -11,7 +13,7 @@ import { pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 import { extend, with_data } from './test_records.mjs';
 
-const [makePage, program] = process.argv.slice(2);
+const [group, makePage, program] = process.argv.slice(2);
 if (!program || !existsSync(program)) {
   console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');
   process.exit(77);
@@ -47,6 +49,7 @@ const CASES = [
   { name: 'analysed-one-device', devices: 1, laws: 3, width: 1366, height: 768, records: false, analysed: true },
   { name: 'analysed-large-lot', devices: 160, laws: 7, width: 1366, height: 768, records: false, analysed: true },
 ];
+const group_of = ({ name, analysed }) => (name.startsWith('inspection') ? 'inspection' : analysed ? 'analysis' : 'fit');
 const FIRST_SCREEN_MS = 2000;
 const SOURCES = [
   'contract band',
@@ -940,7 +943,7 @@ async function check(browser, directory, one) {
 const directory = mkdtempSync(join(tmpdir(), 'isolaw-browser-'));
 const browser = new Chromium(program);
 try {
-  for (const one of CASES) {
+  for (const one of CASES.filter((one) => group_of(one) === group)) {
     const firstScreen = await check(browser, directory, one);
     // A slow first screen is only noted, because machines differ in speed.
     if (firstScreen > FIRST_SCREEN_MS)
