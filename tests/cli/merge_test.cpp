@@ -35,9 +35,11 @@ class Merge : public InFreshDirectory {
     InFreshDirectory::SetUp();
     write("a b.csv", csv(record()));
     write("b.csv", csv(record({.amplitude_mm = 90.0})));
+    write("small.csv", csv(record({.amplitude_mm = 45.0})));
     write("c.csv", "time,displacement,force\nno record\n");
     write("lot.toml",
-          "[[device]]\nname = \"a, 'b'\"\nfile = \"a b.csv\"\n[[device]]\nname = \"b\"\nfile = \"b.csv\"\n"
+          "[[device]]\nname = \"a, 'b'\"\nfile = \"a b.csv\"\n[[device]]\nname = \"b\"\n"
+          "[[device.test]]\nfile = \"b.csv\"\n[[device.test]]\nfile = \"small.csv\"\n"
           "[[device]]\nname = \"c\"\nfile = \"c.csv\"\n");
   }
   static Words campaign(std::string const& out, Words const& more = {}) {

@@ -59,6 +59,40 @@ TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
   EXPECT_EQ(json("M/summary.json")["laws"], json("O/summary.json")["laws"]);
 }
 
+// A fact that all files state alike is the device's. If they differ, the lot file leaves it open and says what they
+// state.
+TEST_F(SeveralTests, state_facts_of_their_device) {
+  auto const facts = [](std::string const& serial) { return "Lot: L5\nSerial No: " + serial + "\n"; };
+  write("small.csv", facts("S-77") + read("small.csv"));
+  write("large.csv", facts("S-78") + read("large.csv"));
+  auto const o = isolaw({"init", "small.csv", "large.csv", "--same-device", "--out", "made.toml"});
+  expect_message(o, 0, {"serial: S-77 in small, S-78 in large", "are they tests of one device?"});
+  auto const made = read("made.toml");
+  EXPECT_TRUE(contains(made, "\nlot = 'L5'")) << made;
+  EXPECT_TRUE(contains(made, "\n# serial = \"\"  # the file says: S-77 in small, S-78 in large")) << made;
+}
+
+// A law that cannot be fitted to one of the tests says which.
+TEST_F(SeveralTests, are_named_where_a_law_cannot_be_fitted) {
+  write("large.csv",
+        csv(record({.amplitude_mm = 100.0}), "time [s],displacement [mm],force [kN]",
+            [](std::size_t, Sample const& s) { return fmt::format("{:.4f},{:.5f},0", s.time_s, s.disp_mm); }));
+  auto const o = isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O"} + laws);
+  EXPECT_TRUE(contains(o.err, "large")) << o;
+}
+
+TEST_F(SeveralTests, of_a_device_grow_with_the_lot) {
+  std::string const one =
+      "[[device]]\nname = \"d\"\n[[device.test]]\nfile = \"small.csv\"\n[[device.test]]\nfile = \"large.csv\"\n";
+  write("one.toml", one);
+  write("two.toml", one + "[[device]]\nname = \"e\"\nfile = \"large.csv\"\n");
+  ASSERT_EQ(isolaw(Words{"calibrate", "one.toml", "--out", "G"} + laws).code, 0);
+  expect_message(isolaw(Words{"calibrate", "two.toml", "--out", "G"} + laws), 0, {"grows by 1 device\n"});
+  ASSERT_EQ(isolaw(Words{"calibrate", "two.toml", "--out", "W"} + laws).code, 0);
+  EXPECT_EQ(read("G/summary.json"), read("W/summary.json"));
+  EXPECT_EQ(all_rows(path("G/campaign.sqlite")), all_rows(path("W/campaign.sqlite")));
+}
+
 TEST_F(SeveralTests, have_each_their_own_way_of_reading) {
   write("metres.csv", csv(record({.amplitude_mm = 0.1, .stiffness_kN_per_mm = 500.0, .yield_mm = 0.01}), "time,a,b"));
   write("lot.toml",

@@ -333,7 +333,8 @@ TEST(PopulationSample, StaysWithinLimitsAndSaysWhatItCost) {
   double const median = population.medians[0];
   auto const drawn = sample(population, 400, num::Stream(9), std::vector<Limits>{{.lower = median}, {}});
   for (auto const& v : drawn.values) EXPECT_GE(v[0], median);
-  // Each draw is accepted with probability one half, so the rejected draws are a sum of geometric variates.
+  // Each draw is accepted with probability one half. The number of rejections before an accepted draw is then geometric,
+  // with mean 1 and variance 2. For 400 accepted draws their sum has mean 400 and variance 800.
   EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));
   EXPECT_EQ(drawn.pulled_back, 0u);
 }

@@ -110,7 +110,8 @@ TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goe
   EXPECT_LT(before, 0.3);
 }
 
-// On a very long branch rounding loses the distance to the limit curve, and from there on the force is NaN.
+// If the displacement goes very far in one direction, the distance between the force and its limit curve is lost to
+// rounding. From there on the force is NaN, and it stays NaN when the motion turns back.
 TEST(Replay, asymmetric_material_turns_into_no_number_on_a_long_travel) {
   Command const command{"HystereticAsym", {4.6, 0.6, 25.0, 0, 0, 0}};
   double const alpha = 0.08;

@@ -136,9 +136,11 @@ class Examination {
   // change of the parameters by 50 % (weakly_determined_within) changes the force visibly.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // Adds a direction of parameter changes to the trade-offs if it does not change the force visibly. The trade-off
-  // names at least two parameters: those with at least a tenth of the largest change, or with at least a tenth of the
-  // largest force change. alone[i] is the force change if only parameter i changes.
+  // Adds a direction of parameter changes to the trade-offs if a move along it does not change the force visibly, and if
+  // at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes. The
+  // trade-off names the parameters that change at least a tenth as much as the one that changes most, and those that
+  // alone would change the force at least a tenth as much as the strongest one. The parameter that is strongest beside
+  // the one that changes most is always named, so that a trade-off has two parameters or more.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;

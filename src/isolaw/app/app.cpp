@@ -287,7 +287,9 @@ void add_export(Commands& commands) {
       "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl", export_law);
   c.add_option("directory", a.directory, a_campaign)->required();
   c.add_option("--law", a.law, "id of the law")->required();
-  c.add_option("--device", a.device, "name of the device, or lot for the one law of the lot")->required();
+  c.add_option("--device", a.device,
+               "name of the device, or the word lot for the law that was fitted to all devices together")
+      ->required();
   c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
   add_acceptance(c, a.acceptance);
   c.add_option(
@@ -309,7 +311,8 @@ void add_simulate(Commands& commands) {
   c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
   c.add_option("--from", a.from, "directory of the campaign that fitted the law, with --device");
-  c.add_option("--device", a.device, "with --from: name of the device, or lot for the one law of the lot");
+  c.add_option("--device", a.device,
+               "with --from: name of the device, or the word lot for the law that was fitted to all devices together");
   c.add_option("--parameters", a.parameters,
                "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
   c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")

@@ -219,8 +219,11 @@ int init(InitArguments const& arguments) {
     say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(), shown(out));
   lot.devices = std::move(devices);
   if (arguments.same_device) {
-    lot = campaign::as_one_device(std::move(lot));
-    remarks.stated.resize(1);
+    auto stated = campaign::make_one_device(lot);
+    for (auto const& [key, texts] : stated)
+      say("{}: {}: the tests differ, so the device has no value for it; are they tests of one device?\n", key, texts);
+    for (auto& of_test : remarks.stated) stated.merge(of_test);
+    remarks.stated = {std::move(stated)};
   }
   review_lot_size(lot, arguments);
   std::vector<std::filesystem::path> inputs;

@@ -50,7 +50,8 @@ struct LawAnswer {
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
 };
 
-// The Coupling in a word. Springs whose parameters were fitted in one direction are "springs as given".
+// How the law acts in the plane, in a word or three: "coupled", "separate", "springs" or "springs as given". The last
+// stands for springs that have the parameters of the law in one direction, because none were fitted for the springs.
 std::string_view form(LawAnswer const& law);
 // Whether any run of the law was completed, and if not, a clause that says so: "none of its 364 analyses ...".
 bool has_result(LawAnswer const& law);

@@ -502,9 +502,22 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
   return lot;
 }
 
-Lot as_one_device(Lot lot) {
+StatedFacts make_one_device(Lot& lot) {
   DeviceInput one;
-  one.info = lot.devices.front().info;
+  StatedFacts disputed;
+  for (auto const& option : info_table()) {
+    std::set<Json> values;
+    std::vector<std::string> stated;
+    for (auto const& device : lot.devices) {
+      auto const value = option.get(device.info);
+      if (value.is_null()) continue;
+      values.insert(value);
+      stated.push_back(
+          fmt::format("{} in {}", value.is_string() ? value.get<std::string>() : value.dump(), device.name));
+    }
+    if (values.size() == 1) option.set(one.info, *values.begin());
+    if (values.size() > 1) disputed[std::string(option.key)] = joined(stated);
+  }
   one.tests.clear();
   for (auto& device : lot.devices)
     for (auto& test : device.tests) {
@@ -514,7 +527,7 @@ Lot as_one_device(Lot lot) {
   one.name = name_of(one.tests);
   if (one.tests.size() == 1) one.tests.front().name.clear();
   lot.devices = {std::move(one)};
-  return lot;
+  return disputed;
 }
 
 std::string name_of_tests(std::span<data::TestSource const> tests) {

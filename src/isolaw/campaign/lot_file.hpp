@@ -77,12 +77,14 @@ Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& optio
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
-// All records of a lot as tests of one device, which is named after them and has the facts of the first.
-Lot as_one_device(Lot lot);
 // "a + b", "a + b + c", or "a and 3 more tests".
 std::string name_of_tests(std::span<data::TestSource const> tests);
 
 using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
+
+// Makes all records of a lot tests of one device, which is named after them. Returns the facts that the records state
+// differently, with the name of each record. The device has no value for these.
+StatedFacts make_one_device(Lot& lot);
 
 struct LotFileRemarks {             // comments for the person who edits the file
   bool open_keys = false;           // list, as comments, the keys of a device that have no value yet

@@ -158,9 +158,10 @@ std::vector<Setting> make_settings() {
       {{{.key = "seed", .help = "seed of all random numbers (default 1)", .type = "int"},
         [](S const& s) -> Json { return s.seed; },
         set_seed}},
-      {word<S>("box",
-               "range searched for parameters, auto (default): scaled from the record; published: the paper's Table 4",
-               at(&S::box), boxes)},
+      {word<S>(
+          "box",
+          "search range of the parameters: auto (default), scaled from the record, or published, Table 4 of Cucuzza et al. 2025",
+          at(&S::box), boxes)},
       {{{.key = "set",
          .kind = Kind::repeated,
          .help =

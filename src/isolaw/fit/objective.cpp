@@ -105,11 +105,14 @@ double spread_of(data::FitRecord const& record, std::vector<double> const& value
 // Refuses tests without duration, tests of which no scored sample counts by the weights, and a constant force. For
 // these the objective would be arbitrary. Returns the number of tests of which samples count.
 std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::FitRecord const> tests) {
+  std::size_t count = 0, number = 0;
   auto const refuse = [&](std::string found, std::string allowed) {
-    throw Error({.where = "law " + std::string(law.id), .found = std::move(found), .allowed = std::move(allowed)});
+    auto where = "law " + std::string(law.id);
+    if (number > 0 && tests.size() > 1) where += fmt::format(", test {} of {}", number, tests.size());
+    throw Error({.where = std::move(where), .found = std::move(found), .allowed = std::move(allowed)});
   };
-  std::size_t count = 0;
   for (auto const& test : tests) {
+    ++number;
     if (test.size() < 2) refuse("a record of " + counted(test.size(), "sample"), "a record of two samples or more");
     auto whole = test;
     whole.scored.clear();
@@ -130,6 +133,7 @@ std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::F
                       spread, largest),
           "a force that changes during the test");
   }
+  number = 0;  // what follows is about all tests
   if (count == 0)
     refuse("no sample that counts in the objective", "a part of the test in which time goes on and the device swings");
   return count;

@@ -416,8 +416,10 @@ class Search {
     write_cost(cost_, problem_, result_);
   }
 
-  // Threads that work ahead run this before the descent is counted. It settles descents near the best value known now.
-  // The best value can only fall until the counting, so count_in() finds every descent settled that it needs.
+  // Runs one descent from `start`. Worker threads call this early, in any order; count_in() later adds the descents to
+  // the result in their own order. A descent is refined to its end (settled) only if its value is less than `promising`
+  // times the best value known now. That best value can only fall before count_in() asks, so count_in() never asks for
+  // a descent that was not settled here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

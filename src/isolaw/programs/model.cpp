@@ -157,7 +157,8 @@ std::vector<Option<ModelOptions>> const& model_table() {
             &ModelOptions::axial),
       words("ground-motion", "ground acceleration along x: an AT2 file, or columns with units",
             &ModelOptions::ground_motion),
-      words("ground-motion-y", "ground acceleration along y", &ModelOptions::ground_motion_y),
+      words("ground-motion-y", "ground acceleration along y: a file like that of --ground-motion",
+            &ModelOptions::ground_motion_y),
       number<ModelOptions>("ground-motion-dt", "seconds between samples, for files without time",
                            at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0})
           .under(Heading::model),

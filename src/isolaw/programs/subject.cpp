@@ -341,10 +341,12 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (std::ranges::any_of(contents.devices, [&](campaign::Device const& d) {
         return !d.record.weights.empty() &&
                std::ranges::find(subject.histories, d.name, &History::device) != subject.histories.end();
-      }))
+      })) {
+    auto const weights = contents.settings.clean.weights.value_or(data::Weighting::swing);
     subject.notes.push_back(fmt::format(
-        "The law was fitted with samples that count by {}, so its objective is no mean over time (Eq. (27) of Cucuzza et al. 2025).",
-        name(contents.settings.clean.weights.value_or(data::Weighting::swing))));
+        "The law was fitted with samples that count by {}{}, so its objective is no mean over time (Eq. (27) of Cucuzza et al. 2025).",
+        name(weights), weights == data::Weighting::swing ? " where a test has swings" : ""));
+  }
   subject.fitted.part = contents.settings.clean.scored.text();
   subject.doubts = study::doubts(summary, law, one);
   add_measured(subject, summary);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -12,7 +14,9 @@ double usual_interval(std::span<double const> time_s) {
   return num::median(intervals);
 }
 
-std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> time_s) {
+namespace {
+
+std::vector<Gap> gaps_of_test(std::span<double const> x, std::span<double const> time_s) {
   constexpr std::size_t fewest = 16;
   if (time_s.size() < fewest) return {};
   std::vector<double> intervals;
@@ -34,6 +38,19 @@ std::vector<Gap> time_gaps(std::span<double const> x, std::span<double const> ti
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }
+  return gaps;
+}
+
+}  // namespace
+
+std::vector<Gap> time_gaps(std::span<double const> disp_mm, std::span<double const> time_s,
+                           std::span<std::size_t const> starts) {
+  std::vector<Gap> gaps;
+  for (auto const& range : test_ranges(starts, disp_mm.size()))
+    for (auto gap : gaps_of_test(range.of(disp_mm), range.of(time_s))) {
+      gap.after += range.first;
+      gaps.push_back(gap);
+    }
   return gaps;
 }
 

@@ -317,7 +317,7 @@ Properties cyclic_properties(CycleView const& given) {
   assert(view.time_s.empty() || view.time_s.size() == view.disp_mm.size());
   assert(view.load_kN.empty() || view.load_kN.size() == view.disp_mm.size());
   Properties properties;
-  auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s));
+  auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
   auto const cut = segment(view.disp_mm, view.time_s, view.starts);
   properties.centre_mm = cut.centre_mm;

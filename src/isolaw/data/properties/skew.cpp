@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "isolaw/data/channels/record.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -199,6 +200,17 @@ std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_unc
   return found;
 }
 
+// The longest mean sampling interval of the tests, in s; 1 sample without time.
+double longest_interval(CycleView const& view) {
+  if (view.time_s.empty()) return 1.0;
+  double longest = 0.0;
+  for (auto const& test : test_ranges(view.starts, view.time_s.size())) {
+    auto const time = test.of(view.time_s);
+    longest = std::max(longest, (time.back() - time.front()) / static_cast<double>(time.size() - 1));
+  }
+  return longest;
+}
+
 }  // namespace
 
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm) {
@@ -266,9 +278,7 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
       if (noise < quiet / 4.0 * amplitude) add(narrow, of_narrow);
     }
   }
-  double const sampling =
-      view.time_s.empty() ? 1.0
-                          : (view.time_s.back() - view.time_s.front()) / static_cast<double>(view.time_s.size() - 1);
+  double const sampling = longest_interval(view);
   // Friction changes its sign between two samples, which makes the skew uncertain by half an interval.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
   auto const found = skew_of(of_wide, least);

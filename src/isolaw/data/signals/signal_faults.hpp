@@ -38,7 +38,9 @@ std::vector<SignalFault> spike_faults(std::string const& channel, std::string_vi
 std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_view unit,
                                         std::vector<Dropout> const& gone, std::span<double const> time_s);
 
-// Names at most five samples for messages: "sample 213 (2.12 s)", "samples 3, 17 and 21". `samples` counts from 0.
+// Names samples for messages, with their times if there are any: "sample 213 (2.12 s)", or "samples 3, 17 and 21"
+// without time. Of more than five samples it names five and the number of the others. The text counts samples from 1,
+// the argument counts them from 0.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);
 
 }  // namespace isolaw::data

@@ -74,7 +74,8 @@ class SaturatingFlow {
 
  public:
   static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
-  // Needs n > 0 and kappa > -1; kappa = 1 for Reach::beyond_saturation. Other values give results that are not finite.
+  // Needs n > 0 and kappa > -1, and kappa = 1 for Reach::beyond_saturation; other values give results that are not
+  // finite. Where the polynomials cannot follow the curve, as for n above largest_n, a table takes their place.
   void fit(T const& n, T const& kappa);
   // time_at gives the time at which the curve has the value u, value_at the value at a time: value_at(time_at(u) +
   // travel) is u after that travel. Each inverts the other within rounding, so that repeated conversion does not drift.

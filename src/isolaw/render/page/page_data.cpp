@@ -145,8 +145,9 @@ void write_determination(JsonWriter& out, DeviceFit const& fit) {
   });
 }
 
-// Writes least, median and largest log10 over the runs of the best objective after each generation or start. A run that
-// has ended keeps its last value.
+// Writes how the searches of a law on a device converge. A step is a generation or a start of a search. After a step,
+// each run has a best objective so far; the smallest, median and largest over the runs are written as log10. A run
+// that has ended keeps its last value. Writes null if there is only one step, or if no run has an objective above 0.
 void write_convergence(JsonWriter& out, DeviceFit const& fit) {
   std::vector<std::vector<double>> runs;
   std::size_t steps = 0;

@@ -30,14 +30,15 @@ const said = (place, reason, kind) =>
 function verdictList() {
   const purpose = purposeOf(chosen.purpose);
   const items = purpose.recommendation
-    ? standingsOf(purpose).map(({ law, place, error, reason, reason_kind: kind }) =>
-        element(
+    ? standingsOf(purpose).map(({ law, place, error, reason, reason_kind: kind }) => {
+        const asGood = place === 'taken' || place === 'ties'; // these have the tone of the answer, as in the chart
+        return element(
           'li',
-          { class: place === 'taken' || place === 'ties' ? null : 'brief' },
-          marker(ROLES[place], place === 'taken' ? TONES[purpose.recommendation.sure] : undefined),
+          { class: asGood ? null : 'brief' },
+          marker(ROLES[place], asGood ? TONES[purpose.recommendation.sure] : undefined),
           element('div', {}, lawName(law), ' ' + errorText(error) + said(place, reason, kind)),
-        ),
-      )
+        );
+      })
     : chosen.view === 'runs'
       ? rankedList()
       : frontList(viewOf(chosen.view));
