@@ -45,12 +45,24 @@ TEST(LargerSwings, ShowThatALawDoesNotKnowThem) {
   ASSERT_TRUE(found);
   EXPECT_LT(found->fitted, 0.01);
   EXPECT_GT(found->predicted, 0.05);
-  // Every yield displacement above 105 mm fits the small swings equally well. The fit that predicts worst counts.
-  EXPECT_LT(found->least_predicted, 0.9 * found->predicted);
-  EXPECT_EQ(found->predicted, mean_objective(models_of(law, record).large, found->parameters));
   auto const again = predict_larger_swings(models_of(law, record), box, num::Stream(1));
   EXPECT_EQ(found->parameters, again->parameters);
   EXPECT_FALSE(predict_larger_swings(models_of(law, record), box, num::Stream(1), [] { return true; }));
+}
+
+// With a yield displacement beyond the small swings, these do not determine the stiffness after yield, and the ends of
+// the search differ in it. The end that predicts worst counts.
+TEST(LargerSwings, CountByTheWorstOfEquallyGoodFits) {
+  auto const record = twins::growing_cycles(6, 80);
+  auto const& law = laws::find_law("bilinear");
+  std::vector<fit::Override> const overrides{
+      {.law = "bilinear", .parameter = "xy", .interval = laws::Interval{110.0, 110.0}}};
+  auto const box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), overrides);
+  auto const models = models_of(law, record);
+  auto const found = predict_larger_swings(models, box, num::Stream(1));
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->least_predicted, 0.95 * found->predicted);
+  EXPECT_EQ(found->predicted, mean_objective(models.large, found->parameters));
 }
 
 // The end of a record after its last small swing changes nothing in the fit of the small ones.
