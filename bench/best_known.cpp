@@ -175,7 +175,7 @@ std::string problem_key(laws::LawEntry const& law, laws::Integration integration
   add_channel(text, "vel", record.vel_mm_s);
   add_channel(text, "force", record.force_kN);
   add_channel(text, "scored", record.scored);
-  // Without weights the keys stay those of files written before records had weights.
+  // A record without weights adds nothing here, so that its key equals the key in older files, which know no weights.
   if (!record.weights.empty()) add_channel(text, "weights", record.weights);
   add_box(text, box);
   return sha256(text);

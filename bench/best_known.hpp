@@ -1,6 +1,6 @@
 // Reads and writes best_known.toml. For each named problem that file holds the smallest objective that any search ever
-// found. The benchmark judges every search by this objective. It so notices when all runs of a search end in the same
-// local minimum.
+// found. The benchmark judges every search by this objective. In this way it notices if all runs of a search end in the
+// same local minimum.
 #pragma once
 
 #include <span>

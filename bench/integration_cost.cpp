@@ -1,8 +1,9 @@
 // Measures the time and the error of the objective for several ways to integrate bouc-wen and abe-y0: Runge-Kutta with
-// sub-steps, and the exact flow. The reference is the exact flow on a path 100 times finer. The program prints three
-// errors. The first two are the median and the largest error over candidates from the published box. The third is the
-// largest error at the best points of several genetic searches that use the integration under test. It can be larger
-// than the others, because a search prefers points where the error lowers the objective.
+// sub-steps, and the exact solution of the differential equation over each step (the exact flow). The reference is the
+// exact flow on a path 100 times finer. The program prints three errors. The first two are the median and the largest
+// error over candidates from the published box. The third is the largest error at the best points of several genetic
+// searches that use the integration under test. It can be larger than the others, because a search prefers points where
+// the error lowers the objective.
 // Usage: integration_cost RECORD [REPETITIONS]
 // Prints CSV. ISOLAW_SIMD chooses the instruction set.
 #include <algorithm>

@@ -1,4 +1,4 @@
-# Settings that keep the build short. The presets (except `developer`) also compile all sources of a folder as one unit
+# These settings keep the build short. The presets (except `developer`) also compile all sources of a folder as one unit
 # (CMAKE_UNITY_BUILD). Names in the unnamed namespaces of one folder must therefore differ. The developer preset
 # compiles each source alone, so that an edit compiles only that source again and a forgotten #include is an error.
 

@@ -1,5 +1,5 @@
-// Shared by all fuzz targets. For every input isolaw must either succeed or throw an isolaw::Error. Any other exception
-// ends the program, and libFuzzer or replay.cpp then reports the input.
+// All fuzz targets include this header. For every input isolaw must either succeed or throw an isolaw::Error. Any other
+// exception ends the program, and libFuzzer or replay.cpp then reports the input.
 #pragma once
 
 #include <unistd.h>

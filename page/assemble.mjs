@@ -63,5 +63,5 @@ const policy = [
   "form-action 'none'",
   "base-uri 'none'",
 ].join('; ');
-// Replaces only the first occurrence. Scripts that contain the same text must keep it.
+// Replaces only the first {{policy}} in the page. Scripts that contain the same text must keep it.
 writeFileSync(one('out'), page.replace('{{policy}}', () => policy));

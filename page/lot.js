@@ -95,8 +95,8 @@ const empty = () => 'title = ' + writeValue(state.title || text.untitled) + '\n'
 
 const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? lot.length;
 
-// `isolaw init` writes columns and units only once if all files share them. This writes them into each device instead,
-// because files that the user adds later may have others.
+// If all files share their columns and units, `isolaw init` writes these only once, for the whole lot. This function
+// writes them into each device instead, because files that the user adds later may have others.
 function withReadInDevices(lot) {
   for (const key of ['columns', 'units']) {
     const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
@@ -157,8 +157,8 @@ export const fileName = (title) =>
 
 export const lotName = () => fileName(titleOfAll() || text.untitled);
 
-// The lot file may name a record with '\\', with other capitals or in another folder. This finds the dropped record
-// that is meant.
+// The lot file may name a record with '\\', with other capitals or in another folder. This function finds the dropped
+// record that is meant and gives it the path that the lot file has.
 function rename(named) {
   const lower = (path) => path.replace(/\\/g, '/').toLowerCase();
   const last = (path) => lower(path).replace(/^.*\//, '');

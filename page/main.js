@@ -184,7 +184,7 @@ const takeIn = async (files) => {
   } else show('records');
 };
 
-let received = Promise.resolve(); // settles when the last drop has been read; the next drop waits for it
+let received = Promise.resolve(); // fulfilled once the last drop has been read; the next drop waits for it
 const receive = (chosen) => {
   const before = received;
   received = busy(text.starting, async () => {

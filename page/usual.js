@@ -1,5 +1,5 @@
-// Values of the program that the page needs before the program has started. The test page.commands compares them with
-// the program.
+// These values repeat values of the program, because the page needs them before the program has started. The test
+// page.commands compares them with the program.
 
 export const usualRuns = (method) => (method === 'ga' ? 20 : 2);
 

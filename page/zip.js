@@ -1,6 +1,7 @@
 // Reads and writes zip files, in which the page saves campaigns. The format is APPNOTE.TXT 6.3.10 without encryption,
-// spanning or ZIP64. The files in a zip file may have 30 times its size, but at least 64 MiB and at most 1 GiB. Records
-// have the same limit (docs/records.md).
+// spanning or ZIP64. The files in a zip file may together be 30 times as large as the zip file when they are unpacked.
+// This limit is never below 64 MiB and never above 1 GiB. Records that are zip files have the same limit
+// (docs/records.md).
 
 const LOCAL = 0x04034b50,
   CENTRAL = 0x02014b50,

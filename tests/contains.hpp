@@ -1,4 +1,4 @@
-// Searches a text for a part, for assertions.
+// A function with which tests check that a text contains a part.
 #pragma once
 
 #include <string>

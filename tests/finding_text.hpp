@@ -28,7 +28,7 @@ inline std::string text_of(std::vector<Finding> const& findings) {
 inline Finding stated(std::string text) {
   return {.kind = FindingKind::file_format, .words = {{"text", std::move(text)}}};
 }
-// Whether `part` occurs in the sentence of the finding, or in that of one of several findings.
+// Whether `part` occurs in the sentence of a finding, or in the paragraph that the sentences of several findings make.
 inline bool contains(Finding const& finding, std::string_view part) {
   return wording::sentence(finding).find(part) != std::string::npos;
 }

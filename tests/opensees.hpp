@@ -1,6 +1,6 @@
-// Where the tests find OpenSees to run exported scripts: the Python module that tools/opensees.sh installs from PyPI,
-// in the build folder or in the folder that the environment variable ISOLAW_OPENSEES names. The module also runs Tcl
-// scripts, through opensees/tcl_script.py. `xara` is a fork of OpenSees with its own Tcl interpreter.
+// The tests run exported scripts in OpenSees, here a Python module that tools/opensees.sh installs from PyPI. The
+// module lies in the build folder, or in the folder that the environment variable ISOLAW_OPENSEES names. It also runs
+// Tcl scripts, through opensees/tcl_script.py. `xara` is a fork of OpenSees with its own Tcl interpreter.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Reads the data block of the HTML page that a report writes.
+// Reads the block of JSON data in the HTML page of a report.
 #pragma once
 
 #include <nlohmann/json.hpp>

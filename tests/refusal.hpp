@@ -1,4 +1,4 @@
-// For assertions on error messages about wrong input.
+// Lets tests check the error messages that wrong input causes.
 #pragma once
 
 #include <string>

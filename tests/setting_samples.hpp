@@ -1,4 +1,5 @@
-// Sample values for tests that run for each row of the table of settings. A new row is tested without further code.
+// Gives sample values to tests that run once for each row of the table of settings (campaign/setting_table.hpp). A new
+// row is therefore tested without further code.
 #pragma once
 
 #include <fstream>
@@ -10,8 +11,8 @@
 
 namespace isolaw::testing {
 
-// A valid value of the setting other than its default. The samples for settings that hold free text are in
-// setting_samples.json.
+// A valid value of the setting other than its default. setting_samples.json holds the values for the settings that hold
+// free text and for some that hold numbers.
 inline Json another(campaign::Setting const& setting) {
   auto const usual = setting.get({});
   for (auto const word : setting.words)
@@ -47,7 +48,8 @@ inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   return values;
 }
 
-// Settings in which one setting has this value, together with the settings that it requires, such as its search method.
+// Returns settings of a campaign in which `setting` has this value. The settings that it requires, such as its search
+// method, are set too.
 inline campaign::Settings with(campaign::Setting const& setting, Json const& value) {
   campaign::Settings settings;
   settings.laws = campaign::parse_laws("all");

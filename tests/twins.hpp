@@ -1,4 +1,5 @@
-// Twins of devices: records that a law computed from known parameters, with noise where a test asks for it.
+// Makes twins of devices. A twin is a record that a law computed from known parameters, so a test knows the parameters
+// that a fit should find. Tests may add noise to the record.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,8 @@
 
 namespace isolaw::twins {
 
-// `cycles` cycles at 0.5 Hz whose amplitude grows in equal steps to 150 mm. twin_of() fills in the force.
+// `cycles` cycles at 0.5 Hz whose amplitude grows in equal steps to 150 mm. The force is an elliptic loop, from which
+// the search box is scaled; twin_of() replaces it with the force of the law.
 inline data::FitRecord growing_cycles(int cycles, int samples_per_cycle) {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -65,8 +67,8 @@ inline std::vector<std::string> held(std::string_view id) {
   return {};
 }
 
-// A twin whose true parameters lie in the middle of the box scaled from the record. Candidates are drawn until one has
-// a finite objective.
+// A twin whose true parameters are drawn from the middle of the box that is scaled from the record, between 0.3 and 0.7
+// of each interval. Parameters are drawn up to 100 times, until their objective is finite.
 inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
   auto const& law = laws::find_law(id);
   auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
@@ -87,8 +89,8 @@ inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector
   return twin_of(law, std::move(motion), std::move(box), truth);
 }
 
-// Normally distributed noise. `share` is its standard deviation over that of the force; `correlation` is between
-// neighbouring samples.
+// Normally distributed noise. `share` is the standard deviation of the noise divided by that of the force;
+// `correlation` is the correlation between the noise of neighbouring samples.
 struct Noise {
   double share = 0.01;
   double correlation = 0.0;

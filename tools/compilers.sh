@@ -67,8 +67,8 @@ for variant in "${variants[@]}"; do
     printf '%s\n  left out: no %s here\n' "$name" "${command[0]}"
     continue
   fi
-  # The probe may not run: the processor lacks instructions that the compiler uses, or the compiler is for another
-  # processor.
+  # An empty program is compiled and run first. It does not run if the processor lacks instructions that the compiler
+  # uses, or if the compiler is for another processor.
   if ! echo 'int main() {}' | "${command[@]}" -x c++ - -o "$folder/probe" 2>/dev/null ||
     ! "${emulator[@]}" "$folder/probe"; then
     printf '%s\n  left out: does not run here\n' "$name"

@@ -23,5 +23,5 @@ environment() {
 }
 
 environment openseespy "openseespy $version" "openseespy==$version"
-# xara also requires packages for plots and services, which the tests do not need. This leaves them out.
+# xara also requires packages for plots and services, which the tests do not need. --no-deps leaves them out.
 [ $# -gt 1 ] || environment xara "opensees $xara" --no-deps "opensees==$xara" numpy platformdirs shps prompt_toolkit wcwidth

@@ -29,7 +29,7 @@ rm -f "$folder/versions"
 mkdir -p "$folder/licences"
 cd "$apt/archives"
 for name in "${sources[@]}"; do
-  # The server may no longer have a version that Debian's list names, so this tries all versions, newest first.
+  # The server may no longer have a version that Debian's list names, so the loop tries all versions, newest first.
   fetched=
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$version && break

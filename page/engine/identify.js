@@ -2,6 +2,7 @@
 // Workers first compute parts of the runs, then parts of the analyses of devices, then parts of the laws that are
 // fitted to the whole lot. One worker merges all parts.
 
+import { usualRuns } from '../usual.js';
 import { isProgress, makeProgress } from './progress.js';
 
 const stores = (folder) => [folder + '/campaign.sqlite*'];
@@ -47,7 +48,7 @@ export function identifyWith(pool) {
     const workers = Math.max(1, Math.min(wanted, pool.count));
     const begun = (folder) => parts.filter(({ path }) => path.startsWith(folder + '/'));
     const analysed = valueOf(options, '--analysis') !== 'none';
-    const runs = Number(valueOf(options, '--runs') ?? 3); // used only for the progress bar
+    const runs = Number(valueOf(options, '--runs') ?? usualRuns(valueOf(options, '--method'))); // used only for the progress bar
     const kept = new Map();
     // Aborting this controller ends all commands, for example after one has failed.
     const ended = new AbortController();
@@ -92,7 +93,8 @@ export function identifyWith(pool) {
       said.stderr = said.stderr.split('\n').filter((line) => !isProgress(line)).join('\n');
       if (folder === 'out') return said;
       if (said.code !== 0) throw new Refused(said);
-      // If a command wrote no file, its earlier files already have all of its work.
+      // If an earlier campaign had already done all work of a command, the command writes no file, and the earlier
+      // files are its result.
       const found = said.files.length > 0 ? said.files : own;
       kept.set(folder, found);
       progress.end(phase, task);

@@ -1,6 +1,7 @@
 // Writes a campaign whose runs have the means and standard deviations that Table A.5 of the paper prints, and its
-// reports: make_table_a5 DIR. Each law has two runs on each device. They lie one standard deviation over the root of
-// two above and below the mean.
+// reports: make_table_a5 DIR. Each law has two runs on each device. Their values are the mean plus and minus the
+// printed standard deviation divided by the square root of two. The sample standard deviation of the two is then the
+// printed one.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

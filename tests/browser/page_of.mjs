@@ -7,8 +7,8 @@ import { pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
 import { extend, with_data } from './test_records.mjs';
 
-// Calls `test` with two functions, one that opens pages and one that records failures. Then ends the process, with the
-// exit code 77 if there is no browser.
+// Calls `test` with two functions, one that opens pages and one that records failures, and then ends the process.
+// Without a browser it calls nothing and ends the process with the exit code 77.
 export async function withBrowser(program, makePage, test) {
   if (!program || !existsSync(program)) {
     console.log('skipped: no Chromium found (install chromium, or configure with -DISOLAW_CHROMIUM=FILE)');

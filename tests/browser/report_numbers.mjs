@@ -169,7 +169,7 @@ function compareFront(name, seen, expected) {
 }
 
 // The bars show the areas of the loops in the data of the page, which are smoothed and thinned. The expected energies
-// come from the raw record and agree with them only nearly.
+// come from the raw record, so the two need to agree only within 2 %.
 function compareEnergies(name, { energy, cycles }) {
   same(`${name}, cycles`, energy[0]?.y.length ?? 0, cycles.length);
   cycles.forEach((cycle, i) => near(`${name}, energy of cycle ${i + 1}`, energy[0].y[i], cycle.energy_kN_mm, 0.02));
@@ -187,8 +187,8 @@ function compareObjectives(name, seen, expected) {
       near(`${name}, OF of ${law} on ${device}`, trace.y[i], devices[device].mean);
       near(`${name}, std of OF of ${law} on ${device}`, trace.array[i], devices[device].std);
       near(`${name}, spread of ${law} on ${device}`, spread.y[spread.text.indexOf(device)], devices[device].std);
-      // near() compares relatively. `percent` is a small difference of numbers with nine digits, so it has few exact
-      // digits. Both sides therefore get 100 added.
+      // near() compares relative differences. `percent` is the small difference of two numbers with nine digits, so
+      // only a few of its digits are exact. 100 is therefore added to both numbers before they are compared.
       const percent = relative.y[relative.text.indexOf(device)];
       near(`${name}, ${law} on ${device} against its mean`, 100 + percent, 100 + devices[device].percent);
     });

@@ -59,8 +59,8 @@ const SOURCES = [
   'statistical, system predicted',
 ];
 
-// Returns the keys of those parts of the data that extend() replaces. Its parts must have the same keys as the
-// program's.
+// Returns the keys of those parts of the data that extend() replaces. The parts that extend() writes must have the same
+// keys as those that the program writes.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];

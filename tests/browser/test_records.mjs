@@ -17,8 +17,8 @@ export function coded(values) {
   return { o: low, s: step, d };
 }
 
-// Returns a record with blocks of 50 mm and 100 mm at different frequencies, after a smaller cycle and before half a
-// cycle. Its stiffness falls with the distance travelled, as rubber does by scragging.
+// Returns a record with one cycle of 20 mm, a block of 50 mm, a block of 100 mm at half the frequency, and half a cycle
+// at the end. Its stiffness falls with the distance travelled, as that of rubber does in its first cycles (scragging).
 export function made_up_record(scatter, perCycle = 80) {
   const disp = [],
     time = [];

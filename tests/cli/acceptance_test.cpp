@@ -1,5 +1,5 @@
-// inspect, calibrate and report check tests against a rule set. These tests compare the verdicts and exit codes, and
-// what the store keeps of the rules.
+// inspect, calibrate and report check tests against a rule set. These tests look at the verdicts, at the exit codes,
+// and at the rules that the store keeps.
 #include <regex>
 
 #include "cli/loops.hpp"

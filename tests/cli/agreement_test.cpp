@@ -106,8 +106,8 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
       return walk_of(output.out);
     };
     cases.push_back({law, walk_of(read(law + ".csv")), simulated("motion.csv")});
-    // simulate also runs along the path in the exported table. This leaves out laws that depend on velocity, because
-    // simulate computes the velocities from the path, while the table has its own.
+    // simulate also runs along the path in the exported table. Laws that depend on velocity are left out: simulate
+    // computes the velocities from the path, whereas the exported table has velocities of its own.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
     std::string space = "isolaw_" + law + "_a";
@@ -120,7 +120,7 @@ template <class Material>
 void drive(Material m) {
   double x, v;
   while (std::scanf("%lf %lf", &x, &v) == 2) {
-    m.trial(x + 3.0, v);  // of which nothing may stay
+    m.trial(x + 3.0, v);  // a trial that is not committed: it must leave no trace
     std::printf("%.17g\n", m.trial(x, v));
     m.commit();
   }

@@ -317,8 +317,9 @@ TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   EXPECT_GE(with_scatter, 4);
 }
 
-// The record of the fitted block was computed with the bilinear law itself, so its objective is only rounding. The
-// check and the grade of the prediction must not take a multiple of that rounding for an error of the law.
+// The record of the fitted block was computed with the bilinear law itself, so its objective consists only of rounding
+// errors. `isolaw check` and the grade of the prediction must not take a multiple of these rounding errors for an error
+// of the law.
 TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -342,8 +343,9 @@ TEST_F(Analysis, of_a_record_that_a_law_made_itself) {
                  {"--replicates", "40 to 100000"});
 }
 
-// A campaign without some of its analyses shows no front, because laws are compared only if all of them cover the same
-// devices.
+// The test deletes some analyses from the store. The report must then put no law on the front of accuracy and
+// robustness, because laws are compared only if their analyses cover the same devices. The same campaign must compute
+// the deleted analyses again.
 TEST_F(Analysis, what_is_not_complete_gives_no_front) {
   ASSERT_EQ(isolaw(campaign("O")).code, 0);
   sqlite3* db = nullptr;

@@ -302,8 +302,8 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
-  // A killed program may leave an empty store. merge --fresh replaces this store and removes the results of the former
-  // study.
+  // A killed program may leave an empty store. A merge must refuse the empty store, and merge --fresh must replace it
+  // and remove the results of the former study.
   write("O/building.sqlite", "");
   write("O/building.sqlite.part", "left");
   expect_refused(isolaw({"merge", "O", "P1"}), {"O/building.sqlite", "an empty file", "--fresh"});
@@ -388,8 +388,9 @@ TEST_F(BuildingParts, that_are_interrupted_end_as_a_campaign_does) {
   EXPECT_GT(stored_rows(path("I/building.sqlite"), "runs"), 0);
 }
 
-// A law without a two-dimensional form becomes springs around a circle in a building. If the campaign fitted springs,
-// the building uses their parameters. Otherwise the springs take the parameters of the law, and the output says so.
+// A building replaces a law that has no two-dimensional form by springs in several directions around a circle. Each
+// spring follows the law in its own direction. If the campaign fitted such springs, the building uses their parameters.
+// Otherwise the springs take the parameters of the law itself, and the output says so.
 TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
   campaign();
   Words const fit{"calibrate",  "a.csv", "b.csv",  "c.csv", "--laws",       "bilinear,power-masing",
@@ -457,7 +458,8 @@ TEST_F(Building, refuses) {
   expect_refused(isolaw({"building", "b.toml", "--from", "nowhere"}), {"b.toml:2", "draws", "[base]", "no motions"});
 }
 
-// A scale belongs to the motion beside it. Motions of --motion are used as they are, and the command says so.
+// The building file states a scale beside each of its motions. A motion that the user gives by --motion is used without
+// any scale, and the command must say so.
 TEST_F(Building, says_that_motions_of_the_command_line_are_not_scaled) {
   campaign();
   ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
@@ -475,7 +477,8 @@ TEST_F(Building, says_that_motions_of_the_command_line_are_not_scaled) {
       << given;
 }
 
-// Where no terminal shows the progress, a line now and then still does. A study this short ends before the first one.
+// If standard error is not a terminal, a study prints a line of progress only every 30 s. This study ends before the
+// first such line, so none may appear.
 TEST_F(Building, prints_no_progress_for_a_short_study) {
   campaign();
   ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);

@@ -225,7 +225,8 @@ TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_writte
   }
 }
 
-// The store or a file of its log is a named pipe. A program that opened it would wait for ever.
+// A named pipe lies in place of the store or of a file of its log. A program that opened the pipe would wait for ever,
+// so every command must refuse it at once.
 TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
   write("taken.csv", csv(record()));
   for (auto const* suffix : {"", "-wal", "-journal"}) {
@@ -293,14 +294,14 @@ TEST_F(Check, a_directory_without_a_campaign) {
 // record this and go on.
 class Overflow : public InFreshDirectory {
  protected:
-  // A campaign with the default search and two fixed parameters of hwang-wu.
+  // Returns the command of a campaign with the default search and two fixed parameters of hwang-wu.
   Words campaign(Words const& more = {}) const {
     Words words{"calibrate", "a.csv", "--laws", "bilinear,hwang-wu", "--samples-per-cycle", "20", "--runs",
                 "1",         "--out", "O"};
     for (auto const* value : {"a6=-20000", "a7=4"}) words = words + Words{"--set", fmt::format("hwang-wu.{}", value)};
     return words + more;
   }
-  // A campaign with two more fixed values. The force then overflows whatever the free parameters are.
+  // Returns the same command with two more fixed parameters. The force then overflows whatever the free parameters are.
   Words overflowing(Words const& more = {}) const {
     return campaign(Words{"--set", "hwang-wu.a8=50", "--set", "hwang-wu.a10=-2.3928e-7"} + more);
   }
@@ -331,8 +332,8 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// With --method best the program searches again in finer integration steps where the steps matter. With --method ga it
-// keeps the result and warns.
+// If finer integration steps change a result, the program searches again with finer steps under --method best. Under
+// --method ga it must keep the result and warn.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));
   ASSERT_EQ(o.code, 0) << o;

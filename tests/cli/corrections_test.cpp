@@ -64,8 +64,8 @@ class Corrections : public InFreshDirectory {
     EXPECT_EQ(o.code, 0) << o;
     return Json::parse(o.out);
   }
-  // Expects K_eff = 0.8 kN/mm within 0.001 kN/mm and the energy pi 0.02 omega D^2 of the term 0.02 v within 0.1 %. The
-  // disturbances are 4 % and more.
+  // Expects K_eff = 0.8 kN/mm within 0.001 kN/mm and the energy pi 0.02 omega D^2 of the term 0.02 v within 0.1 %. A
+  // disturbance that was left uncorrected would change one of them by 4 % or more (expect_disturbed).
   static void expect_device(Json const& device) {
     auto const& cycle = cycle_of(device, 1, 2);
     double const energy = std::numbers::pi * 0.02 * omega * amplitude_mm * amplitude_mm;

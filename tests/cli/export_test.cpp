@@ -52,8 +52,9 @@ class Export : public InFreshDirectory {
   }
 };
 
-// Returns how exactly other programs can have the exported law. Where they have no form of it, or where loading and
-// unloading follow different limit curves, which none of them supports, the export fits their nearest form.
+// Returns how exactly an export must represent the law in other programs. "re-fitted" means that the export fits the
+// nearest form that those programs have. It does so if they have no form of the law, and if loading and unloading
+// follow different limit curves, which none of them supports.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -190,8 +191,8 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The two devices differ by 10 %. The law of the lot must lie between their two laws, and its lower and upper bounds
-  // on either side of 1.
+  // The two devices differ by 10 %. K2 of the law of the lot must lie between the values of the two devices. The
+  // factors on its force must be below 1 for the lower bound and above 1 for the upper bound.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
@@ -251,8 +252,8 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   EXPECT_EQ(of("a"), a);
 }
 
-// Where loading and unloading branches of a vaiana law differ, its export lists ties between parameters that would make
-// the export exact. This campaign has these ties.
+// If the loading and unloading branches of a vaiana law differ, its export is not exact and lists the ties between
+// parameters that would make it exact. This campaign sets these ties, so its export must be exact.
 TEST_F(Export, of_vaiana_with_equal_branches_is_exact) {
   Words ties;
   for (std::string const name : {"Kb", "f0", "alpha", "beta1", "beta2"})

@@ -92,8 +92,8 @@ class Fault : public InFreshDirectory {
     EXPECT_EQ(check.code, 0) << check;
     return replaced ? Left::replaced : Left::former;
   }
-  // Kills the program at every tenth operation of starting over, and at every operation near the one that replaces the
-  // former store by the new one.
+  // Kills the program at every tenth operation while it starts over with --fresh, and at every operation near the one
+  // that replaces the former store by the new one.
   void expect_one_of_both(std::string const& former) {
     constexpr long stride = 10, around = 20;
     long at = 1;
@@ -104,8 +104,8 @@ class Fault : public InFreshDirectory {
     while (!HasFailure() && left_of(former, at) == Left::replaced) at += stride;
     EXPECT_EQ(left_of(former, at), Left::nothing);
   }
-  // Tries faults of one kind at operations spread over the campaign, or at all if ISOLAW_FAULTS is set. Returns how
-  // many it tried.
+  // Tries faults of one kind at about twelve operations spread over the campaign, or at every operation if
+  // ISOLAW_FAULTS is set. Returns how many faults it tried.
   int try_all(std::string const& mode, Words const& command) {
     long const count = operations(command);
     EXPECT_GT(count, 50) << "the library that makes faults does not see what the program writes";

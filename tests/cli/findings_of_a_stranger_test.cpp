@@ -45,7 +45,8 @@ TEST_F(SmallThings, init_leaves_out_a_date_or_a_temperature_that_is_none_and_say
   EXPECT_TRUE(contains(text, "-100 to 200")) << text;
 }
 
-// A device is named after its file. Blanks around the name are removed. A name that a lot file cannot hold is refused.
+// isolaw names a device after its file and must remove blanks around the name. If a lot file cannot hold the name, init
+// must refuse the file.
 TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
   for (auto const* file : {" lead.csv", "trail .csv"}) {
     write(file, csv(record()));
@@ -156,7 +157,8 @@ TEST_F(SmallThings, days_under_a_name_with_seconds_are_remarked) {
               Json::parse(isolaw({"inspect", "--json", "a.csv"}).out)["blocks"][0]["frequency_Hz"].get<double>(), 1e-3);
 }
 
-// Damping divides by the stiffness. This force has practically none, so the quotient would be rounding error.
+// To compute the damping, isolaw divides by the stiffness. This record has practically no stiffness, so the quotient
+// would consist of rounding errors. isolaw must give no damping and say so.
 TEST_F(SmallThings, damping_without_stiffness_is_not_defined) {
   write("v.csv", csv(record(), "Time [s],Displacement [mm],Force [kN]", [](std::size_t i, Sample const& s) {
           double const phase = std::asin(std::clamp(s.disp_mm / 100.0, -1.0, 1.0));
@@ -181,7 +183,7 @@ TEST_F(SmallThings, a_motion_may_be_a_part_of_its_file_and_says_what_it_leaves_a
   EXPECT_TRUE(contains(part.err, "samples 2 to 4 of 5 are read (--motion-from 1 --motion-to 3)")) << part;
 }
 
-// A database of another program may lie where a campaign is to be written.
+// A database of another program may lie where isolaw writes its store. --fresh must refuse to replace that database.
 TEST_F(SmallThings, starting_over_replaces_no_database_of_another_program) {
   Words const fit =
       Words{"calibrate", "a.csv", "--out", "o", "--figures", "none", "--analysis", "none", "--fresh"} + smallest_search;
@@ -198,7 +200,7 @@ TEST_F(SmallThings, starting_over_replaces_no_database_of_another_program) {
   expect_refused(isolaw(fit), {"o/campaign.sqlite", "is a database of another program", "'accounts'", "--fresh"});
   EXPECT_EQ(read("o/campaign.sqlite"), before);
 
-  // A file that is no store and holds nothing of another program is replaced, and the program tells what is lost.
+  // --fresh does replace a file that is empty or no database at all, and must say what is lost.
   for (auto const& [bytes, told] :
        {std::pair("", "was an empty file: nothing is lost"),
         std::pair("no database at all", "was damaged, or no store of isolaw: its 18 bytes are lost")}) {
@@ -211,13 +213,14 @@ TEST_F(SmallThings, starting_over_replaces_no_database_of_another_program) {
   EXPECT_EQ(again.code, 0) << again;
   EXPECT_FALSE(contains(again.err, "lost")) << again;
 
-  // A study of a building and a merge are as careful.
+  // merge --fresh must refuse a database of another program too.
   fs::rename(path("o"), path("whole"));
   make("CREATE TABLE accounts (name TEXT)");
   expect_refused(isolaw({"merge", "o", "whole", "--fresh"}), {"is a database of another program"});
 }
 
-// The report names every option that a record was read with, so that its command gives the same campaign.
+// The command that report.html shows must contain every option with which the record was read. Given again, this
+// command must give the same campaign.
 TEST_F(SmallThings, the_command_of_a_report_reads_the_records_in_the_same_way) {
   std::string untimed = "disp [mm],force [kN]\n";
   for (auto const& sample : record()) untimed += fmt::format("{:.5f},{:.5f}\n", sample.disp_mm, -sample.force_kN);
@@ -249,7 +252,8 @@ TEST_F(SmallThings, a_merge_of_a_part_that_is_not_there_does_not_end_well) {
   EXPECT_EQ(isolaw({"merge", "o", "--figures", "none"}).code, 0);
 }
 
-// A report with other rules and without figures leaves no figure behind that shows the former ones.
+// The user writes a report with other rules and without figures. report must remove the figures that show the former
+// rules, and check must not miss them.
 TEST_F(SmallThings, a_check_does_not_miss_figures_that_a_report_left_out) {
   write("b.csv", csv(record({.stiffness_kN_per_mm = 0.55})));
   auto const fit = isolaw(Words{"calibrate", "a.csv", "b.csv", "--out", "o", "--figures", "lot", "--analysis", "none"} +
@@ -263,7 +267,7 @@ TEST_F(SmallThings, a_check_does_not_miss_figures_that_a_report_left_out) {
   EXPECT_TRUE(exists("o/figures/properties.dat")) << drawn;
 }
 
-// With one device there is no law of the lot, so no message offers it.
+// A campaign with one device has no law of the lot, so the list of allowed devices must not contain "lot".
 TEST_F(SmallThings, what_is_allowed_is_not_refused_in_turn) {
   auto const fit =
       isolaw(Words{"calibrate", "a.csv", "--out", "o", "--figures", "none", "--analysis", "none"} + smallest_search);
@@ -297,7 +301,7 @@ TEST_F(SmallThings, mistakes_of_a_lot_file_stand_in_its_order_and_name_the_key_t
   }
 }
 
-// The advice looks at all rows that cannot be read, and not at the first of them alone.
+// Some rows of the record lack the force. The advice must take all of these rows into account and not only the first.
 TEST_F(SmallThings, advice_about_ragged_rows_leads_past_all_of_them) {
   auto const ragged = [&](auto const& is_short) {
     auto const samples = record();
@@ -327,7 +331,8 @@ TEST_F(SmallThings, init_tells_of_records_that_calibrate_will_refuse) {
   EXPECT_EQ(count_of("will leave it out", o.err), 1u) << o;
 }
 
-// A force that depends on the velocity falls before each reversal, in the tests as well as beyond them.
+// The velocity falls to zero before each reversal, so a force that depends on it falls too. This happens within the
+// tested range as well as beyond it, so an export must not warn that the law extrapolates badly.
 TEST_F(SmallThings, a_fall_of_the_force_before_a_reversal_is_no_extrapolation) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   for (int i = 0; i <= 600; ++i) {

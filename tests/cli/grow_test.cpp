@@ -75,7 +75,8 @@ TEST_F(Grow, by_runs_of_which_some_are_the_best) {
   expect_same("G", "W");
 }
 
-// The test writes impossible numbers into stored rows. Rows that still have them afterwards were not computed again.
+// The test writes impossible numbers into stored rows and then adds a law. Rows that still have these numbers
+// afterwards were not computed again.
 TEST_F(Grow, computes_nothing_twice) {
   lot("two.toml", "ab");
   lot("three.toml", "abc");

@@ -52,7 +52,8 @@ inline void expect_loop(Json const& cycle, Loop const& loop, double share = 1e-6
   near("damping_percent", loop.damping);
 }
 
-// Returns the counted cycle with this number in this block of a device.
+// Returns the cycle with this number in this block of a device. Only counted cycles are looked at: isolaw counts the
+// complete cycles near the amplitude of their block (docs/glossary.md).
 inline Json const& cycle_of(Json const& device, int block, int number) {
   for (auto const& one : device["blocks"])
     for (auto const& cycle : one["cycles"])

@@ -151,7 +151,8 @@ TEST_F(HeldTo, too_small_a_sample_permits_no_analysis_with_mean_properties) {
   EXPECT_EQ(said("3")["permitted"], true);
 }
 
-// The strength of this measured bearing rises from the first cycle to the second, so cycle 2 has the largest value.
+// The strength of this measured bearing rises from the first cycle to the second, so cycle 2 has the largest value. The
+// observed bounds must enclose the strength of cycle 2 as well as that of cycle 3.
 TEST_F(HeldTo, bounds_enclose_the_measured_strength) {
   auto const file = data / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!fs::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;

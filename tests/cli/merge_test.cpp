@@ -235,8 +235,9 @@ TEST_F(Merge, refuses_a_part_of_another_build_or_instruction_set_and_changes_not
                  {"I/campaign.sqlite: computed with instruction set abacus; the merge runs with ",
                   "one instruction set in all parts", "ISOLAW_SIMD=abacus isolaw merge", "--part 2/7 --fresh"});
   EXPECT_FALSE(exists("O/campaign.sqlite"));
-  // Part I above only claims another instruction set. Part S is really computed with another one. Both must be refused,
-  // unless S has the same bits as part 2.
+  // The store in I above only claims that it was computed with another instruction set. The store in S really was. A
+  // merge that runs with the instruction set of S must refuse part 1. The test looks at this only if the bits of S
+  // differ from those of part 2.
   auto const scalar = campaign("S", {"--part", "2/7"});
   ASSERT_EQ(start(scalar, {"ISOLAW_SIMD=scalar"}).wait().code, 0);
   auto const o = start({"merge", "O", "P1", "S"}, {"ISOLAW_SIMD=scalar"}).wait();

@@ -71,7 +71,7 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
 }
 
 // Calibrates the first two devices of the example lot with the settings of its lot file. All other settings have their
-// defaults.
+// defaults. `report` must then write the same files from the store, and `check` must find no fault.
 TEST_F(Outputs, EveryWriterOnTheExampleLot) {
   sound({"example", "lot"});
   auto lot = read("lot/lot.toml");

@@ -138,8 +138,8 @@ TEST_F(FrictionDamper, inspects_and_calibrates_after_a_plain_conversion) {
   expect_finite_objectives("damper", 2.0);
 }
 
-// Each record has seven cycles, of which the three at the nominal amplitude count. Two smaller cycles, at 1/4 and 3/4
-// of the nominal amplitude, come before the three, and two after them.
+// Each record has seven cycles: two smaller ones, at 1/4 and 3/4 of the nominal amplitude, then three at the nominal
+// amplitude, and then two smaller ones again. isolaw must count only the three.
 TEST_F(FrictionDamper, every_record_is_read_as_it_is_and_has_its_three_cycles) {
   if (!fs::exists(packed)) GTEST_SKIP() << "measured data are not here: " << packed;
   if (!have_xz()) GTEST_SKIP() << "xz is not installed";

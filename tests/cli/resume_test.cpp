@@ -228,7 +228,7 @@ TEST_F(Changed, settings_are_refused_naming_each) {
 }
 
 // A campaign must not continue with another method. The default search and the genetic algorithm differ in many
-// settings, but the message that refuses must name only the method.
+// settings. The message that refuses must name only the method and the weights, whose default depends on the method.
 TEST_F(Changed, the_method_is_refused_by_its_name_in_both_directions) {
   Words const command{"calibrate", "a.csv", "--laws", "bilinear", "--runs", "2", "--out", "P"};
   Words const genetic{"--method", "ga", "--population", "4", "--generations", "2"};

@@ -124,7 +124,8 @@ TEST_F(Scored, what_was_chosen_is_recorded_and_shown) {
   expect_refused(resumed, {"fit-blocks: all there, 2 now"});
 }
 
-// The objective with a weight for each interval between two samples, half of it for the sample on either side.
+// Computes the objective with a weight for each interval between two samples. Each of these two samples gets half of
+// the weight.
 double weighted_objective(std::vector<Sample> const& measured, std::vector<Sample> const& law,
                           std::vector<double> const& of_interval) {
   std::vector<double> weights(measured.size(), 0.0);
@@ -141,8 +142,10 @@ double weighted_objective(std::vector<Sample> const& measured, std::vector<Sampl
   return sum / std::sqrt(square);
 }
 
-// The device swings from one extreme to the next in half a cycle. The first extreme is a quarter of a cycle after the
-// start, and the swing from one block to the other goes from -60 to 100 mm.
+// With --weights swing, time counts in proportion to the amplitude of the swing in progress; a swing is the way from
+// one extreme to the next and takes half a cycle. The quarters of a cycle before the first extreme and after the last
+// one count for nothing. The swing from one block to the other goes from -60 to 100 mm, so its amplitude is 80 mm. With
+// --weights travel, an interval counts by the distance travelled.
 TEST_F(Scored, samples_count_by_swing_or_by_travel_if_asked_for) {
   auto const measured = two_blocks(1), law = two_blocks(0);
   write("one.csv", csv(measured));
@@ -180,8 +183,9 @@ TEST_F(Scored, a_motion_without_swings_is_weighed_by_time) {
   EXPECT_FALSE(contains(exported("pulse"), "samples that count by"));
 }
 
-// Every swing is 1.15 times as long as the one before, so that no cycle counts. The force of a spring of 2 kN/mm and a
-// dashpot is F = 2 (x + 0.2 v / w) kN, w = 2 pi / s. Its loops are nearly ellipses with a damping of 10 %.
+// Every swing is 1.15 times as wide as the one before. No two cycles have the same amplitude, so isolaw must judge the
+// record by its largest swings instead of cycles. The force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with
+// w = 2 pi / s: the stiffness is 2 kN/mm, and the loops are nearly ellipses with a damping of 10 %.
 TEST_F(Scored, a_motion_without_cycles_is_judged_by_its_largest_swings) {
   std::vector<Sample> samples;
   for (int i = 0; i <= 1200; ++i) {

@@ -86,8 +86,8 @@ TEST_F(Settings, all_parameters_fixed_evaluates_that_one_point) {
 }
 
 TEST_F(Settings, best_value_at_an_edge_of_its_box_is_reported) {
-  // The device has K2 = 0.5, so in the box from 3 to 4 the best value of K2 is 3. Some of the 4000 random points lie
-  // within 0.1 % of the box's width of it.
+  // The device has K2 = 0.5, so in the box from 3 to 4 the best value of K2 is 3. Some of the 4000 random points lie so
+  // near to 3 that they differ from it by at most 0.1 % of the box's width.
   auto const o = isolaw(command({"--laws", "bilinear", "--runs", "1", "--population", "4000", "--generations", "3",
                                  "--set", "bilinear.K1=4.5", "--set", "bilinear.xy=10", "--set", "bilinear.K2=3:4"}));
   EXPECT_EQ(o.code, 0) << o;

@@ -41,7 +41,8 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
   EXPECT_EQ(checked.code, 0) << checked;
 }
 
-// The lot file names what --same-device says, and both give the same numbers. Its tests may be read in different ways.
+// A lot file with a table [[device.test]] for each test must give the same numbers as the option --same-device. init
+// must write such a lot file.
 TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
   write(
       "lot.toml",
@@ -59,8 +60,8 @@ TEST_F(SeveralTests, are_the_same_in_a_lot_file) {
   EXPECT_EQ(json("M/summary.json")["laws"], json("O/summary.json")["laws"]);
 }
 
-// A fact that all files state alike is the device's. If they differ, the lot file leaves it open and says what they
-// state.
+// The files of the two tests state the same lot but different serial numbers. init must write the lot to the lot file.
+// It must leave the serial number open and say what each file states.
 TEST_F(SeveralTests, state_facts_of_their_device) {
   auto const facts = [](std::string const& serial) { return "Lot: L5\nSerial No: " + serial + "\n"; };
   write("small.csv", facts("S-77") + read("small.csv"));
@@ -72,7 +73,7 @@ TEST_F(SeveralTests, state_facts_of_their_device) {
   EXPECT_TRUE(contains(made, "\n# serial = \"\"  # the file says: S-77 in small, S-78 in large")) << made;
 }
 
-// A law that cannot be fitted to one of the tests says which.
+// The force of one test is zero, so no law can be fitted to that test. The message must name the test.
 TEST_F(SeveralTests, are_named_where_a_law_cannot_be_fitted) {
   write("large.csv",
         csv(record({.amplitude_mm = 100.0}), "time [s],displacement [mm],force [kN]",

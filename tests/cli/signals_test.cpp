@@ -128,8 +128,9 @@ TEST_F(Signals, a_clipped_device_does_not_pass) {
   EXPECT_NE(line.find("displacement is clipped"), std::string::npos) << line;
 }
 
-// The record is that of a lead rubber bearing that heats up over 25 cycles: bouc-wen with n = 1 and a yield
-// displacement of 4 mm, whose strength falls by 2 % a cycle.
+// The first record is that of a lead rubber bearing that heats up over 25 cycles: bouc-wen with n = 1 and a yield
+// displacement of 4 mm, whose strength falls by 2 % a cycle. The second bearing keeps its strength. Only the first may
+// get the warning that no law follows the fall of its energy.
 TEST_F(Signals, no_law_follows_a_device_that_degrades) {
   auto const bearing = [](double kept) {
     std::string text = "time [s],disp [mm],force [kN]\n";

@@ -258,7 +258,8 @@ TEST_F(Simulate, a_motion_that_does_not_start_at_zero_is_warned_of) {
   EXPECT_FALSE(contains(at_zero.err, "virgin")) << at_zero;
 }
 
-// Each parameter is within its own limits, but no device can have this combination.
+// Each parameter is within its own limits, but no device can have this combination, for example K1 < K2. simulate must
+// refuse it.
 TEST_F(Simulate, parameters_that_together_are_no_device_are_refused) {
   write("d.csv", csv(record()));
   Words const bilinear{"simulate", "bilinear", "--motion", "d.csv", "--set", "xy=10", "--set", "K2=0.42"};
@@ -295,7 +296,8 @@ TEST_F(Simulate, takes_every_campaign_that_calibrate_made) {
   expect_refused(isolaw(again + Words{"--set", "K1=0.1"}), {"K1 = 0.1, K2 = ", "allowed: K1 >= K2"});
 }
 
-// The unit in the header shows that the record contains ground accelerations, which are no displacements of the device.
+// The unit in the header shows that the record contains ground accelerations. simulate needs displacements of the
+// device, so it must refuse the record and say what it needs.
 TEST_F(Simulate, a_record_of_acceleration_is_refused_with_what_is_needed) {
   write(
       "g.txt",

@@ -144,7 +144,8 @@ TEST_F(Usage, a_command_with_json_that_fails_gives_its_complaints_as_an_object) 
     messages += "isolaw: " + to_string(Complaint{each["where"], each["found"], each["allowed"], each["advice"]}) + "\n";
   EXPECT_EQ(messages, o.err);
   EXPECT_EQ(isolaw({"inspect", "bad.csv"}).err, o.err);
-  // Wrong options give a JSON object of complaints too, but only if --json stands before the `--`.
+  // Wrong options give a JSON object of complaints too. After the word `--`, however, --json is no option, so the
+  // complaints must then be plain text.
   auto const usage = expect_refused_as_object(isolaw({"laws", "--json", "--bogus"}), {"--bogus: no such option"});
   EXPECT_EQ(usage["error"]["complaints"][0]["where"], "--bogus");
   expect_refused(isolaw({"laws", "--bogus", "--", "--json"}), {"--bogus"});
@@ -188,7 +189,8 @@ TEST_F(Usage, output_that_cannot_be_written_is_no_success) {
   }
 }
 
-// A limit on file sizes stops the output. isolaw must print a message, and the system must not end it before that.
+// A limit on file sizes cuts the output off. The signal that the system then sends would end isolaw silently. isolaw
+// must ignore the signal and print a message.
 TEST_F(Usage, output_that_is_cut_is_no_success) {
   write("a.csv", csv(record()));
   ASSERT_EQ(isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "1", "--population", "4", "--generations",

@@ -161,8 +161,8 @@ TEST_F(Terminal, a_lot_file_in_a_directory_of_records_is_named_not_used) {
   EXPECT_EQ(isolaw({"inspect", "lot/lot.toml"}).err, "");
 }
 
-// Except for rounding, the displacement of this record is never negative. No cycle may print -0, tiny or endless
-// numbers.
+// Except for rounding, the displacement of this record is never negative. No cycle may be printed with -0, with tiny
+// numbers such as 1e-13, or with nine digits in a row.
 TEST_F(Terminal, partial_and_one_sided_cycles_print_bounded_numbers) {
   auto samples = record({.samples = 701});
   for (auto& s : samples) s.disp_mm = 0.5 * (1e-13 - s.disp_mm + 100.0), s.force_kN = 0.5 * (-s.force_kN + 70.0);

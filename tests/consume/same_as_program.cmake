@@ -1,5 +1,5 @@
-# Runs the library's example and the program on one record. Their objectives must agree, and of the two laws the example
-# must call the one better that has the smaller objective.
+# Runs the library's example and the program on one record. The two must give the same objectives of two laws, and the
+# example must say that the law with the smaller objective is the better one.
 # Usage: cmake -DEXAMPLE=... -DISOLAW=... -DRECORD=... -P same_as_program.cmake
 execute_process(COMMAND ${EXAMPLE} ${RECORD} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${EXAMPLE} no-such-file.csv RESULT_VARIABLE code ERROR_VARIABLE error OUTPUT_QUIET)

@@ -1,5 +1,5 @@
-// A law that a user adds by one header file and one entry in the list of laws must work in every part of the program:
-// these tests add trilinear.hpp.
+// A user adds a law by one header file and one entry in the list of laws. The law must then work in every part of the
+// program. These tests add trilinear.hpp in this way.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -140,10 +140,9 @@ TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
 }
 
 // The integrations `converged` and `paper` share only parts of a law's differential equation, so each checks the other.
-// The reference is `paper`, which takes Runge-Kutta steps, here 200 per sample. Where the slope of the force jumps (at
-// zero hysteretic force, if the exponent n is small), the reference itself errs by up to 1e-4 of the peak force. The
-// converged integration of abe, with one step per sample, errs by 4e-4 on this path, which reverses at almost every
-// sample.
+// The reference is `paper` with 200 Runge-Kutta steps per sample. It errs itself by up to 1e-4 of the peak force where
+// the slope of the force jumps (at zero hysteretic force, if the exponent n is small). The converged integration of
+// abe, with one step per sample, errs by 4e-4 on this path, which reverses at almost every sample.
 TYPED_TEST(Convergence, FineRungeKuttaAgreesWithTheConvergedIntegration) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

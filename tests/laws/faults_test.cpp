@@ -1,6 +1,6 @@
-// Records and parameters that no device has but that a user may pass. Every law must answer with a finite force, with
-// an objective of +infinity, or with an Error. With the environment variable ISOLAW_DRAWS=100000 the tests draw more
-// parameter sets and use a record of a million samples.
+// These tests use records and parameters that no device has but that a user may pass. Every law must answer with a
+// finite force, with an objective of +infinity, or with an Error. With the environment variable ISOLAW_DRAWS=100000 the
+// tests draw more parameter sets and use a record of a million samples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -202,8 +202,8 @@ TEST_P(Faults, AMonotonicRecord) {
       }
 }
 
-// Displacements so small that their differences are denormal numbers and the squares of velocities are 0. Where the
-// automatic box of such a record is infinite, the objective must be infinite.
+// The displacements are so small that their differences are denormal numbers and the squares of velocities are 0. Where
+// the automatic box of such a record is infinite, the objective must be infinite.
 TEST_P(Faults, DenormalDisplacements) {
   for (double const size : {1e-150, 1e-300, 1e-310, 5e-324}) {
     Motion const motion = scaled(irregular(5, 1.0, 3, 20), size, size);
@@ -223,7 +223,7 @@ TEST_P(Faults, DenormalDisplacements) {
   }
 }
 
-// Displacements of a kilometre. The bounds of the automatic box grow with the displacement. The published bounds do
+// The device moves by a kilometre. The bounds of the automatic box grow with the displacement. The published bounds do
 // not, so vaiana's exponentials (50 per metre) and the powers of other laws may overflow.
 TEST_P(Faults, HugeDisplacements) {
   auto const record = record_of(irregular(6, 1e6, 3, 20), 0.02, 0.67, 45e3);
@@ -275,9 +275,9 @@ TEST_P(Faults, RepeatedSamplesChangeNothing) {
 // Sampling --------------------------------------------------------------------------------------------------------
 
 // The samples at every rate from 10 Hz on include the extremes of this sine, so the path between the extremes is the
-// same at every rate. Laws that depend on the path alone must give the same force to rounding, and abe within its
-// integration error. Of the two laws that use the velocity, jankowski takes it at the sample alone and hwang-wu
-// interpolates it between samples.
+// same at every rate. Laws that depend on the path alone must give the same force to rounding, abe and bwbn within
+// their integration errors. Of the laws that use the velocity, only hwang-wu interpolates it between samples, so its
+// error falls as the rate grows. The others take it at the sample alone and must also agree to rounding.
 TEST_P(Faults, TheSamplingRateDoesNotMatterFrom10To10000Hz) {
   constexpr double slowest_Hz = 10.0;
   std::vector<double> largest(3, 0.0);

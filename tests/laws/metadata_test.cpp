@@ -1,9 +1,10 @@
-// Each law describes its parameters; these descriptions must be complete and consistent, and the published boxes must
+// Each law describes its parameters. These descriptions must be complete and consistent, and the published boxes must
 // equal Table 4 of Cucuzza et al. 2025. Every law must have a source that names its equation ("Eq"), a formula that
-// contains every parameter as a word, and boxes in the units of its parameters. Other tests of this folder require: a
-// force of 0 if all parameters are 0, unless needs_parameters() in single_laws.hpp lists the law; no finite force from
-// NaN or overflow (min and max drop a NaN that is their second argument); and what the law's traits declare, such as
-// the opposite force for the mirrored motion and the same force at any velocity.
+// contains every parameter as a word, and boxes in the units of its parameters. Other tests of this folder make further
+// demands on a law. If all parameters are 0, the force must be 0, unless needs_parameters() in single_laws.hpp lists
+// the law. A NaN or an overflow must leave no finite force; beware that min and max drop a NaN that is their second
+// argument. The law must behave as its traits declare: it must give, for example, the opposite force for the mirrored
+// motion, or the same force at any velocity.
 
 #include <gtest/gtest.h>
 
@@ -183,8 +184,9 @@ TYPED_TEST(Metadata, DefaultsArePhysical) {
     }
 }
 
-// The sizes of three devices, from a model for a shaking table to a bearing of a bridge. Their automatic intervals must
-// be ordered and lie within the physical limits. An interval that is searched logarithmically must not end at zero.
+// `devices` holds the sizes of three devices, from a model for a shaking table to a bearing of a bridge. The automatic
+// intervals for them must be ordered and lie within the physical limits. An interval that is searched logarithmically
+// must not end at zero.
 TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
   std::array const devices{
       published_device<TypeParam>(),

@@ -1,5 +1,5 @@
-// A law in online form computes one step at a time, as in an analysis program. It must give the forces of the batch
-// form, and trial steps must not change its state.
+// A law in online form computes one step at a time, as an analysis program needs it. It must give the forces of the
+// batch form, which computes a whole record at once, and trial steps must not change its state.
 #include "isolaw/laws/online/online.hpp"
 
 #include <gtest/gtest.h>

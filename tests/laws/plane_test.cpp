@@ -265,8 +265,8 @@ TYPED_TEST(PlaneLaw, lanes_do_not_know_one_another) {
   EXPECT_EQ(run(true), run(false));
 }
 
-// Without motion the force stays the same and the tangent is positive. A single step to 100,000 times the amplitude of
-// the other tests gives a finite force.
+// Without motion the force stays the same and the stiffness in both directions is positive. A single step to 100,000
+// times the amplitude of the other tests gives a finite force.
 TYPED_TEST(PlaneLaw, at_rest_and_far_away) {
   auto const& p = Case<TypeParam>::parameters[0];
   auto state = TypeParam::template start<double>(p);

@@ -60,7 +60,7 @@ inline double yield_mm(laws::LawEntry const& law, std::span<double const> p) {
     return std::pow(value("A") / (value("beta") + value("gamma")), 1.0 / value("n")) / value("A");
   if (law.info.id == "ozdemir") return value("Y") / value("K");
   if (law.info.id == "abe" || law.info.id == "abe-y0") return value("U0");
-  return 5.0;  // vaiana's length 1 / alpha, for example, is 20 mm and more
+  return 5.0;  // mm, for every other law; vaiana's length 1 / alpha, for example, is 20 mm and more
 }
 
 // Laws that have no finite force if all parameters are 0. bouc-wen and bwbn then have beta + gamma = 0, so the force
@@ -79,9 +79,9 @@ inline bool changes_over_cycles(std::string_view law) {
          law.starts_with("power-");
 }
 
-// The mirrored motion of a law that is not odd must give forces that differ by at least this share of the peak force.
-// gallardo differs little, by 3e-4 or more for ten parameter sets: only the distance |x - uy| of a turn at x from the
-// positive yield displacement uy distinguishes its two sides.
+// If a law is not odd, the mirrored motion must not give the opposite forces: the difference from them must be at least
+// this share of the peak force. gallardo differs little, by 3e-4 or more for ten parameter sets. Only the distance
+// |x - uy| of a turn at x from the positive yield displacement uy distinguishes its two sides.
 inline double least_asymmetry(std::string_view law) {
   return law == "gallardo" ? 1e-4 : 0.01;
 }
@@ -106,9 +106,9 @@ inline double error_of_a_laboratory(std::string_view id) {
   return id == "abe" ? 1e-5 : id == "bwbn" ? 1e-4 : 4e-6;
 }
 
-// The largest relative error of a single step over hundreds of yield displacements. abe's yield force changes along the
-// step, which abe divides into at most 64 pieces. bwbn divides it into at most a hundred; its largest error seen is
-// 1e-4.
+// The largest relative error of a single step over hundreds of yield displacements. Along such a step abe's yield force
+// changes, so abe divides the step into pieces, but at most 64. bwbn divides it into at most a hundred; its largest
+// error seen is 1e-4.
 inline double error_of_long_steps(std::string_view id) {
   return id == "abe" ? 0.05 : id == "bwbn" ? 4e-4 : 1e-5;
 }
@@ -121,8 +121,9 @@ inline double error_of_steps(std::string_view id, double yields) {
   return id != "abe" ? 1e-11 : yields < 1000.0 ? 5e-4 : 0.2;
 }
 
-// The largest permitted difference between a sampling rate and 10,000 Hz, at common instants and relative to the peak
-// force. The bounds are about four times the largest differences seen, which the comments give for 10, 100 and 1000 Hz.
+// The largest permitted difference between the forces at a sampling rate and those at 10,000 Hz, at common instants and
+// relative to the peak force. The bounds are about four times the largest differences seen, which the comments give for
+// 10, 100 and 1000 Hz.
 inline double error_of_the_rate(std::string_view law, double rate_Hz) {
   if (law == "abe") return rate_Hz < 50.0 ? 1e-4 : 1e-5;    // seen: 3e-5 at 10 Hz, 3e-6 above
   if (law == "hwang-wu") return 1.0 / (rate_Hz * rate_Hz);  // seen: 2e-3, 2e-5, 2e-7; it interpolates the velocity

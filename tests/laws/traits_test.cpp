@@ -57,8 +57,8 @@ TYPED_TEST(Traits, ARecordWithoutTimeServesARateIndependentLaw) {
   EXPECT_EQ(without == with, TypeParam::info.traits.rate_independent);
 }
 
-// An odd law must give exactly the opposite force for the mirrored motion, because every operation commutes with the
-// sign. A law that is not odd must differ visibly.
+// An odd law must give exactly the opposite force for the mirrored motion, because each of its operations gives the
+// opposite result for opposite operands. A law that is not odd must differ visibly.
 TYPED_TEST(Traits, OddSymmetry) {
   auto const motion = slower_motion(), mirrored = scaled(motion, -1.0, -1.0);
   for (auto const integration : both_integrations)

@@ -115,8 +115,9 @@ TEST_F(IntervalsOf, HoldTheOptimumAndAreInOrder) {
     EXPECT_LT(*p.bootstrap_lower, *p.bootstrap_upper);
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_NEAR(estimate.covariance[3 * i + j], estimate.covariance[3 * j + i], 1e-15);
-    // The parameters have linear scales, so their intervals extend to either side by Student's t for 181 - 3 degrees of
-    // freedom or somewhat fewer: 1.974 standard deviations, where a normal distribution would have 1.960.
+    // The parameters have linear scales, so their intervals extend equally far to either side. That distance is
+    // Student's t for 181 - 3 degrees of freedom or somewhat fewer, 1.974 standard deviations. A normal distribution
+    // would give 1.960.
     double const deviation = std::sqrt(estimate.covariance[4 * i]);
     EXPECT_NEAR(p.linear_upper - optimum_[i], 1.974 * deviation, 1e-3 * deviation);
   }

@@ -20,7 +20,7 @@ SwingModels models_of(laws::LawEntry const& law, data::FitRecord const& record) 
   return swing_models(law, tests, sizes, laws::Integration::converged, laws::TurningPoints::as_sampled, 1);
 }
 
-// A record that the law itself computed: what fits its small swings predicts its large ones.
+// The law itself computed this record. A fit to its small swings must therefore predict its large ones.
 TEST(LargerSwings, ArePredictedByTheTrueLaw) {
   auto const twin = twins::twin_in_box("bilinear", twins::growing_cycles(6, 80));
   auto const found = predict_larger_swings(models_of(*twin.law, twin.record), twin.box, num::Stream(1));
@@ -31,8 +31,9 @@ TEST(LargerSwings, ArePredictedByTheTrueLaw) {
   EXPECT_GT(found->evaluations, 0);
 }
 
-// A device that is linear in its small swings and twice as stiff beyond them. A law that is fitted to the small swings
-// cannot know it, and a fit to the whole record would.
+// This device is linear in its small swings and twice as stiff beyond 105 mm, where only its large swings go. A law
+// that is fitted to the small swings cannot know this, as a fit to the whole record would, and must predict the large
+// ones badly.
 TEST(LargerSwings, ShowThatALawDoesNotKnowThem) {
   auto record = twins::growing_cycles(6, 80);
   for (std::size_t i = 0; i < record.size(); ++i) {
@@ -50,8 +51,9 @@ TEST(LargerSwings, ShowThatALawDoesNotKnowThem) {
   EXPECT_FALSE(predict_larger_swings(models_of(law, record), box, num::Stream(1), [] { return true; }));
 }
 
-// With a yield displacement beyond the small swings, these do not determine the stiffness after yield, and the ends of
-// the search differ in it. The end that predicts worst counts.
+// The yield displacement is fixed at 110 mm, which no small swing reaches, so the small swings do not determine the
+// stiffness after yield. The descents of the search end at equally good fits with different values of this stiffness.
+// The fit that predicts the large swings worst must be taken.
 TEST(LargerSwings, CountByTheWorstOfEquallyGoodFits) {
   auto const record = twins::growing_cycles(6, 80);
   auto const& law = laws::find_law("bilinear");
@@ -65,7 +67,8 @@ TEST(LargerSwings, CountByTheWorstOfEquallyGoodFits) {
   EXPECT_EQ(found->predicted, mean_objective(models.large, found->parameters));
 }
 
-// The end of a record after its last small swing changes nothing in the fit of the small ones.
+// The forces beyond 110 mm, which the record reaches only after its last small swing, must not change the objective of
+// the small swings.
 TEST(LargerSwings, LeaveTheFitOfTheSmallOnesAlone) {
   auto const twin = twins::twin_in_box("power-masing", twins::growing_cycles(6, 80));
   auto changed = twin.record;
@@ -78,7 +81,8 @@ TEST(LargerSwings, LeaveTheFitOfTheSmallOnesAlone) {
   EXPECT_LT(models.small.front().samples(), models.large.front().samples());
 }
 
-// An elastoplastic slider and a linear spring, whose third cycles are known in closed form.
+// The two sets of parameters are an elastoplastic slider and a linear spring. Their third cycles are known in closed
+// form.
 TEST(SteadyCycles, OfKnownLoopsHaveTheirStiffnessAndEnergy) {
   std::vector<std::vector<double>> const laws{{100.0, 0.0, 0.5}, {2.0, 2.0, 1.0}};
   auto const cycles =

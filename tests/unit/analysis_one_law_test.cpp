@@ -16,7 +16,8 @@
 namespace isolaw::analysis {
 namespace {
 
-// Bilinear devices of different strength, tested with a little noise, and the optimum of each device.
+// The lot has bilinear devices, tested with a little noise, and the optimum of each device. The strength of a device is
+// a factor on all its free parameters.
 class Lot : public testing::Test {
  protected:
   void take(std::vector<double> const& strengths, std::vector<std::string> const& set = {}) {

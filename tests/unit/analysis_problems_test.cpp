@@ -15,8 +15,8 @@
 namespace isolaw::analysis {
 namespace {
 
-// Residual j is x_j - j / 10 for j < dimension; the last residual is the sum of the others. No residual is finite where
-// x_0 > 0.9.
+// Residual j is x_j - j / 10 for j < dimension; the last residual is the sum of the others. If x_0 > 0.9, the first
+// residual is NaN and the objective therefore infinite.
 class Plain final : public opt::DeviationProblem {
  public:
   explicit Plain(std::size_t dimension) : dimension_(dimension) {

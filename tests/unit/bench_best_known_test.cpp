@@ -198,7 +198,8 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
   auto elsewhere = entry("b", 0.9);
   elsewhere.record = "another record";
   EXPECT_EQ(lower(entries, elsewhere), Change::added);
-  // With another box, a search of the same name is another problem.
+  // The same record, settings and law with another key, as after a change of the box, are another problem. Its entry
+  // replaces the stored one, although its objective is higher.
   EXPECT_EQ(lower(entries, entry("c", 0.6)), Change::redefined);
   ASSERT_EQ(entries.size(), 2U);
   EXPECT_EQ(entries[0].key, entry("c").key);

@@ -220,8 +220,9 @@ TEST(BuildingIntegrate, refuses_what_is_no_building) {
   EXPECT_THROW(Model(Structure(three_floors()), {.bearings = {}}), Error);
 }
 
-// The force of these laws rises from rest with a power of the displacement. As springs around the circle, they shook in
-// two directions without an equilibrium at the first step: the springs across the motion went no farther than rounding.
+// The force of these laws rises from rest with a power of the displacement, and their bearings are springs around the
+// circle. A spring across the motion moves no farther than rounding, where the force of such a law is noise. Every step
+// must find its equilibrium all the same.
 TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
   std::pair<char const*, Values> const laws[]{
       {"power-masing", {87.86, 0.371, 46.69, 9.1, 62.65, 0.2578}},
@@ -241,7 +242,8 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
     }
 }
 
-// Springs of a law with a slope at rest are those of laws::Springs. The others differ from them only within 1e-6 mm.
+// A bearing of springs takes them from laws::Springs if its law has a slope at rest. This law has none, so each spring
+// is a straight line until it first moves by more than 1e-6 mm. From then on the forces must be those of laws::Springs.
 TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
   Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};
   auto const bearing = make_bearing("power-masing", values, Coupling::springs);

@@ -199,8 +199,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.of(Measure::isolator), 10.0);
-  // The online law in this test starts at zero displacement. The bearing of the study starts its law only after it has
-  // left rest, so the forces differ slightly.
+  // The law `online` of this test starts at zero displacement. The bearing of the study starts its law only after it
+  // has left rest, so the forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -554,7 +554,8 @@ TEST(BuildingAnswers, arrangement) {
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
 
-// Beyond its yield displacement this law pushes the building away, so that no analysis reaches the end of the motion.
+// Beyond its yield displacement this law pushes the building away, so that no analysis reaches the end of the motion. A
+// study of this law alone must be refused. A study that also has a sound law must answer for the sound law.
 TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered) {
   auto failing = usual_study(0.07, 3);
   failing.file.motions.resize(1);

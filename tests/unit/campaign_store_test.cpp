@@ -108,7 +108,7 @@ Contents full() {
   no_time.record.force_kN = {2.0};
   c.devices = {first, refused, no_time};
 
-  // Each box has the parameters of its law. The first three parameters get bounds that are hard to store exactly.
+  // Each box has the parameters of its law. The first two parameters get numbers that are hard to store exactly.
   auto const box_of = [](std::string const& law) {
     fit::SearchBox box;
     for (auto const& info : laws::find_law(law).parameters)
@@ -180,7 +180,7 @@ class StoreTest : public testing::Folder {
     contents.runs = runs();
     return contents;
   }
-  // Reads and opens the file, which both must refuse, and returns their error messages.
+  // Calls Store::read and Store::open on the file. Both must refuse it; their error messages are returned.
   std::string refusal(std::filesystem::path const& path) const {
     std::string said;
     auto const attempt = [&](std::function<void()> const& action, char const* what) {

@@ -26,7 +26,7 @@ data::FitRecord record() {
     r.time_s.push_back(0.01 * i);
     r.disp_mm.push_back(100.0 * std::sin(std::numbers::pi * 0.01 * i));
     r.vel_mm_s.push_back(100.0 * std::numbers::pi * std::cos(std::numbers::pi * 0.01 * i));
-    r.force_kN.push_back(static_cast<double>(i));  // a placeholder that `evaluate` replaces below
+    r.force_kN.push_back(static_cast<double>(i));  // a placeholder for the law's force, which is set below
   }
   fit::LawOnRecord const model(laws::find_law("bilinear"), r, laws::Integration::converged);
   r.force_kN = model.force_kN(std::vector{1.5, 0.6, 20.0});

@@ -195,7 +195,7 @@ TEST(ErrorBudget, NoiseMovesTheExtremes) {
     EXPECT_TRUE(find(budget, "extremes moved by noise")->exceeds);
   }
   // Each extreme has a standard deviation of 0.6 times the 3 mm of the noise. The mean amplitude of 200 cycles, with
-  // two extremes each, then has one of 0.09 mm. The tolerance is about three times this.
+  // two extremes each, then has a standard deviation of 0.09 mm. The tolerance is about three times this.
   EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
   // Noise moves the extreme of displacement away from the peak of the force. The stiffness therefore falls by more than
   // the amplitude rises.
@@ -247,7 +247,7 @@ TEST(ErrorBudget, VelocityTellsAWrongClock) {
   auto motion = plain();
   auto const honest = budget_of(motion);
   EXPECT_LT(std::abs(find(honest, "v_max beside its closed form")->value), 0.5);
-  // A motion that is faster in the middle than a sine or a triangle.
+  // This motion is faster in the middle than a sine or a triangle.
   for (double& x : motion.disp_mm) x = 208.0 * std::tanh(3.0 * x / 208.0) / std::tanh(3.0);
   auto const rushed = budget_of(motion);
   EXPECT_GT(find(rushed, "v_max beside its closed form")->value, 50.0);
@@ -271,16 +271,17 @@ TEST(ErrorBudget, ARecordWithoutCyclesHasItsTimeAssessedOnly) {
 
 // --- how often the force is called late ---
 
-// Counts noisy records of 2 to 20 cycles of devices without rate dependence: those with an estimated delay of the
-// force, and among them those that isolaw calls late. `late_rad` is the true delay as a phase.
+// called_late() makes noisy records of 2 to 20 cycles of devices without rate dependence. It counts the records for
+// which isolaw estimates a delay of the force, and among them those whose force isolaw calls late. `late_rad` is the
+// true delay as a phase.
 struct SkewCount {
   int estimated = 0, late = 0;
 };
 void rubber_or_lead(Plan& plan, Drawn& random) {
   plan.device = random.chance(0.5) ? Device::rubber : Device::lead;
 }
-// Bouc-Wen loops, which turn sharply. isolaw estimates the delay by a cubic through the force after each reversal, and
-// no cubic fits these loops well.
+// Chooses a Bouc-Wen device, whose loops turn sharply. isolaw estimates the delay by a cubic through the force after
+// each reversal, and no cubic fits these loops well.
 void sharp(Plan& plan, Drawn& random) {
   plan.device = Device::bouc_wen;
   plan.exponent = random.whole(1, 2);

@@ -96,7 +96,8 @@ int rises(std::vector<double> const& disp_mm) {
   return count;
 }
 
-// A saturated amplifier clips the force, and then the converter behind it adds noise.
+// The force is clipped as by a saturated amplifier, and noise is added as by the converter behind it. The clipping must
+// be found in spite of the noise.
 TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   auto const file = folder / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
@@ -114,7 +115,7 @@ TEST(Measured, FullScaleBearingWhoseForceIsClippedIsNamed) {
   }
 }
 
-// Sines of 0.84 to 0.97 Hz for 15 s. Their centre drifts by up to half the amplitude.
+// The motions are sines of 0.84 to 0.97 Hz that last 15 s. Their centre drifts by up to half the amplitude.
 TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
   struct Damper {
     int number;

@@ -63,7 +63,8 @@ TEST_F(Stamps, AreSecondsFromTheFirst) {
   expect_times({"2024-03-31T01:59:59+01:00", "2024-03-31T03:00:00+02:00", "2024-03-31T03:00:01+02:00"}, {0, 1, 2});
   expect_times({"31/12/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
   expect_times({"12/31/2023 23:59:59", "01/01/2024 00:00:00", "01/01/2024 00:00:01"}, {0, 1, 2});
-  // Day first, the second stamp follows the first by a second. Month first, a month would lie between them.
+  // If the day is read first, the second stamp follows the first by a second. If the month is read first, a month lies
+  // between them.
   expect_times({"03/04/2024 23:59:59", "04/04/2024 00:00:00", "04/04/2024 00:00:01"}, {0, 1, 2});
   // All stamps have the same date, so the times do not depend on the order of day and month.
   expect_times({"03/04/2024 10:00:00", "03/04/2024 10:00:01", "03/04/2024 10:00:02"}, {0, 1, 2});
@@ -219,7 +220,7 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
 class TwoFiles : public Files {
  protected:
   static inline Ellipse const loop{};
-  // One channel as a file: every `step`-th sample from `first` on, with the times shifted.
+  // A file with one channel: every `step`-th sample from sample `first` on, with `shift_s` added to the times.
   static std::string channel(bool of_force, double shift_s = 0.0, int first = 0, int step = 1, bool timed = true) {
     std::string text = fmt::format("{}{}\n", timed ? "Time [s];" : "", of_force ? "Force [kN]" : "Disp [mm]");
     for (int i = first; i < loop.size(); i += step)

@@ -40,7 +40,8 @@ History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double 
   return history;
 }
 
-// The trapezoidal rule gives the area of a polygon inscribed in the ellipse. This is its ratio to the ellipse's area.
+// The trapezoidal rule gives the area of a polygon inscribed in the ellipse. This factor is the polygon's area over the
+// ellipse's.
 double trapezoid_factor(double samples) {
   return samples / (2.0 * pi) * std::sin(2.0 * pi / samples);
 }
@@ -84,7 +85,7 @@ TEST(Cycles, CutBetweenSamplesAreInterpolated) {
     history.add(x, 3.0 * x - 1.0);
   }
   auto const properties = history.properties();
-  ASSERT_EQ(properties.counted().size(), 2u);  // the record starts at -0.5 mm, outside the band of zero, and rises
+  ASSERT_EQ(properties.counted().size(), 2u);  // the first sample, -0.5 mm, is too far from zero to start one
   EXPECT_NEAR(nth(properties, 0).first, 0.5, 1e-12);
   EXPECT_NEAR(nth(properties, 0).last, 10.5, 1e-12);
   EXPECT_NEAR(nth(properties, 1).last, 20.5, 1e-12);

@@ -27,7 +27,7 @@ TestRecord cyclic(double amplitude_mm, double period_s = 2.0, int samples_per_cy
   return record_of_values("record", std::move(values));
 }
 
-// A motion that rises only: it has no swings.
+// This motion only rises, so it has no swings.
 TestRecord monotonic() {
   Values values;
   for (int i = 0; i <= 200; ++i) {
@@ -75,7 +75,8 @@ TEST(TestsOfADevice, NeedNamesOfTheirOwnAndTimeInAllOrNone) {
   EXPECT_THROW(joined_record({joined_record({cyclic(50.0), cyclic(60.0)}), cyclic(70.0)}), Error);
 }
 
-// Without time the samples are counted through the device, and as a motion each test has its own velocities.
+// If the tests have no time, the cleaned record numbers the samples instead. The numbers go on from one test of the
+// device to the next.
 TEST(TestsOfADevice, AreCountedOnWithoutTime) {
   auto const without_time = [](TestRecord record) {
     record.time_s.clear();
@@ -86,6 +87,7 @@ TEST(TestsOfADevice, AreCountedOnWithoutTime) {
   EXPECT_EQ(both.time_s[both.starts[1]], 601.0);
 }
 
+// If the device's record is taken as a motion, each test must have the velocities that it has alone.
 TEST(TestsOfADevice, AreMotionsOfTheirOwn) {
   auto const small = cyclic(50.0), large = cyclic(100.0);
   auto const both = motion_of(joined_record({small, large}));
@@ -156,7 +158,8 @@ TEST(TestsOfADevice, AreCleanedEachByItself) {
   EXPECT_EQ(both.dead_band_mm, std::max(one.dead_band_mm, two.dead_band_mm));
 }
 
-// Each test has one amplitude, but the device has two: its samples count by swing.
+// Each test has one amplitude, so its samples alone count by time. The device has two amplitudes, so its samples count
+// by swing.
 TEST(TestsOfADevice, DecideTogetherHowSamplesCount) {
   auto const small = cyclic(50.0), large = cyclic(100.0);
   EXPECT_TRUE(clean(small, {}).weights.empty());

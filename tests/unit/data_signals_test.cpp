@@ -189,8 +189,8 @@ TEST(Signals, displacement_clipped_before_its_noise_is_found) {
   EXPECT_GE(100 * (rate.drawn - rate.missed), 95 * rate.drawn) << rate.missed << " of " << rate.drawn;
 }
 
-// Devices whose force hardly rises after yielding, in any motion. A constant force is then true and must not be
-// reported.
+// The force of these devices hardly rises after yielding, and they go through any motion. Their constant force is true
+// and must not be reported.
 TEST(Signals, a_device_that_yields_flat_is_left_alone) {
   auto const rate = rate_of(80000, true, [](Plan& plan, Drawn& random) {
     double const way = plan.amplitude_mm * random.on_logs(0.005, 0.5);
@@ -399,8 +399,8 @@ TEST(Signals, sentences_name_the_word_the_sample_and_the_time) {
       << text_of(spike.front().finding);
 }
 
-// Loops of elastic-plastic devices and of springs with play, without noise or rounding. The force may be a few samples
-// late.
+// The loops are those of elastic-plastic devices and of springs with play, without noise or rounding. The force may be
+// a few samples late. No fault must be reported.
 TEST(Signals, loops_of_formulas_are_left_alone) {
   for (bool const triangle : {false, true})
     for (double const part : {0.05, 0.2, 0.5})
@@ -428,7 +428,8 @@ TEST(Signals, loops_of_formulas_are_left_alone) {
         }
 }
 
-// A device with play has exactly zero force until the play is used up. Then the force jumps, also after a hold.
+// A device with play has exactly zero force until the play is used up. Then the force jumps, also after a hold. Neither
+// must be reported as a fault.
 TEST(Signals, play_is_no_stuck_force) {
   for (bool const holds : {false, true}) {
     Motion motion;

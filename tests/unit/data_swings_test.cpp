@@ -44,8 +44,9 @@ double misfit(std::vector<double> const& weights, std::vector<double> const& mea
   return off / std::sqrt(variance);
 }
 
-// Ninety small cycles and ten of ten times their amplitude. The force equals the displacement, and a computed force is
-// a fifth too large from 90 s on. The expected misfits come from another program, for samples every 2.5 ms.
+// The record has ninety small cycles and then ten cycles with ten times their amplitude. The measured force equals the
+// displacement. One computed force is a fifth too large in the large cycles, from 90 s on, the other in the small ones.
+// The expected misfits come from another program, for samples every 2.5 ms.
 TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
   auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   auto too_large = h.disp_mm, small_too_large = h.disp_mm;
@@ -57,7 +58,8 @@ TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
   EXPECT_NEAR(misfit(weights(Weighting::time), h.disp_mm, small_too_large), 0.049086, 2e-6);
 }
 
-// A second of a swing of 100 mm in 0.5 s counts 200 mm / s, and one of a swing of 10 mm in 0.25 s counts 40 mm / s.
+// The weight of a sample is its interval of 5 ms times the half range over the duration of its swing. That is 10 mm in
+// 0.25 s = 40 mm/s before 10 s, and 100 mm in 0.5 s = 200 mm/s afterwards.
 TEST(Swings, CountByHalfRangeOverDuration) {
   auto const h = sampled_motion(0.005, 20.0,
                                 [](double t) { return t <= 10.0 ? 10.0 * unit_sine(2.0 * t) : 100.0 * unit_sine(t); });
@@ -90,10 +92,10 @@ TEST(Swings, OfARecordWithoutTimeAreMeasuredInSamples) {
 }
 
 TEST(Swings, LeaveOutReturnsOfLessThanAFortiethOfTheRange) {
-  std::vector<double> const disp{0, 10, 9.6, 10, -10, -9.4, -10, 10, 0};  // the range is 20, so 0.5 counts
+  std::vector<double> const disp{0, 10, 9.6, 10, -10, -9.4, -10, 10, 0};  // a return of 20 / 40 = 0.5 or more counts
   auto const found = swings(disp, {});
   ASSERT_EQ(found.size(), 4u);
-  EXPECT_EQ(found[0].first, 1u);  // of equal extremes the first sample
+  EXPECT_EQ(found[0].first, 1u);  // the first of two equal extremes
   EXPECT_EQ(found[0].last, 4u);
   EXPECT_EQ(found[1].last, 5u);
 }
@@ -108,7 +110,8 @@ TEST(Swings, AMotionWithoutTwoTurningPointsIsWeighedByTime) {
   EXPECT_TRUE(sample_weights({}, {}, Weighting::swing).empty());
 }
 
-// A rest at the end or within the motion has no weight, and takes nothing from the swing that it interrupts.
+// The second motion is the first with a rest of 60 s in the middle of a swing. The rest must have no weight and must
+// not change the half range or the duration of the swing that it interrupts.
 TEST(Swings, DoNotCountRest) {
   auto const moving = sampled_motion(0.01, 5.0, [](double t) { return 100.0 * unit_sine(t); });
   auto held = sampled_motion(0.01, 65.0, [](double t) {
@@ -154,13 +157,13 @@ TEST(SwingProperties, OfAnEllipse) {
   for (auto& f : moved) f += 7.0;
   EXPECT_NEAR(swing_properties(h.disp_mm, moved, h.time_s)->damping_percent, found->damping_percent, 1e-9);
   EXPECT_NEAR(swing_properties(h.disp_mm, moved, h.time_s)->K_kN_per_mm, found->K_kN_per_mm, 1e-12);
-  // On the side of positive displacement the device moves further.
+  // If the device moves further to the positive side, the damping must still be finite.
   auto uneven = h.disp_mm;
   for (auto& x : uneven) x *= x > 0.0 ? 1.1 : 0.9;
   EXPECT_TRUE(std::isfinite(swing_properties(uneven, force, h.time_s)->damping_percent));
 }
 
-// The cycles of 100 mm are softer than those of 10 mm, and only they count.
+// The cycles of 100 mm are softer than those of 10 mm. Only the cycles of 100 mm count.
 TEST(SwingProperties, AreThoseOfTheLargestSwings) {
   auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   std::vector<double> force;
@@ -172,7 +175,8 @@ TEST(SwingProperties, AreThoseOfTheLargestSwings) {
   EXPECT_FALSE(swing_properties({{0, 1, 0}}, {{0, 1, 0}}, {}));
 }
 
-// Around the turns of a slow swing the displacement changes little for longer than a fast swing lasts. That is no rest.
+// Around the turns of a slow swing the displacement changes little, for longer than a fast swing lasts. These samples
+// must not be taken for a rest, so they must have weight.
 TEST(Swings, CountTheTurnsOfSlowSwingsAmongFastOnes) {
   auto const h = sampled_motion(
       0.01, 35.0, [](double t) { return t < 20.0 ? 10.0 * unit_sine(2.0 * t) : 100.0 * unit_sine(0.2 * (t - 20.0)); });
@@ -186,7 +190,8 @@ TEST(Swings, CountTheTurnsOfSlowSwingsAmongFastOnes) {
   EXPECT_GT(near_turns, 50u);
 }
 
-// A record with levels of 30 and 100 mm. The way from one level up to the next belongs to the large swings.
+// The record has cycles of 30 mm and then of 100 mm. The swing that leads from the small cycles to the large ones must
+// count as large.
 TEST(SwingSizes, TakeTheWayUpToALargerLevelForLarge) {
   auto const h = sampled_motion(0.01, 10.0, [](double t) { return (t < 5.0 ? 30.0 : 100.0) * unit_sine(t); });
   FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
@@ -245,7 +250,8 @@ TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
   }
 }
 
-// The largest displacement is that of all tests of a device. A test of small swings alone serves the fit of these.
+// Small and large are relative to the largest displacement over all tests of a device. One test may therefore have only
+// small swings and another only large ones.
 TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
   auto const record_of = [](double amplitude_mm) {
     FitRecord record;

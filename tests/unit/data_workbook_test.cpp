@@ -136,7 +136,8 @@ TEST_F(Workbook, SheetsOfOtherNumbersArePassedOverBesideATest) {
       "FILE: tables 'One', 'Two' may each be the test; allowed: one of them; try: --sheet One, or isolaw init, which makes a device of each");
 }
 
-// The letter F means column F, not column G, which is called "F [kN]".
+// The letter F means column F, although column C comes first and is called "F [kN]" too. Only a column whose whole name
+// is "F" goes before the letter.
 TEST_F(Workbook, ALetterIsTheColumnUnlessANameReadsJustSo) {
   Ellipse const loop, small{.amplitude_mm = 50.0};
   auto const named = [&](Ellipse const& of) { return columns_of(of, "t [s]", "d [mm]", "F [kN]"); };
@@ -279,7 +280,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
             std::string("FILE:Test: a cell in column ALM; allowed: 1000 columns, to ALL") + advice);
 }
 
-// A small file in which a great many cells refer to one text of 30 000 characters.
+// In this small file a great many cells refer to one text of 30 000 characters. It must be refused.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
   std::string rows = header_cells;

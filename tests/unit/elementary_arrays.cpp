@@ -1,5 +1,6 @@
-// Compiled once per instruction set; each time, ISOLAW_ELEMENTARY_TABLE names the table of functions to define. All
-// functions are inlined or private to this file. Otherwise the linker could keep one copy for all instruction sets.
+// The build compiles this file once for each instruction set. Each time, ISOLAW_ELEMENTARY_TABLE names the table of
+// functions that the file defines. All functions are inlined or private to this file; otherwise the linker could keep
+// one copy of a function for all instruction sets.
 #include "unit/elementary_arrays.hpp"
 
 #include "isolaw/num/elementary.hpp"

@@ -1,5 +1,6 @@
-// Search boxes: linear and logarithmic scales, the bounds of the paper's Table 4, bounds in proportion to a record,
-// overrides by --set, and when a value counts as at a bound.
+// Tests search boxes, the intervals in which a fit searches the parameters of a law: linear and logarithmic scales, the
+// bounds of the paper's Table 4, bounds in proportion to the sizes of a record, overrides by the option --set, and when
+// a value is reported as at a bound.
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/parts/scragging.hpp"
 
@@ -273,8 +274,8 @@ TEST(JointLimits, WhatCrossesThemIsLeft) {
     EXPECT_EQ(joint_refusal("bouc-wen", texts), "") << texts.front();
 }
 
-// A parameter without an override is searched in the interval scaled from the record. Joint limits also hold for this
-// one.
+// With a record, the parameter without an override, K2, has an interval scaled from the record: 0.035 to 0.7. Joint
+// limits hold for this interval too. K1 = 0.01 is therefore refused, because it is below every such K2.
 TEST(JointLimits, HoldForTheBoxOfARecordToo) {
   laws::RecordScales const record{
       .disp = 100.0, .force = 70.0, .stiffness = 0.7, .strength = 20.0, .velocity = 300.0, .work = 1e4};
@@ -435,9 +436,9 @@ TEST(Box, EveryIntervalCanBeSearched) {
         }
 }
 
-// The bounds of a scaled box must grow with the record as the unit of the parameter demands. The unit 1/mm^n of
-// bouc-wen is taken at n = 1. Some parameters are values at a fixed displacement, whatever the size of the record.
-// Their bounds also grow with a power of the length, which at_reference() gives.
+// If the sizes of the record grow, the bounds of a scaled box must grow as the unit of the parameter demands. The unit
+// 1/mm^n of bouc-wen is taken at n = 1. Some parameters are values at a fixed displacement, whatever the size of the
+// record. Their bounds grow with a further power of the length, which at_reference() gives.
 TEST(Box, ScaledFollowsTheSizeOfTheRecordInTheUnitOfEachParameter) {
   double const size = 3.0, strength = 5.0, speed = 7.0;
   for (auto const& law : laws::catalogue()) {
@@ -620,8 +621,8 @@ data::FitRecord bilinear_loop() {
 
 TEST(Scales, OfABilinearLoopInTheUnitsOfEveryLaw) {
   auto const record = bilinear_loop();
-  // Work of the whole record. Dissipated are 40 kN times a plastic travel of 80 + 5 * 160 + 60 mm. Stored at the end
-  // are Qd^2 / (2 (K1 - K2)) = 400 kN mm.
+  // The work done over the whole record is the sum of two parts. The device dissipates 40 kN times a plastic travel of
+  // 80 + 5 * 160 + 60 mm. At the end it stores Qd^2 / (2 (K1 - K2)) = 400 kN mm.
   double const work_kN_mm = 40.0 * 940.0 + 400.0;
   for (auto const& law : laws::catalogue()) {
     double const L = law.info.length.in_record_units, F = law.info.force.in_record_units;
@@ -664,7 +665,7 @@ TEST(Scales, OfARecordWithoutTimeHaveNoVelocity) {
   EXPECT_NEAR(scales_of(record, laws::find_law("bilinear").info).strength, 40.0, 1e-6);
 }
 
-// Every record must give a box that can be searched.
+// Expects that the record gives every rate-independent law a box that can be searched.
 void expect_usable(data::FitRecord const& record, std::string const& what) {
   for (auto const& law : laws::catalogue()) {
     if (!law.info.traits.rate_independent) continue;  // these records have no time

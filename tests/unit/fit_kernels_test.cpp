@@ -1,5 +1,6 @@
-// The laws compiled to evaluate blocks of candidates, for each law, integration and instruction set. Results must agree
-// with the scalar code, no candidate may change the result of another, and avx2 and avx512 must give the same bits.
+// Tests the kernels, which are the laws compiled to evaluate a block of candidates at once. A candidate is one set of
+// parameters. For each law, integration and instruction set, results must agree with the scalar code, no candidate may
+// change the result of another, and avx2 and avx512 must give the same bits.
 #include "isolaw/fit/kernels.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,8 @@ class Kernels : public ::testing::TestWithParam<Case> {
   // unstable.
   int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
 
-  // Cycles of the example lot's amplitude. `irregular` has reversals at many samples and small loops within large ones.
+  // Cycles of 208 mm, the amplitude of the example lot. `irregular` has reversals at many samples and small loops
+  // within large ones.
   data::FitRecord regular() const {
     return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
   }
@@ -124,8 +126,9 @@ class Kernels : public ::testing::TestWithParam<Case> {
   }
 
   // Whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the rate of
-  // decay, here per length, times the longest step is below 2.78. The hysteretic force approaches saturation at the
-  // rate n A / z_max in bouc-wen, with z_max = (A / (beta + gamma))^(1/n), and at n / U0 or slower in the abe laws.
+  // decay, here per length, times the longest step is below 2.78; the test keeps a margin and takes 2.5. The hysteretic
+  // force approaches saturation at the rate n A / z_max in bouc-wen, with z_max = (A / (beta + gamma))^(1/n), and in
+  // the abe laws at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -181,9 +184,10 @@ TEST_P(Kernels, AgreeWithTheScalarObjective) {
   EXPECT_LT(unstable, compared / 6);
 }
 
-// Here the scalar code computes the measured force from the candidate itself. The kernel's objective is then the sum of
-// the differences between kernel and scalar forces, and no single difference is larger. In an ordinary objective, one
-// wrong sample would hardly show. The largest sum seen is 5e-13 of the peak force (vaiana, 1200 samples).
+// The measured force is here the force that the scalar code computes from the same candidate. The kernel's objective is
+// then the sum of the differences between kernel and scalar forces, so no difference at a single sample can be larger
+// than this objective. In an ordinary objective, one wrong sample would hardly show. The largest sum seen is 5e-13 of
+// the peak force (vaiana, 1200 samples).
 TEST_P(Kernels, GiveTheScalarForceAtEverySample) {
   auto const record = regular();
   LawOnRecord const model(law(), record, how());
@@ -261,8 +265,8 @@ TEST_P(Kernels, KeepWhatIsNotFiniteInItsLane) {
   LawOnRecord const model(law(), record, how());
   auto const sound = candidates(record, most);
   auto const expected = objectives(model, sound);
-  // The first and last places of narrow and wide blocks. The candidate at the first place of the last block also fills
-  // the empty lanes of that block.
+  // These are the first and last places of narrow and wide blocks. The candidate at the first place of the last block
+  // also fills the empty lanes of that block.
   constexpr std::array<std::size_t, 9> places{0, 7, 8, 31, 32, 63, 64, 71, 72};
   for (std::size_t const place : places)
     for (auto const& sick : sick_ones(law(), sound[place])) {

@@ -1,4 +1,6 @@
-// The objective of Eq. (27) against values worked out by hand, and combinations of law and record that are refused.
+// Tests the objective of Eq. (27) of the paper: compares it with values worked out by hand, and checks which
+// combinations of law and record are refused. Further tests cover the outline, a selection of the samples that is
+// faster to evaluate.
 #include "isolaw/fit/objective.hpp"
 
 #include <gtest/gtest.h>
@@ -83,8 +85,8 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
 // --- a part of the record is scored ---
 
 TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
-  // One interval of 2 s is scored. F = x misses the forces at its ends by 1 and 0 kN, so the integral is 1 kN s. The
-  // measured forces 2 and -1 kN have the standard deviation 1.5.
+  // One interval of 2 s is scored. The force of the law, F = x, misses the measured forces at the two ends of this
+  // interval by 1 and 0 kN, so the integral is 1 kN s. The measured forces 2 and -1 kN have the standard deviation 1.5.
   auto record = uneven();
   record.scored = {0.0, 1.0, 1.0, 0.0};
   LawOnRecord const model(laws::find_law("bilinear"), record, laws::Integration::converged);

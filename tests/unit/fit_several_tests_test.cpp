@@ -1,4 +1,5 @@
-// A law on a device with several tests: it starts at rest in each, and its objective is the mean of theirs.
+// Tests a law on a device that has several tests. The law starts at rest in each test, and its objective for the device
+// is the mean of its objectives for the tests.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Cycles of this amplitude, with an elliptic loop.
+// Cycles of this amplitude, with an elliptic loop of force.
 data::FitRecord cycles(double amplitude_mm, int count) {
   data::FitRecord record;
   for (int i = 0; i <= 100 * count; ++i) {
@@ -45,7 +46,7 @@ struct Device {
   data::FitRecord small = cycles(50.0, 2), large = cycles(100.0, 3), both = one_after_another(small, large);
 };
 
-// Twenty parameter sets from the middle of the law's box to a tenth of it away.
+// Twenty parameter sets that lie between 0.4 and 0.59 of each interval of the law's box.
 std::vector<std::vector<double>> candidates(laws::LawEntry const& law, data::FitRecord const& record) {
   auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
   std::vector<std::vector<double>> all(20, std::vector<double>(law.parameters.size()));
@@ -121,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(SeveralTests, EveryLaw, ::testing::Range<std::size_t>(0
                            return id;
                          });
 
-// The law of one test that counts for nothing is judged on the other alone.
+// No sample of the first test is scored, so the objective must be that of the second test alone.
 TEST(SeveralTests, ATestWithoutScoredSamplesTakesNoPart) {
   Device device;
   device.small.scored.assign(device.small.size(), 0.0);

@@ -1,6 +1,6 @@
-// For motions in two directions, a law acts as springs in directions all around the circle. Springs with the law's own
-// parameters round the knee where the loop yields. Parameters fitted to the springs bring the loop back near the
-// record.
+// For motions in two directions, a law acts as springs in directions all around the circle. If these springs have the
+// law's own parameters, the knee of the loop, where the device yields, becomes rounder. Parameters that are fitted to
+// the springs must bring the loop back near the record.
 #include <gtest/gtest.h>
 
 #include <cmath>

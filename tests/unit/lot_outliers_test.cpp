@@ -1,4 +1,4 @@
-// Outlying devices, with scores worked out by hand.
+// Tests the search for outlying devices against scores worked out by hand.
 #include "isolaw/lot/outliers.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::vector<Outlier> among(Values const& values) {
   return find_outliers(Names{"K_eff"}, std::vector<Values>{values});
 }
 
-// The median is 11 and the deviations are 2, 1, 0, 1 and 9, so the MAD is 1.
+// The median is 11 and the deviations from it are 2, 1, 0, 1 and 9, so the median absolute deviation (MAD) is 1.
 TEST(Outliers, HaveTheModifiedScoreOfIglewiczAndHoaglin) {
   auto const found = among({9, 10, 11, 12, 20});
   ASSERT_EQ(found.size(), 1u);
@@ -49,7 +49,8 @@ TEST(Outliers, OfANegativeQuantityAreBelowItsMedianWhereLargerInMagnitude) {
   EXPECT_NEAR(found[0].percent, -100.0 * 9.0 / 11.0, 1e-12);
 }
 
-// Scatter counts as at least 0.5 % of the median, so a device is an outlier only beyond 3.5 times this, 1.75 %.
+// The scatter of a lot is taken as at least 0.5 % of the median, so a device is an outlier only beyond 3.5 times this,
+// 1.75 %.
 TEST(Outliers, AreNotNamedByRounding) {
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 + 1e-15}).empty());
   EXPECT_TRUE(among({2, 2, 2, 2, 2, 2, 2, 2, 2, 2 * 1.0174}).empty());

@@ -1,4 +1,5 @@
-// Estimates the population of a lot from covariances that can be worked out by hand.
+// Tests the estimate of a lot's population, the distribution of the parameters of its devices, on covariances that can
+// be worked out by hand.
 #include "isolaw/lot/population.hpp"
 
 #include <gtest/gtest.h>
@@ -39,9 +40,9 @@ std::vector<DeviceEstimate> with(std::vector<Values> const& values, SquareMatrix
   return devices;
 }
 
-// Ten devices about (0, 0). Each parameter has both signs, so none is taken as a logarithm. Two devices each are at (a,
-// a), -(a, a), (b, -b), -(b, -b) and (0, 0). The variance of the estimates is 8 a^2 / 9 along (1, 1) and 8 b^2 / 9
-// along (1, -1).
+// Ten devices about (0, 0): two at each of (a, a), (-a, -a), (b, -b), (-b, b) and (0, 0). Each parameter has both
+// signs, so none is taken as a logarithm. The variance of the estimates is 8 a^2 / 9 along (1, 1) and 8 b^2 / 9 along
+// (1, -1).
 std::vector<Values> ellipse(double a, double b) {
   return {{a, a}, {-a, -a}, {a, a}, {-a, -a}, {b, -b}, {-b, b}, {b, -b}, {-b, b}, {0, 0}, {0, 0}};
 }
@@ -94,8 +95,8 @@ TEST(Population, WithoutErrorsHasTheCovarianceOfTheEstimates) {
   EXPECT_EQ(found.note, "");
 }
 
-// Along (1, 1) the variance is 8 and the error 2, which leaves 6. Along (1, -1) the variance of 2/9 is less than the
-// error of 1 and nothing is left.
+// Along (1, 1) the variance of the estimates is 8 and that of the error is 2, which leaves 6. Along (1, -1) the
+// variance of 2/9 is less than the error of 1, so nothing is left.
 TEST(Population, KeepsWhatExceedsTheErrorInEachDirection) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(2.0, 1.0)));
   expect_near(found.covariance, about_the_diagonal(6.0, 0.0), 1e-12);
@@ -150,7 +151,8 @@ TEST(Population, OfDevicesThatDifferByLessThanTheirErrorHasNoVariance) {
   }
 }
 
-// The fits leave (1, 1) practically undetermined, but they are exact along (1, -1), so the scatter along it is known.
+// Along (1, 1) the error of the fits is so large that they practically determine nothing. Along (1, -1) the fits are
+// exact, so the scatter in this direction is known.
 TEST(Population, KeepsADirectionBesideOneThatIsNotDetermined) {
   auto const found = estimate_population(two, with(ellipse(3, 0.5), about_the_diagonal(1e9, 0.0)));
   expect_near(found.covariance, about_the_diagonal(0.0, 2.0 / 9.0), 1e-6);
@@ -333,14 +335,15 @@ TEST(PopulationSample, StaysWithinLimitsAndSaysWhatItCost) {
   double const median = population.medians[0];
   auto const drawn = sample(population, 400, num::Stream(9), std::vector<Limits>{{.lower = median}, {}});
   for (auto const& v : drawn.values) EXPECT_GE(v[0], median);
-  // Each draw is accepted with probability one half. The number of rejections before an accepted draw is then geometric,
-  // with mean 1 and variance 2. For 400 accepted draws their sum has mean 400 and variance 800.
+  // Each draw is accepted with probability one half. The number of rejected draws before an accepted one then has mean
+  // 1 and variance 2 (a geometric distribution). For 400 accepted draws all rejected draws have mean 400 and variance
+  // 800.
   EXPECT_NEAR(static_cast<double>(drawn.rejected), 400.0, 4.0 * std::sqrt(800.0));
   EXPECT_EQ(drawn.pulled_back, 0u);
 }
 
-// No draw fits within the narrow limits. A draw is then pulled back towards the medians on a line that keeps the
-// relation between the parameters.
+// The limits are so narrow that no draw lies within them. A draw is then pulled back towards the medians on a line that
+// keeps the relation between the parameters.
 TEST(PopulationSample, IsPulledBackWhereNoDrawFits) {
   std::vector<Values> values;
   for (double const K1 : {1.0, 1.2, 0.9, 1.5, 1.1}) values.push_back({K1, 3.0 * K1 * K1});

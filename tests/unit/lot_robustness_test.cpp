@@ -1,4 +1,5 @@
-// The robustness index beta on numbers worked out by hand. tests/verification compares it with the published table.
+// Tests the robustness index beta on numbers worked out by hand. tests/verification compares beta with the published
+// table.
 #include "isolaw/lot/robustness.hpp"
 #include "not_finite.hpp"
 

@@ -1,4 +1,4 @@
-// Displacement histories for tests, composed of pieces, and hysteresis loops along them.
+// Composes displacement histories for tests from pieces, and computes hysteresis loops along them.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Motion {
     for (int i = 0; i < steps; ++i) add(from + (to - from) * i / static_cast<double>(steps));
     return *this;
   }
-  // A negative amplitude starts downwards.
+  // With a negative amplitude the motion starts downwards.
   Motion& sine(double amplitude, double frequency_Hz, double cycles, double centre = 0.0) {
     auto const steps = std::lround(cycles / frequency_Hz / dt_s);
     for (int i = 0; i < steps; ++i) add(centre + amplitude * std::sin(2.0 * pi * frequency_Hz * i * dt_s));

@@ -1,5 +1,5 @@
-// The functions of num/elementary.hpp against long double. Errors must be within what the header states, on every
-// instruction set of this processor.
+// Compares the functions of num/elementary.hpp with results in long double. On every instruction set that this
+// processor has, the errors must be within those that the header states.
 #include "isolaw/num/elementary.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using Arrays = ElementaryArrays;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t samples = 1 << 18, samples_of_bits = 1 << 20;
 
-// A function on arrays that calls the scalar function for each element, as other files of the project do.
+// Applies a scalar function to each element of an array, one at a time, as other files of the project call it.
 template <double (*function)(double, double)>
 void one_by_one(double const* x, double const* p, double* y) {
   for (std::size_t i = 0; i < Arrays::lanes; ++i) y[i] = function(x[i], p[i]);
@@ -123,8 +123,8 @@ constexpr auto exact_exp2 = [](long double x) { return std::exp2(x); };
 constexpr auto exact_exp = [](long double x) { return std::exp(x); };
 constexpr auto exact_log2 = [](long double x) { return std::log2(x); };
 
-// Largest relative error of a function that is called with one argument at a time. The tests of the laws compare
-// batches with these functions.
+// Largest relative error of a function that is called here with one argument at a time. Calls with batches of arguments
+// are left to the tests of the laws, which compare batches with single calls.
 template <class F, class Exact>
 double largest_relative(std::vector<double> const& arguments, F f, Exact exact) {
   double largest = 0.0;
@@ -222,7 +222,7 @@ TEST(Elementary, Power) {
     }
     for (auto const& route : routes()) {
       auto const y = apply(route.power, x, p);
-      double largest = 0.0;  // largest error as a share of the error that the header states
+      double largest = 0.0;  // largest error divided by the error that the header states
       for (std::size_t i = 0; i < x.size(); ++i) {
         if (std::abs(exponent[i]) > 1021.0L) continue;
         double const lost = route.fused ? 0.0 : static_cast<double>(std::abs(exponent[i]));

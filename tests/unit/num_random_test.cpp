@@ -1,5 +1,6 @@
-// Random numbers: the published test vectors of the generator, and the properties of streams and draws. Statistical
-// bounds are five standard deviations and the keys are fixed, so a failure means that the numbers have changed.
+// Tests random numbers: the published test vectors of the generator, and the properties of streams and draws.
+// Statistical bounds are five standard deviations and the keys are fixed, so a failure means that the numbers have
+// changed.
 #include "isolaw/num/random.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Sums over tables of residuals, compared with plain loops for any number of columns.
+// Tests sums over tables of residuals: they must equal those of plain loops for any number of columns.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Moments and scores on numbers worked out by hand.
+// Tests moments and modified scores on numbers worked out by hand.
 #include "isolaw/num/statistics.hpp"
 #include "not_finite.hpp"
 
@@ -29,8 +29,8 @@ TEST(Moments, SmallSpreadAboutALargeMean) {
   EXPECT_DOUBLE_EQ(population_std(values), std::sqrt(22.5));
 }
 
-// Adding 0.1 a thousand times does not give 100, so a plain sum gives a wrong mean in the last digits. The corrected
-// sum does not.
+// Adding 0.1 a thousand times does not give 100 exactly, so the mean from a plain sum is wrong in its last digits. The
+// mean from the corrected sum of moments() must be right.
 TEST(Moments, EqualValuesHaveNoSpread) {
   std::vector<double> const values(1000, 0.1);
   EXPECT_DOUBLE_EQ(moments(values).mean, 0.1);
@@ -68,7 +68,7 @@ TEST(Median, IsTheMiddle) {
   EXPECT_TRUE(std::isnan(median(std::vector<double>{1, nan, 2})));
 }
 
-// The median is 3 and the deviations are 2, 1, 0, 1 and 7, so the MAD is 1.
+// The median is 3 and the deviations from it are 2, 1, 0, 1 and 7, so the median absolute deviation (MAD) is 1.
 TEST(ModifiedScores, CountDeviationsFromTheMedian) {
   std::vector<double> const values{1, 2, 3, 4, 10};
   auto const found = modified_scores(values, 0.0);

@@ -1,5 +1,5 @@
-// Each operator of the genetic algorithm alone. Statistical bounds are five standard deviations and the keys are fixed,
-// so a failure means changed behaviour and not bad luck.
+// Tests each operator of the genetic algorithm alone. Statistical bounds are five standard deviations and the keys are
+// fixed, so a failure means changed behaviour and not bad luck.
 #include <gtest/gtest.h>
 
 #include <algorithm>

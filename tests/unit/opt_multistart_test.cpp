@@ -1,5 +1,6 @@
-// Descents from many starts: sums of absolute residuals whose minimum is known, also at edges of the box and beyond
-// misleading valleys. Further tests cover counts, repetition, failure and interruption.
+// Tests descents from many starts on sums of absolute residuals whose minimum is known. Some minima lie at an edge of
+// the box or beyond misleading valleys. Further tests cover counts of evaluations, repetition, failure and
+// interruption.
 #include "isolaw/opt/multistart.hpp"
 
 #include <gtest/gtest.h>
@@ -156,8 +157,7 @@ TEST(Multistart, ApproachesByTheOutlineAndCountsItsShare) {
   EXPECT_EQ(found.evaluations, static_cast<int>((4 * problem.seen + problem.fewer().seen + 3) / 4));
 }
 
-// The result must not depend on the outline. The minimum of one outline lies elsewhere; the other outline is never
-// finite.
+// The result must not depend on the outline. One outline has its minimum elsewhere; the other is never finite.
 TEST(Multistart, IsNotMisledByABadOutline) {
   auto const whole = [](Point x, std::size_t j) { return line(x, static_cast<double>(j) / 39.0); };
   Outlined const elsewhere(whole, [](Point x, std::size_t) { return x[0] - x[1] + 0.9; });
@@ -226,7 +226,7 @@ TEST(Multistart, AProblemWithoutDimensionsIsRefused) {
   EXPECT_THROW(minimise_multistart(Residuals(0, 1, [](Point, std::size_t) { return 1.0; }), stream), Error);
 }
 
-// A single descent, for example from a former optimum after the problem has changed a little.
+// descend() makes a single descent, for example from a former optimum after the problem has changed a little.
 TEST(Descend, GoesToTheNearMinimumAndNeverAboveItsStart) {
   std::vector<double> const numbers{0.1, 0.2, 0.3, 0.9, 1.0};
   Residuals const problem(1, 5, [&](Point x, std::size_t j) { return x[0] - numbers[j]; });

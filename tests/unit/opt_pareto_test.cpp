@@ -1,4 +1,5 @@
-// The front of non-dominated points on cases worked out by hand, and against its definition on random points.
+// Tests the front of non-dominated points on cases worked out by hand, and on random points against a second
+// computation from the definition of the front.
 #include "isolaw/opt/pareto.hpp"
 
 #include <gtest/gtest.h>
@@ -38,8 +39,8 @@ TEST(NonDominated, ValuesThatAreNotFiniteNeitherWinNorDominate) {
   EXPECT_EQ(non_dominated(Values{infinity, nan}, Values{1, nan}), (Flags{false, false}));
 }
 
-// A second computation of the front: sort by a, then by b. A point is on the front if its b is below the b of every
-// point with a smaller a.
+// The second computation sorts the points by a, then by b. A point is on the front if its b is below the b of every
+// point that comes before it. A point equal to one on the front is on it too.
 TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   num::Draws draws(num::Stream(1), 0, 0);
   for (int repetition = 0; repetition < 50; ++repetition) {

@@ -1,4 +1,4 @@
-// Parameters for exporting any law.
+// Gives parameters with which tests can export any law.
 #pragma once
 
 #include "isolaw/fit/box.hpp"

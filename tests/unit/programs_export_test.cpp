@@ -1,4 +1,4 @@
-// Exported scripts: the tests read the commands back from the text and compute the force.
+// Tests exported scripts: reads the commands back from the text of a script and computes the force that they give.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ std::vector<Case> exact_cases() {
           {"vaiana", vaiana_parameters(), {"material_bouc_wen", "material_original", "bearing"}, 0.03}};
 }
 
-// An exact replay has no worst sample, so the text names none.
+// If the replay of a script has no deviation, there is no worst sample, so the text must name none.
 TEST(Deviations, of_an_exact_replay_have_no_place) {
   EXPECT_EQ(deviation_text({}).find("(at "), std::string::npos) << deviation_text({});
   Deviation some;
@@ -138,7 +138,8 @@ TEST(Replays, find_a_wrong_order_of_arguments) {
   }
 }
 
-// A replay must also find the error if gamma and beta are too large by the same factor, as with a wrong unit.
+// The replay of the exported commands must also find the error if gamma and beta are too large by the same factor, as
+// with a wrong unit.
 TEST(Replays, find_a_wrong_normalisation) {
   auto const subject = subject_of("bouc-wen", bouc_wen_parameters);
   auto form = map_law(*subject.law, subject.parameters).forms[0];
@@ -205,7 +206,8 @@ std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& he
   return rows;
 }
 
-// In its second cycle of amplitude D a bilinear law has K_eff = K2 + Qd / D with Qd = (K1 - K2) xy.
+// The second cycle of the protocol has the amplitude D. A bilinear law with the strength Qd = (K1 - K2) xy there has
+// the stiffness K_eff = K2 + Qd / D.
 TEST(Tables, hold_the_protocol_and_the_force_in_every_unit_system) {
   auto const subject = subject_of("bilinear", bilinear_parameters);
   for (auto const& units : unit_systems) {

@@ -1,4 +1,4 @@
-// Layouts of isolators and models of buildings, tested without OpenSees: what is read, refused and written.
+// Tests layouts of isolators and models of buildings without OpenSees: what isolaw reads, refuses and writes.
 #include <gtest/gtest.h>
 
 #include "contains.hpp"
@@ -133,7 +133,8 @@ TEST(ModelText, one_isolator_is_held_against_turning) {
   EXPECT_TRUE(contains(text, "# Turning in plan: held"));
 }
 
-// Every isolator of a draw gets a material of its own, which the exported file checks like the other materials.
+// A draw gives each isolator of the building its own parameters. Each of these isolators gets a material of its own,
+// which the exported file checks like the other materials.
 TEST(ModelDraws, become_variants_that_the_file_checks) {
   auto model = four(900.0);
   auto stiffer = bilinear_parameters;

@@ -1,4 +1,4 @@
-// Models of buildings on isolators of one law, without a campaign.
+// Makes models of buildings on isolators of one law, without a campaign.
 #pragma once
 
 #include "isolaw/programs/model.hpp"
@@ -7,7 +7,7 @@
 
 namespace isolaw::programs_test {
 
-// A ground motion of four cycles near the period of the building.
+// A ground motion near the period of the building. In the default duration it makes about two cycles.
 inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, double duration_s = 4.5) {
   data::GroundMotion motion{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
   for (int i = 0; i * step_s <= duration_s; ++i)

@@ -1,5 +1,5 @@
-// Exported buildings in the real OpenSees. Results are compared with our own integration of one mass on one isolator,
-// with what symmetry demands, and between Tcl and Python.
+// Runs exported buildings in the real OpenSees. The tests compare the results with their own integration of one mass on
+// one isolator, with what symmetry demands, and between Tcl and Python.
 #include <fmt/format.h>
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// The columns of a file of results by the names in its header, without the units.
+// The columns of a file of results, each under its name in the header without the unit.
 using Table = std::map<std::string, std::vector<double>>;
 
 Table table_of(std::string const& csv) {
@@ -35,9 +35,10 @@ std::vector<double> sum(std::vector<double> a, std::vector<double> const& b) {
   return a;
 }
 
-// Newmark's rule (average acceleration) for one mass, from rest. Each new displacement x1 solves mass (4 (x1 - x0)/dt2
-// - 4 v0/dt - a0) + force = -mass ground. The test finds it by bracketing, and so does not depend on the iteration in
-// OpenSees. `force` is called with the whole path.
+// Integrates the motion of one mass from rest by Newmark's rule (average acceleration). Each new displacement x1 solves
+// mass (4 (x1 - x0)/dt2 - 4 v0/dt - a0) + force = -mass ground, where dt2 is the square of dt.
+// The test finds x1 by bracketing, and so does not depend on the iteration in OpenSees. `force` is called with the
+// whole path.
 std::vector<double> response(double mass, std::vector<double> const& ground, double dt,
                              std::function<double(std::vector<double> const&)> const& force) {
   std::vector<double> path{0.0};
@@ -138,8 +139,8 @@ TEST_F(ModelInOpenSees, a_symmetric_building_moves_as_one_mass_on_one_isolator) 
     double const peak = peak_of(of_form);
     EXPECT_GT(peak, 30.0) << b.name;
     EXPECT_LT(peak, 225.0) << b.name;
-    // Errors add up over 900 steps. In each step Newton's rule for the displacement stops at 1e-8 mm. OpenSees iterates
-    // for the hysteretic variable z of Bouc-Wen and stops at 1e-9 of its largest value.
+    // Small errors of each of the 900 steps add up. Newton's rule for the displacement stops at 1e-8 mm. For Bouc-Wen,
+    // OpenSees also iterates for the hysteretic variable z and stops at 1e-9 of its largest value.
     EXPECT_LT(largest_difference(found.at("ux"), of_form), 1e-6 * peak) << b.name;
     auto const of_law = at_samples(response(mass, ground, dt, [&](auto const& path) {
       History history;
@@ -208,7 +209,8 @@ TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
     auto const realisation = shaken(b, model, "turned", unit_systems[0], "nominal");
     auto turned = slab("turned").at("ux");
     for (double& value : turned) value = -value;
-    // A coupled bearing has no preferred direction. Turned by 90 degrees, it must give the same motion.
+    // A coupled bearing has no preferred direction, and the second spring meets the displacements that the first met
+    // before. For both kinds of bearing, the motion along x must therefore be the earlier one with its sign reversed.
     EXPECT_EQ(largest_difference(turned, xy) > 1e-6 * peak_of(x), false) << b.name;
     auto subject = subject_of(b.law, b.parameters);
     subject.model = model;

@@ -1,4 +1,4 @@
-// Exported scripts in the real OpenSees, in Tcl and Python. The tests run the scripts' own checks. They also run
+// Runs exported scripts in the real OpenSees, in Tcl and Python. The scripts check themselves. The tests also run
 // time-history analyses and compare the forces with those computed along the resulting displacements.
 #include <fmt/format.h>
 
@@ -88,7 +88,7 @@ struct Response {
 
 class InTime : public OpenSees {
  protected:
-  // Four cycles of ground motion shake a mass on the bearing. They are near its period of two seconds, which it has
+  // Shakes a mass on the bearing with four cycles of ground motion, near the period of two seconds that the mass has
   // with the stiffness after yielding. Units are kN and mm. `element` is the command that puts element 1 between nodes
   // 1 and 2 of a model of 2 or 3 `dimensions`.
   Response shaken(Subject const& subject, Realisation const& realisation, std::string const& element, int dimensions,
@@ -148,8 +148,8 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
           EXPECT_GT(peak_of(found.disp), 30.0) << said;
           EXPECT_LT(peak_of(found.disp), 225.0) << said;
           auto const expected = replay(in_units(form.nominal, unit_systems[0]), found.disp);
-          // Errors add up over the steps. Newton's rule for the displacement stops at 1e-10 mm. Materials of Bouc-Wen
-          // also iterate for its hysteretic variable and stop at a tolerance of their own.
+          // Small errors of each step add up. Newton's rule for the displacement stops at 1e-10 mm. Materials of
+          // Bouc-Wen also iterate for their hysteretic variable and stop at a tolerance of their own.
           double const tolerance = form.nominal.exactness == Exactness::every_step ? 1e-8 : 1e-5;
           EXPECT_LT(largest_difference(found.force, expected), tolerance * peak_of(expected)) << said;
         }
@@ -157,8 +157,8 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// For a material of OpenSees that stands for a law, isolaw states how far it may move. Up to there OpenSees must give
-// finite forces.
+// If a material of OpenSees stands for a law, isolaw states how far the device may travel with it. Up to there OpenSees
+// must give finite forces.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {

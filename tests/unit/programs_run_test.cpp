@@ -12,7 +12,8 @@ namespace {
 
 constexpr double shares[] = {0.1, 0.35, 0.6};
 
-// For every law, the header's forces must equal the library's. Its tangents must equal differences of its forces.
+// For every law, the forces of the exported header must equal those of the library, and its tangents must equal
+// differences of its forces.
 TEST_F(Folder, headers_are_the_laws) {
   UnitSystem const& units = unit_systems[1];
   // Set samples near zero to exactly zero. Laws assign zero to the side from which the motion comes, but a rounding

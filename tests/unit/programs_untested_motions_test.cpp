@@ -62,7 +62,7 @@ TEST(BeyondTheTests, ALawThatGoesOnIsNotMentioned) {
 }
 
 TEST(BeyondTheTests, AFallingPeakASlopeBelowZeroAndSteepGrowthAreSaid) {
-  // This limit curve, 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1), rises up to 44 mm and falls beyond.
+  // With these parameters the limit curve, 0.6 kN/mm x - 8 kN (exp(x / 40 mm) - 1), rises up to 44 mm and falls beyond.
   auto const falling = beyond_the_tests(subject_of("vaiana", vaiana_parameters(-8000.0, 25.0)), kN_mm);
   auto const says = [](std::vector<std::string> const& sentences, std::string_view part) {
     return std::ranges::any_of(sentences, [&](auto const& s) { return s.find(part) != std::string::npos; });

@@ -15,9 +15,9 @@ namespace {
 
 fs::path const stand_ins = ISOLAW_PROGRAMS_STAND_INS;
 
-// A slow motion that grows and fades, with faster motions on top that also turn on one side of zero, and with a tremor
-// of less than 0.5 mm, the dead band of the exported law. All that a law remembers (turning points, peaks, travel) acts
-// on this path.
+// Returns a slow motion that grows and fades. On top of it are faster motions, which also turn on one side of zero, and
+// a tremor that stays below 0.5 mm, the dead band of the exported law. All that a law remembers (turning points, peaks,
+// travel) acts on this path.
 History path_of(Subject const& subject) {
   constexpr int points = 420;
   constexpr double step_s = 0.02;
@@ -58,8 +58,8 @@ std::vector<OfLaw> every_law() {
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // With this damping ratio h0 the rate of the exponential branches reaches its bound amax. Only then the term of
-      // the branches with the parameter c acts.
+      // With this damping ratio h0 the rate of the exponential branches reaches its bound amax. Only then does the
+      // parameter c act, in a further term of the branches.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.4;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -131,10 +131,9 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// The material is compiled with OpenSees' own headers. Where OpenSees lies beside the checkout, a mass on the bearing
-// is shaken in it, and the element's force must equal the law's force along the resulting motion.
-// From the start the force of power-scragging grows with a power of the displacement below 1, so that its slope there
-// has no bound. The first slope of jankowski is negative with these parameters, and bounded.
+// From its start at zero, the force of power-scragging grows with a power of the displacement below 1, so the slope
+// there has no bound, and the exported file must warn of this. The first slope of jankowski is negative with these
+// parameters, but bounded.
 TEST_F(OpenSeesMaterial, warns_of_a_first_motion_without_a_bounded_slope) {
   for (auto const& [id, steep] : {std::pair("power-scragging", true), {"jankowski", false}, {"bilinear", false}}) {
     auto const text = opensees_material(subject_of(id, inside_box(laws::find_law(id), 0.5)), metres);
@@ -142,6 +141,8 @@ TEST_F(OpenSeesMaterial, warns_of_a_first_motion_without_a_bounded_slope) {
   }
 }
 
+// The material is compiled with OpenSees' own headers. Where OpenSees lies beside the checkout, a mass on the bearing
+// is shaken in it, and the element's force must equal the law's force along the resulting motion.
 TEST_F(OpenSeesMaterial, is_every_law_in_the_program_itself) {
   char const* const source = std::getenv("OPENSEES_SOURCE");
   if (source == nullptr)
@@ -391,7 +392,8 @@ TEST_F(AbaqusElement, has_the_names_that_the_programs_header_gives) {
   EXPECT_EQ(run("grep -qE '^extern \"C\" void FOR_NAME\\(uel' one.cpp"), 0);
 }
 
-// In a static step the velocity is the increment of displacement over the increment of time, a backward difference.
+// In a static step the element must take as velocity the increment of displacement over the increment of time, a
+// backward difference, and ignore the velocity that it is given.
 TEST_F(AbaqusElement, takes_the_velocity_of_a_static_increment) {
   write("one.cpp",
         abaqus_element(subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35)), unit_systems[0]));

@@ -1,4 +1,4 @@
-// All output about a building: building.json and its documentation, the page, and tables and figures for print.
+// Tests all output about a building: building.json and its documentation, the page, and tables and figures for print.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

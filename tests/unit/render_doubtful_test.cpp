@@ -1,4 +1,5 @@
-// Warnings that a reader needs before trusting a report: missing runs, copies of a record, implausible numbers.
+// Tests the warnings that a reader needs before trusting a report: missing runs, copies of a record, implausible
+// numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

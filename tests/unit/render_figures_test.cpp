@@ -1,4 +1,5 @@
-// Figures: their data, how names of devices are quoted so that they never run as commands, and the drawings by gnuplot.
+// Tests figures: their data, how names of devices are quoted so that they never run as commands, and the drawings by
+// gnuplot.
 #include <expat.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -93,7 +94,7 @@ TEST(Gnuplot, DataKeepOneRowToALine) {
 TEST(FileStems, AreSafeAndDifferent) {
   auto const stems = file_stems({"D1", "d1", "../x", "a/b", "a b", "", ".hidden", std::string(300, 'x'), "é\n"});
   EXPECT_EQ(stems[0], "D1");
-  EXPECT_EQ(stems[1], "d1_2");  // "D1" and "d1" would be one file where case does not count
+  EXPECT_EQ(stems[1], "d1_2");  // where file names ignore case, "D1" and "d1" would be one file
   EXPECT_EQ(stems[2], "_._x");
   std::set<std::string> different;
   for (auto const& stem : stems) {
@@ -394,7 +395,7 @@ TEST(Figures, LoopsOfAllLawsOfTheDeviceThatStandsForTheLotAlone) {
     EXPECT_EQ(value(data[0][i][5]), summary.laws[0].devices[1].force_kN[i]);
   }
   EXPECT_NE(figure.script.find("refused: it''s not for this"), std::string::npos);
-  // If the nearest device has no record, the next nearest is drawn.
+  // Loops are drawn for the device nearest to the mean of the lot. If it has no record, the next nearest is drawn.
   summary.devices[1].record = {};
   EXPECT_TRUE(figures_of(summary).contains("loops_D1"));
   EXPECT_FALSE(figures_of(summary).contains("loops_D2"));

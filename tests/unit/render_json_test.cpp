@@ -1,4 +1,4 @@
-// summary.json: its exact layout, which values are null, and that every input gives valid JSON.
+// Tests summary.json: its exact layout, which values are null, and that every input gives valid JSON.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,8 @@ TEST(SummaryJson, ExactText) {
   law.devices.push_back(fit);
   summary.laws.push_back(law);
 
-  // Compares the exact layout up to the warnings. The sentences after them are worded in wording/rows.cpp alone.
+  // Compares the exact layout of everything before the warnings. The sentences of the warnings and of what follows them
+  // are worded in wording/rows.cpp alone.
   auto const text = summary_json(summary);
   auto const numbers = text.substr(0, text.find("  \"warnings\": [\n"));
   EXPECT_EQ(numbers, R"({

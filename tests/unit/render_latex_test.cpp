@@ -1,4 +1,4 @@
-// Tables in LaTeX: numbers, escaping, and that every row has as many cells as its table has columns.
+// Tests tables in LaTeX: numbers, escaping, and that every row has as many cells as its table has columns.
 #include <gtest/gtest.h>
 
 #include <algorithm>

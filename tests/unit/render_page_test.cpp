@@ -1,5 +1,5 @@
-// The page as text: it loads nothing from elsewhere, contains the user's input in its data block alone, and has the
-// right numbers there.
+// Tests the page as text: it loads nothing from elsewhere, contains the user's input in its data block alone, and has
+// the right numbers there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,7 +141,8 @@ TEST(PageData, LongRecordsAreThinnedEvenlyWithBothEnds) {
   EXPECT_EQ(drawn.back(), 999u);
 }
 
-// The page holds six digits in profiles and intervals and nine elsewhere. `relative` is the tolerance for this.
+// The page gives numbers with six digits in profiles and intervals, and with nine elsewhere. `relative` is the
+// tolerance for this rounding.
 void expect_close(Json const& written, std::optional<double> expected, double relative) {
   ASSERT_EQ(written.is_null(), !expected || !std::isfinite(*expected)) << written;
   if (written.is_null()) return;

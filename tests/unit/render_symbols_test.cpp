@@ -1,4 +1,4 @@
-// How names and numbers are typeset (base/symbol.hpp, base/number_text.hpp).
+// Tests how names and numbers are typeset (base/symbol.hpp, base/number_text.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>

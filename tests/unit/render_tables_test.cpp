@@ -1,4 +1,4 @@
-// The CSV tables, compared cell by cell.
+// Tests the CSV tables cell by cell.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The findings and the ranking of laws that the terminal prints.
+// Tests the findings and the ranking of laws that the terminal prints.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// One device against a rule set: formulas, values exactly at a limit, conditions of the test, and lines without a
-// verdict.
+// Tests how one device is assessed by a rule set: formulas, values exactly at a limit, conditions of the test, and
+// lines without a verdict.
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -1,4 +1,4 @@
-// Devices whose values can be worked out by hand, and rule sets written as text.
+// Makes devices whose values can be worked out by hand, and rule sets written as text.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,8 @@
 
 namespace isolaw::rules::testing {
 
-// A cycle of ±100 mm and ±120 kN, which is K_eff 1.2 kN/mm, with the energy of 15 % damping.
+// A cycle of ±100 mm and ±120 kN, so K_eff is 1.2 kN/mm. Its energy is that of 15 % damping. `force_factor` multiplies
+// the forces.
 inline data::Cycle cycle(int number, double force_factor = 1.0) {
   double const energy = 0.15 * 2.0 * 3.14159265358979323846 * 1.2 * 1e4;  // xi 2 pi K D^2
   data::Cycle cycle;

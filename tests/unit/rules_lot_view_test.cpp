@@ -1,5 +1,5 @@
-// The rules applied to a lot: spread, sample, outliers, limits on the mean and modification factors, worked out by
-// hand.
+// Tests the rules applied to a lot: spread, sample, outliers, limits on the mean and modification factors, all worked
+// out by hand.
 #include <cmath>
 #include <random>
 
@@ -61,8 +61,9 @@ lower_percent = -10
 }
 
 TEST(LotView, DescribesTheSpread) {
-  // K_eff is 1.08, 1.2, 1.32 and 1.2: mean 1.2, s = sqrt(2 x 0.12^2/3) = 0.0979796, CoV 8.16497 %. The fractiles are
-  // mean ± 1.644854 s = 1.038838 and 1.361162. With the exact k(4) = 6.3411 the tolerance bounds are 1.2 ± 0.621298.
+  // K_eff is 1.08, 1.2, 1.32 and 1.2: the mean is 1.2, the standard deviation s = sqrt(2 x 0.12^2/3) = 0.0979796 and
+  // the coefficient of variation (CoV) 8.16497 %. The fractiles are mean ± 1.644854 s = 1.038838 and 1.361162. With the
+  // exact tolerance factor k = 6.3411 of four devices, the tolerance bounds are 1.2 ± 0.621298.
   auto const lot = lot_view(rules_of(limits), lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1"), 28);
   auto const& view = of(lot, Quantity::K_eff);
   EXPECT_EQ(view.count, 4u);
@@ -135,8 +136,8 @@ TEST(LotView, WithoutRulesTheSampleSaysSo) {
 }
 
 TEST(LotView, ANegativeBoundIsNone) {
-  // K_eff is 0.96 and 1.44: mean 1.2, s = 0.339411. With the exact k(2) = 36.519 the lower bound 1.2 - 12.4 is
-  // negative.
+  // K_eff is 0.96 and 1.44: the mean is 1.2 and s = 0.339411. With the exact tolerance factor k = 36.519 of two
+  // devices, the lower bound 1.2 - 12.4 is negative.
   auto const lot = lot_view({}, lot_of({0.8, 1.2}), {}, 28);
   auto const& view = of(lot, Quantity::K_eff);
   EXPECT_FALSE(view.tolerance_low);
@@ -251,7 +252,8 @@ TEST(Outliers, AreNotNamedAmongNearlyIdenticalDevices) {
   EXPECT_TRUE(find_outliers("K", "", std::span(names).first(4), std::vector<double>{1, 1, 1, 9}).empty());
 }
 
-// Q_d in kN of a measured bearing. It rises from the first cycle to the second and falls afterwards.
+// The values of Q_d are those of a measured bearing, in kN. They rise from the first cycle to the second and fall
+// afterwards, so the factors must be those of cycles 2 and 7, relative to the mean of the first three cycles.
 TEST(TestFactors, EncloseEveryCountedCycle) {
   auto tested = block(1.0, 7);
   std::vector<double> const Q_d{56.93, 58.96, 57.98, 57.1, 56.5, 56.07, 55.21};
@@ -283,7 +285,7 @@ TEST(TestFactors, CompareTheFirstAndTheLastWithTheFirstThree) {
   EXPECT_NEAR(factors->min, 1.0 / 1.3, 1e-12);
   EXPECT_EQ(factors->max_cycle, 1);
   EXPECT_EQ(factors->min_cycle, 5);
-  // A property that grows: 0.7, 0.9, 0.9 (mean 2.5/3) and 1.0 in the last cycle.
+  // If K_eff grows, here 0.7, 0.9 and 0.9 (mean 2.5/3) and 1.0 in the last cycle, the factors are 1.2 and 0.84.
   for (auto& c : tested.cycles) c.K_eff_kN_per_mm = c.number == 1 ? 0.7 : c.number == 5 ? 1.0 : 0.9;
   auto const growing = test_factors(Quantity::K_eff, tested);
   EXPECT_NEAR(growing->max, 1.2, 1e-12);
@@ -312,9 +314,9 @@ TEST(Combine, IsTheFormulaOfTheRules) {
 }
 
 TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
-  // The mean of 28 devices with a known CoV of 7 % has the half width 1.95996 x 7/sqrt(28) = 2.5928 %. If six of them
-  // are tested, only the other 22 are unknown, and this times sqrt(22/27) is 2.3404 %. If the CoV too is estimated from
-  // the six, the half width is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28) = 6.5116 %.
+  // If the CoV is known to be 7 %, the mean of 28 devices has the half width 1.95996 x 7/sqrt(28) = 2.5928 %. If six of
+  // them are tested, only the other 22 are unknown, and this half width times sqrt(22/27) is 2.3404 %. If the CoV too
+  // is estimated from the six, the half width is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28) = 6.5116 %.
   EXPECT_NEAR(system_half_width_percent(7, 28, 0), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 1), 2.5928, 1e-4);
   EXPECT_NEAR(system_half_width_percent(7, 28, 6), 2.3404, 1e-4);
@@ -354,8 +356,9 @@ TEST(Bounds, AreLabelledBySource) {
   // The mean equals the design value of 1.2. The CoV is 8.16497 %. All cycles of a device are alike except the third.
   auto const lot = lot_view(rules, lot_of({0.9, 1.0, 1.1, 1.0}), parse_design("K_eff=1.2"), 28);
   auto const& view = of(lot, Quantity::K_eff);
-  // Relative to the mean of its three cycles, device 0.9 has cycles 1, 1, 0.9: 2.7/2.9 is the least factor. Device 1.1
-  // has cycles 1, 1, 1.1: 3.3/3.1 is the largest.
+  // The cycles of device 0.9 are in the ratio 1 : 1 : 0.9, so the third over the mean of the three is 2.7/2.9, the
+  // least factor. Those of device 1.1 are in the ratio 1 : 1 : 1.1, so the third over the mean is 3.3/3.1, the largest
+  // factor.
   EXPECT_NEAR(view.test_factors->max, 3.3 / 3.1, 1e-12);
   EXPECT_NEAR(view.test_factors->min, 2.7 / 2.9, 1e-12);
   auto const& contract = bound(view, "contract band");
@@ -367,17 +370,17 @@ TEST(Bounds, AreLabelledBySource) {
   // The tolerance factor times the CoV is 6.3411 x 8.16497 = 51.7749 %.
   EXPECT_NEAR(bound(view, "statistical, each device").spec.max, 1.517749, 1e-5);
   EXPECT_NEAR(bound(view, "statistical, each device").spec.min, 1 - 0.517749, 1e-5);
-  // The half width of the mean of all 28 devices, four of them tested, is 1.95996 x 8.16497/sqrt(28) x sqrt(24/27) =
-  // 2.85130 % with a known CoV, and t(0.975, 3) = 3.182446 times 8.16497 sqrt(1/4 - 1/28) = 12.0286 % with an estimated
-  // one.
+  // If four of the 28 devices are tested and the CoV is known, the mean of all 28 has the half width 1.95996 x
+  // 8.16497/sqrt(28) x sqrt(24/27) = 2.85130 %. If the CoV is estimated, the half width is t(0.975, 3) = 3.182446 times
+  // 8.16497 sqrt(1/4 - 1/28) = 12.0286 %.
   EXPECT_NEAR(bound(view, "statistical, system").spec.max, 1.0285130, 1e-6);
   EXPECT_NEAR(bound(view, "statistical, system predicted").spec.min, 1 - 0.120286, 1e-6);
   EXPECT_EQ(view.bounds.size(), 5u);
 }
 
 TEST(Bounds, TakeTheDefaultsOnlyOfPropertiesTheSetNames) {
-  // All cycles are alike, so the test factors are 1, and the supply's factors 1.15 and 0.85 alone remain. For K_d the
-  // file of ASCE 7 has the default factors 1.8 and 0.6, which replace them. It has no [[factor]] for K_eff.
+  // All cycles are alike, so the test factors are 1 and only the factors 1.15 and 0.85 of the supply remain. For K_d
+  // the file of ASCE 7 has the default factors 1.8 and 0.6, which replace them. The file has no [[factor]] for K_eff.
   auto const lot = lot_view(find_rule_set("asce-7-22"), lot_of({1.0, 1.0}), parse_design("K_eff=1.2,K_d=0.9"));
   auto const& named = bound(of(lot, Quantity::K_d), "contract band");
   EXPECT_NEAR(named.upper, 0.9 * 1.8, 1e-12);

@@ -1,4 +1,4 @@
-// Rule files: what they may contain, the built-in ones, and the messages about mistakes with their line.
+// Tests rule files: what they may contain, the built-in files, and the messages about mistakes, which give the line.
 #include <filesystem>
 #include <fstream>
 #include <set>

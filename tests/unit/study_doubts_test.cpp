@@ -1,5 +1,5 @@
-// Grades of prediction, adequacy of laws, parameters that only the search box limits, and the warnings for a law that a
-// user takes from a campaign. docs/decision.md explains them.
+// Tests the grades of prediction, the adequacy of laws, parameters that only the search box limits, and the warnings
+// for a law that a user takes from a campaign. docs/decision.md explains them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -191,7 +191,7 @@ TEST(Adequacy, AFrontThatTheBoxHoldsHasNoRobustEnd) {
       << findings(summary).headline;
 }
 
-// A single device always agrees with itself. The search box must not be named as the reason for the agreement.
+// A single device always agrees with itself, so the search box must not be named as the reason why devices agree.
 TEST(Adequacy, OneDeviceIsHeldByNoBox) {
   auto summary = fixture::lot(1, 2);
   for (auto& one : summary.laws) hold_by_the_box(one);

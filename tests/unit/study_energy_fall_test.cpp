@@ -1,4 +1,5 @@
-// The energy that a device loses from cycle to cycle, and the part of this loss that a law reproduces.
+// Tests by how much the energy of a device's loops falls from cycle to cycle, and how much of this fall a law
+// reproduces.
 #include "isolaw/study/energy_fall.hpp"
 
 #include <gtest/gtest.h>

@@ -34,8 +34,9 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
   return fit;
 }
 
-// Exact tests use the first three laws; the others fill the page for browser tests. Objectives and betas are those of
-// the published table.
+// A lot has the first few of these laws: three, unless a test asks for more. The later laws fill the page for browser
+// tests. The seventh law, abe-y0, has made-up numbers; the objectives and betas of the others are those of the
+// published table.
 inline std::vector<LawSketch> sketches() {
   return {
       {"bilinear",
@@ -106,7 +107,7 @@ inline std::vector<LawSketch> sketches() {
 }
 
 // The force on three cycles of ±208 mm at 0.5 Hz. `stiffness` and `strength` are factors; both are 1 for a device at
-// the mean of the lot.
+// the mean of the lot. `scragging` is the share by which the stiffness is larger at the start; it fades within seconds.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;

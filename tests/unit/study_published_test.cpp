@@ -1,6 +1,7 @@
-// A campaign is compared with the published study: its numbers with those of Table A.5, and which of the study's
-// statements hold in it. A campaign made of the table's numbers must give these numbers back, and the same statements
-// must hold in it as in the table. Further cases have other numbers, missing laws, or law 5 as abe instead of abe-y0.
+// Tests the comparison of a campaign with the published study. The comparison sets the campaign's numbers beside those
+// of Table A.5 and says which of the study's statements hold in the campaign. A campaign made of the table's numbers
+// must give these numbers back, and the same statements must hold in it as in the table. Further cases have other
+// numbers, missing laws, or law 5 as abe instead of abe-y0.
 #include "isolaw/study/published.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   auto const comparison = published(campaign_of_table());
   ASSERT_TRUE(comparison);
   ASSERT_EQ(comparison->laws.size(), 6u);
-  // Mean objective and beta of each law in the printed table, computed without this program.
+  // The mean objective and the beta of each law of the printed table, computed without this program.
   std::map<int, std::pair<double, double>> const expected{{1, {0.137, 0.1421}}, {2, {0.079, 0.3030}},
                                                           {3, {0.088, 0.2164}}, {4, {0.089, 0.2171}},
                                                           {5, {0.085, 0.2590}}, {6, {0.117, 0.3341}}};

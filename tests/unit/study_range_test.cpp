@@ -1,4 +1,4 @@
-// Laws that stay sane in the cycles of a building, and laws that do not.
+// Tests which laws stay sane in the cycles of a building, and which do not.
 #include "isolaw/study/range_test.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ namespace {
 
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
-// Two cycles of this amplitude with a peak velocity of `speed_mm_s`, and an elliptic loop of this damping and 1 kN/mm.
+// Two cycles of this amplitude with a peak velocity of `speed_mm_s`. The force is an elliptic loop with this damping
+// and a stiffness of 1 kN/mm.
 DeviceResult tested_device(double amplitude_mm, double speed_mm_s, double damping) {
   DeviceResult device;
   device.name = "device";
@@ -39,7 +40,7 @@ struct Tested {
   double disp_mm = 100.0, speed_mm_s = 314.0, damping = 0.6;
 };
 
-// The test of one law on one device.
+// Makes the range test of one law with these parameters on one device.
 LawResult range_test(std::string const& id, NamedValues const& values, Tested const& tested = {}) {
   auto const& entry = laws::find_law(id);
   std::vector<double> parameters(entry.parameters.size());
@@ -65,8 +66,8 @@ NamedValues bilinear(double K1, double K2, double xy) {
   return {{"K1", K1}, {"K2", K2}, {"xy", xy}};
 }
 
-// Devices that are no high-damping rubber. A slider's damping is near 2 / pi, and its stiffness halves at twice the
-// amplitude; rubber that hardens is stiffer there.
+// The laws of devices other than high-damping rubber must pass too. A slider's damping is near 2 / pi, and its
+// stiffness halves at twice the amplitude. Rubber that hardens is stiffer there.
 TEST(RangeTest, PassesSaneDevicesOfOtherKinds) {
   auto const flat = range_test("bilinear", bilinear(100.0, 0.0, 0.5));
   EXPECT_EQ(rule(flat), "sane");
@@ -106,7 +107,8 @@ TEST(RangeTest, RefusesALawWithoutFiniteForceOrStiffness) {
   EXPECT_EQ(rule(range_test("bilinear", bilinear(1.0, -0.5, 10.0))), "not-stiff");
 }
 
-// The law of a device that is only a dashpot has no stiffness to judge.
+// A device that is only a dashpot has no stiffness to judge, so its law must pass. The warning damping_undefined marks
+// such a device; without the warning the same law must not pass.
 TEST(RangeTest, ExemptsViscousDevices) {
   Summary summary;
   summary.devices = {tested_device(100.0, 314.0, 0.6)};
@@ -129,7 +131,8 @@ TEST(RangeTest, ExemptsViscousDevices) {
   EXPECT_NE(rule(summary.laws[0]), "sane");
 }
 
-// The design may ask for a displacement; one below the tested amplitude counts as that amplitude.
+// The range test goes to the displacement that the design asks for. If this is below the tested amplitude, the test
+// goes to the tested amplitude instead.
 TEST(RangeTest, GoesToTheDisplacementOfTheDesign) {
   Summary summary;
   summary.devices = {tested_device(100.0, 314.0, 0.6)};

@@ -1,4 +1,4 @@
-// The recommended law in cases whose answer is known.
+// Tests which law is recommended in cases whose answer is known.
 #include "isolaw/study/recommendation.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,8 @@ Finding runs_away(std::string_view rule) {
           .words = {{"rule", std::string(rule)}}};
 }
 
-// Three laws with known errors of the fit and on larger swings. C ties with B and has fewer parameters.
+// The mean error of a law is the mean of its error in the fit and its error on larger swings. It is least for B. C ties
+// with B, since its mean error is at most 10 % larger, and C has fewer parameters, so C must be recommended.
 TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
   auto summary = summary_of({{"A", {0.080}, {}, {}, 4, 0, 0, 1.0, 0.120},
                              {"B", {0.070}, {}, {}, 7, 0, 0, 1.0, 0.090},
@@ -128,7 +129,8 @@ TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
   EXPECT_TRUE(contains(advice.why, "B has a smaller mean error (8.0 %), but is ruled out")) << advice.why;
 }
 
-// In a lot of three devices or more the error on a device left out takes the place of the fit's own error.
+// In a lot of three devices or more, the error on a device that was left out of the fit takes the place of the fit's
+// own error.
 TEST(Recommendation, AnswersForADeviceNobodyTested) {
   std::vector<Law> const laws{{"near", {0.02, 0.021, 0.022}, {0.09, 0.091, 0.092}},
                               {"sound", {0.05, 0.051, 0.052}, {0.06, 0.061, 0.062}}};
@@ -183,7 +185,8 @@ TEST(Recommendation, IsNoneWhereTheLeastErrorIsTooLargeOrTheEnergyOfTheLargestCy
   advice = *recommendation(summary);
   EXPECT_EQ(law_of(summary, advice), "a");
   EXPECT_TRUE(doubts(advice, FindingKind::weak_cycle_energy));
-  // The energy of a device with little damping may be far off without harm.
+  // For a device with little damping, here 4 %, the error of the damping is judged in place of that of the energy, so
+  // the energy may be far off.
   summary.laws[1].devices[0].energy_error_percent = -35.0;
   summary.devices[0].notes = {{.kind = FindingKind::largest_swings, .numbers = {{"damping_percent", 4.0}}}};
   summary.laws[0].devices[0].damping_error_percent = 60.0;
@@ -229,7 +232,7 @@ TEST(Recommendation, IsWeakWhereTheTestsLeaveParametersOpenOrTheBoxHoldsThem) {
   Law const other{"b", {0.08, 0.081, 0.082}, {0.09, 0.091, 0.092}};
   auto open = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 3}, other});
   EXPECT_TRUE(doubts(*recommendation(open), FindingKind::weak_open));
-  open.laws[0].larger_swings_objective = 0.05;  // they have proved harmless
+  open.laws[0].larger_swings_objective = 0.05;  // larger swings show that the open parameters do no harm
   EXPECT_FALSE(doubts(*recommendation(open), FindingKind::weak_open));
   auto const held = summary_of({{"a", {0.03, 0.031, 0.032}, {0.04, 0.041, 0.042}, {}, 4, 0, 2}, other});
   EXPECT_TRUE(doubts(*recommendation(held), FindingKind::weak_bounds));
@@ -260,7 +263,8 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   EXPECT_EQ(law_of(summary, *recommendation(summary)), "whole");
 }
 
-// The error on blocks left out of the fit predicts larger amplitudes only if one of them has the largest.
+// Predictions of blocks that were left out of the fit count as predictions of larger swings only if one of these blocks
+// has the largest amplitude of the test.
 TEST(Recommendation, TakesBlocksOfLargerAmplitudeForLargerSwings) {
   auto summary = summary_of({{"a", {0.04}, {}, 0.06}, {"b", {0.05}, {}, 0.07}});
   data::Block small, large;
@@ -274,7 +278,8 @@ TEST(Recommendation, TakesBlocksOfLargerAmplitudeForLargerSwings) {
   EXPECT_NEAR(*recommendation(summary)->standings.front().error, 0.04, 1e-12);
 }
 
-// The range over the five laws of least error that are not ruled out.
+// The range must be that of the five laws of least error that are not ruled out. Law 1 is ruled out here, and law 6 has
+// the largest error.
 TEST(Recommendation, SaysHowFarTheBestLawsDisagree) {
   std::vector<Law> laws;
   for (int i = 0; i < 7; ++i) laws.push_back({"law" + std::to_string(i), {0.03 + 0.01 * i}});

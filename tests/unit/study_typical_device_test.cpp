@@ -1,4 +1,4 @@
-// The device that best represents its lot.
+// Tests which device is taken as the one that best represents its lot.
 #include "isolaw/study/typical_device.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// The verdict on a device and on the lot. It is never a plain pass if a value was not compared with its limit.
+// Tests the verdicts on a device and on the lot. A verdict is never a plain pass if a value was not compared with its
+// limit.
 #include "finding_text.hpp"
 #include "isolaw/study/verdict.hpp"
 
@@ -238,8 +239,7 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   EXPECT_EQ(device_verdict(copy).brief(), "not assessed");
 }
 
-// The copy holds the record of the first device, which fails. A law taken from the copy therefore carries the first
-// device's failure.
+// D02 is a copy: it holds the record of D01, which fails. A law taken from D02 therefore carries the failure of D01.
 TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::fail, 23.0)});

@@ -1,4 +1,4 @@
-// Findings as JSON, in which a campaign's store keeps them.
+// Tests findings as JSON, the form in which a campaign's store keeps them.
 #include <gtest/gtest.h>
 
 #include <cmath>

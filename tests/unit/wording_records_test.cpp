@@ -1,5 +1,5 @@
-// Sentences about the same fault in several records. A sentence may give sizes as a range, but it gives each sample,
-// time, cycle and block with its device.
+// Tests sentences about the same fault in several records. A sentence may give sizes as a range, but it gives each
+// sample, time, cycle and block with its device.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -121,7 +121,7 @@ TEST(RecordSentences, NoKindMakesARangeOfPositions) {
   }
 }
 
-// Each part of a sentence about several devices can be read alone.
+// A sentence about several devices has a part for each device, and each part can be read alone.
 TEST(RecordSentences, PartsOfSeveralDevicesStandForThemselves) {
   auto const odd = [](std::string device, int block, double percent) {
     return Finding{.kind = FindingKind::cycle_unlike_neighbours,
@@ -147,7 +147,7 @@ TEST(RecordSentences, PartsOfSeveralDevicesStandForThemselves) {
   EXPECT_TRUE(contains(jumps[0], "of that as motion on a and 3 jumps of up to 2 s")) << jumps[0];
 }
 
-// A channel that is clipped at both of its ends is told once, and what follows from it is said once.
+// If a channel is clipped at both of its ends, one sentence says so, and what follows from the clipping is said once.
 TEST(RecordSentences, ReasonsOfOneKindAreOneSentence) {
   auto const clipped = [](double level) {
     return Finding{.kind = FindingKind::signal_clipped,

@@ -348,9 +348,9 @@ TEST(ClosedForm, HwangWuWithoutWork) {
   }
 }
 
-// With a4 and a9 alone, F = a4 x exp(a9 W) at v = 0, where W is the work since the start at x0. So exp(-a9 W) W' = a4 x
-// and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) / a9. Runge-Kutta with 200 steps errs by less than 1e-9 while a9 W stays of
-// order one.
+// If only the terms with a4 and a9 act, F = a4 x exp(a9 W) at v = 0, where W is the work since the start at x0. So
+// exp(-a9 W) W' = a4 x and W = -ln(1 - a9 a4 (x^2 - x0^2) / 2) / a9. Runge-Kutta with 200 steps errs by less than 1e-9
+// while a9 W stays of order one.
 TEST(ClosedForm, HwangWuDegradesWithTheWholeWork) {
   double const a4 = 50.0, a9 = -1e-4;
   auto const values = named<HwangWu>({{"a4", a4}, {"a8", 1.0}, {"a9", a9}});

@@ -1,9 +1,10 @@
 // Expected results of each law with the means of Table A.5 in Cucuzza et al. 2025. A separate program computed them
 // from the equations, for bilinear, jankowski and vaiana exactly and for the other laws with 400 sub-steps per sample.
 // The motion is x = 208 mm sin(2 pi 0.5 Hz t), three cycles, 601 samples, with its exact velocity. The third cycle
-// (samples 400 to 600) gives the largest force, the peak-to-peak stiffness K_eff, and the damping: the energy by the
-// closed trapezoid over 2 pi K_eff D^2. `difference` is the mean of |F - ref| over all samples divided by the standard
-// deviation of ref, where ref is the mean of the forces of jankowski and vaiana for the same device.
+// (samples 400 to 600) gives the largest force, the peak-to-peak stiffness K_eff, and the damping. The damping is the
+// energy of the closed loop, by the trapezoidal rule, divided by 2 pi K_eff D^2. `difference` is the mean of |F - ref|
+// over all samples divided by the standard deviation of ref, where ref is the mean of the forces of jankowski and
+// vaiana for the same device.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
-// Tests the coverage of the 95 % confidence intervals. A law makes a record, and a hundred records come from it by
-// adding noise. The test counts how many intervals hold the true value, for all parameters that the program calls
-// determined. The share must lie between 90 and 99 %; docs/analysis.md has the shares found. With fewer than a hundred
-// records these bounds are wider by one standard error of the share.
+// Tests the coverage of the 95 % confidence intervals. The forces of a law with known parameters make a record, and
+// adding noise to it gives a hundred records. For all parameters that the program calls determined, the test counts how
+// many intervals hold the true value. The share must lie between 90 and 99 %; docs/analysis.md has the shares found.
+// With fewer than a hundred records these bounds are wider by one standard error of the share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -105,8 +105,9 @@ TEST_P(Coverage, OfIntervals) {
 
 constexpr twins::Noise correlated{.correlation = 0.8};
 
-// vaiana's exponents are limited to values at which its hardening shows. abe's parameters of the elastic part and of
-// the decay are fixed, because three cycles with this noise do not determine all of them.
+// vaiana's hardening parameters beta1 and beta2 are limited to values so large that the hardening shows in the force.
+// abe's parameters of the elastic part and of the decay are fixed, because three cycles with this noise do not
+// determine all of them.
 std::vector<CoverageCase> linearised() {
   std::vector<std::string> const abe{"alpha=20", "beta=0.5", "a=0", "b=1", "Uh=300", "K2=0.4", "r=0.5"};
   std::map<std::string_view, std::vector<std::string>> narrowed{
@@ -121,7 +122,8 @@ std::vector<CoverageCase> linearised() {
     cases.push_back({.law = std::string(law.info.id), .set = narrowed[law.info.id]});
   for (auto const* law : {"bilinear", "bouc-wen", "vaiana", "abe-y0", "power-masing", "ramberg-osgood"})
     cases.push_back({.law = law, .set = narrowed[law], .noise = correlated});
-  // These records are worth two or three independent samples for each parameter.
+  // With noise correlated by 0.8, these records are worth only a few independent samples for each parameter, and fewer
+  // intervals hold the true value (docs/analysis.md).
   for (auto& c : cases)
     if (c.noise.correlation > 0.0 && (c.law == "vaiana" || c.law == "abe-y0")) c.least = 0.86;
   return cases;

@@ -1,6 +1,7 @@
-// The formulas of the error budget are compared with loops whose properties are known exactly. The loops are an
-// ellipse, a bilinear loop and an exponential one (Vaiana's without hardening), of 208 mm at 0.5 Hz. The effects are
-// those of sampling, skew, friction and moving mass.
+// The error budget estimates how errors of a test change the cyclic properties of a loop. Its formulas are compared
+// with loops whose properties are known exactly: an ellipse, a bilinear loop and an exponential one (Vaiana's without
+// hardening), with an amplitude of 208 mm at 0.5 Hz. The errors come from sampling, skew between the channels, offsets,
+// friction, moving mass and a moving average.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,11 +106,12 @@ TEST_P(Sampling, OfAnExponentialLoop) {
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------
-// If the force is early by epsilon, the energy grows by pi D a1 sin(epsilon), where a1 is the part of the force's
-// first harmonic that is in phase with x. Damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571
-// percentage points times a1 / (K D), with K the effective stiffness. At the displacement peak the force has already
-// fallen, with the unloading stiffness K_u, over D epsilon^2 / 2. K becomes smaller and damping larger by the share
-// (epsilon^2 / 2) (K_u / K - 1). This share already contains the factor cos(epsilon) on the energy.
+// Skew means that the force channel is early or late. If the force is early by epsilon, the energy is multiplied by
+// cos(epsilon) and grows by pi D a1 sin(epsilon), where a1 is the part of the force's first harmonic that is in phase
+// with x. With K the effective stiffness, damping therefore grows by (a1 / (K D)) epsilon / 2, which is 1.571
+// percentage points times a1 / (K D). At the displacement peak the force has already fallen, with the unloading
+// stiffness K_u, over D epsilon^2 / 2. This makes K smaller by the share (epsilon^2 / 2) K_u / K. Together with the
+// factor cos(epsilon) on the energy, it makes damping larger by the share (epsilon^2 / 2) (K_u / K - 1).
 
 constexpr double skew_s = 0.010;
 
@@ -158,10 +160,10 @@ TEST(Skew, OfABilinearLoop) {
   EXPECT_LT(shift, 1.40);
 }
 
-// At the phase p after a reversal the loop's exponential part is f0 (1 + tanh(alpha D)) exp(-alpha D (1 - cos(p))) from
-// its limit. The part of its first harmonic in phase with x is 2 f0 (1 + tanh(alpha D)) exp(-alpha D) I1(alpha D) =
-// 0.382 f0, with the Bessel function I1. With f0 / (K D) = 0.252, a1 / (K D) = 0.844, which gives 1.326 percentage
-// points to first order. The term with K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.066.
+// At the phase p after a reversal the loop's exponential part differs from its limit by f0 (1 + tanh(alpha D))
+// exp(-alpha D (1 - cos(p))). The part of its first harmonic in phase with x is 2 f0 (1 + tanh(alpha D)) exp(-alpha D)
+// I1(alpha D) = 0.382 f0, with the Bessel function I1. With f0 / (K D) = 0.252, a1 / (K D) = 0.844, which gives 1.326
+// percentage points to first order. The term with K_u = kb + alpha f0 (1 + tanh(alpha D)) = 6.1 kN/mm adds 0.066.
 TEST(Skew, OfAnExponentialLoop) {
   double const a = alpha * D;
   double const K = kb + f0 * std::tanh(a) / D;

@@ -1,7 +1,7 @@
-// Between reversals the hysteretic force of a differential law follows du/dt = rate(u), with u the force over its
-// saturation value and t the travel; the solution is called its flow. The travel from u0 to u1 is the integral of du /
-// rate(u), which quadrature (Gauss-Kronrod and tanh-sinh) gives to twelve digits and more. After that travel the flow
-// must be at u1.
+// Between reversals the hysteretic force of a differential law follows du/dt = rate(u), where u is the force divided by
+// its saturation value and t is the travel. The rate is 1 - u^n for u >= 0 and 1 + kappa |u|^n for u < 0; the solution
+// is called the flow. The travel from u0 to u1 is the integral of du / rate(u), which quadrature (Gauss-Kronrod and
+// tanh-sinh) gives to twelve digits and more. After that travel the flow must be at u1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -136,8 +136,8 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// The law abe may start below u = -1, where saturating_flow.hpp uses a table. The tolerance is relative to the rate at
-// the start, 1 + |u|^n.
+// Only for abe may u start below -1, where saturating_flow.hpp uses a table if |u| exceeds 3. The tolerance is relative
+// to the rate at u = -50, 1 + 50^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});
@@ -193,8 +193,9 @@ TEST(SaturatingFlow, RoundTripsDoNotDriftBeyondSaturation) {
         << "n " << n;
 }
 
-// u must grow with the travel, never pass 1, and end within 2e-7 of 1. Starting at u = -1 it reaches zero within a
-// travel of 1 / (1 + kappa); then 1 - u falls as exp(-n t) with the travel t. Differences of 1e-12 are rounding.
+// u must grow with the travel, never pass 1, and end within 2e-7 of 1. From u = -1 it reaches zero within a travel of
+// 1 / (1 + kappa), or of 1 if kappa is positive. Then 1 - u falls as exp(-n t) with the travel t. Differences of 1e-12
+// are rounding.
 TEST(SaturatingFlow, RisesMonotonicallyToSaturation) {
   for (double const n : exponents)
     for (double const kappa : kappas) {

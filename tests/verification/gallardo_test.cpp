@@ -223,10 +223,11 @@ TEST(Gallardo, FirstSample) {
   }
 }
 
-// The law measures the distance of a turning point on either side from +uy; in everything else the mirrored motion
-// gives the opposite force. Without hardening (phimax = 0) it must do so to the last bit. With hardening, this distance
-// of a turn and that of its mirror image differ by up to two yield displacements uy. The hardening phi then differs by
-// at most 2 pphi phimax, and the strength by this times the derivative of (1 - 2 phi)^(-1/n).
+// At every turn, on either side of x = 0, the law measures the distance of the turning point from +uy. In everything
+// else the mirrored motion gives the opposite force. Without hardening (phimax = 0) it must do so to the last bit. With
+// hardening, the distances of a turn and of its mirror image differ by up to two yield displacements uy. The hardening
+// phi then differs by at most 2 pphi phimax, and the strength by this difference times the derivative of
+// (1 - 2 phi)^(-1/n).
 TEST(Gallardo, MirroredMotion) {
   for (std::uint32_t i = 0; i < 50; ++i) {
     auto values = scaled_candidate<Gallardo>(i);
@@ -258,8 +259,8 @@ TEST(Gallardo, Continuous) {
         auto x = history;
         x.push_back(x.back() + direction * d);
         auto const force = exact(published, x);
-        // The bound adds 4 kN/mm for z (largest slope 2 fy/uy) and for the softening with G, and a force of 20 kN times
-        // its softening fm C^pm with fm = 0.12.
+        // The bound adds two terms. 4 kN/mm is for z, whose largest slope is 2 fy/uy, and for the softening with G. The
+        // other is a force of 20 kN times its softening fm C^pm, with fm = 0.12.
         double const bound = 4.0 * d + 20.0 * 0.12 * std::pow(d / 100.0, pm);
         EXPECT_LE(std::abs(force.back() - force[force.size() - 2]), bound) << d << " from " << history.back();
       }

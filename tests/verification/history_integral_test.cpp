@@ -20,9 +20,9 @@ Values<HistoryIntegral> two_terms(double g) {
   return named<HistoryIntegral>({{"K", 0.4}, {"g", g}, {"S", 0.15}, {"D", 80.0}, {"s", 2.0 / 3.0}, {"u", 0.25}});
 }
 
-// In either case the first expected force comes from a published path in two directions, whose first leg is straight. A
-// script that evaluates the terms from corner to corner gave the other four forces. All have nine decimals. A step that
-// is cut into a thousand pieces must give the same force.
+// For either exponent g, the first expected force was published as that of the first, straight leg of a path in two
+// directions. A script that evaluates the terms from corner to corner gave the other four forces. All have nine
+// decimals. A leg that is cut into a thousand steps must give the same force as a single step.
 TEST(HistoryIntegral, TwoTerms) {
   struct Case {
     double g;

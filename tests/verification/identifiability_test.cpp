@@ -101,9 +101,9 @@ TEST(Identifiability, WithAFixedBoucWenIsDetermined) {
   }
 }
 
-// The stiffness a4 / cosh^2(a5 v) acts only at small velocities v. In this test a5 is at least 4000 s/m and the device
-// moves faster than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes: neither a4 nor a5 has an
-// effect.
+// jankowski's stiffness a4 / cosh^2(a5 v) acts only at small velocities v. In this test a5 is at least 4000 s/m and the
+// device moves faster than 4 mm/s at every sample, so a5 |v| is above 16 and the stiffness vanishes: neither a4 nor a5
+// has an effect.
 TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
   auto const motion = twins::growing_cycles(3, 98);
   ASSERT_GT(std::abs(*std::ranges::min_element(motion.vel_mm_s, {}, [](double v) { return std::abs(v); })), 4.0);
@@ -118,7 +118,8 @@ TEST(Identifiability, WhatDoesNotActIsSaidOnceAndLeavesTheOthersAlone) {
     EXPECT_EQ(verdict_of(found, twin, active), Verdict::determined) << active;
 }
 
-// With 100 samples a cycle one sample at each reversal has no velocity, so a4 has an effect; a5 has none.
+// With 100 samples a cycle one sample at each reversal has no velocity. There the stiffness is a4 for any a5, so a4 has
+// an effect and a5 has none.
 TEST(Identifiability, AParameterThatActsIsNotNamedWithOneThatDoesNot) {
   auto const twin = twins::twin_in_box("jankowski", twins::growing_cycles(3, 100), overrides({"jankowski.a5=4e3:1e4"}));
   auto const found = judged(twin);
@@ -162,8 +163,8 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
 
 // A sentence on a trade-off says by how many percent its parameters may change together, and how little the force then
 // changes. If they change so, the force must change by little more than the sentence says, even if some parameters are
-// negative. Small parameters that the sentence leaves out may add a tenth of the change that the first parameter causes
-// alone.
+// negative. The sentence leaves out parameters that take little part in the trade-off. Their absence may add a tenth of
+// the change that the first parameter causes alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

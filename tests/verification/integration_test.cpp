@@ -1,7 +1,8 @@
 // Tests how exactly the laws are integrated. The records are those of the example lot and the third stage of the test
 // of a measured bearing. The objective may differ by at most 1e-4 from the objective with 20 times finer steps, at
-// random parameter sets of the box and at the best set found. The `paper` integration must be one classical Runge-Kutta
-// step per sample, which this file computes from the printed equations. No expected value is our own past output.
+// random parameter sets of the box and at the best set that a search finds. The `paper` integration must be one
+// classical Runge-Kutta step per sample, which this file computes from the printed equations. No expected value comes
+// from an earlier run of the program.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // for mkdtemp
@@ -25,7 +26,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Finer steps may shift the objective by this much. The best objectives of two laws differ by 1e-3 and more.
+// Finer steps may shift the objective by at most this much. The best objectives of two laws differ by 1e-3 and more.
 constexpr double tolerance = 1e-4;
 constexpr int finer = 20;
 constexpr int random_sets = 100;
@@ -316,8 +317,8 @@ TEST(PaperIntegration, OfAbeIsOneClassicalStepPerSample) {
   }
 }
 
-// The converged integration is compared with many small steps of the printed equations. Halving its own steps would not
-// show an error in the equations.
+// The converged integration is compared with many small steps of the printed equations. A comparison with finer steps
+// of its own, as in the tests above, would not show an error in the equations.
 TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
   auto const record = swept();
   constexpr int parts = 2000;
@@ -354,8 +355,9 @@ TEST(ConvergedIntegration, IsTheLimitOfManyClassicalSteps) {
                thinned(abe_by_hand(fine, p, true, 1.7)));
 }
 
-// By Eq. (18) the hysteretic force F2 never exceeds the largest yield force so far, whatever the step. At the amplitude
-// of 150 mm it is Y0 (1 + |150/Uh|^p) = 400 kN here. The steps are up to 94 times the yield displacement U0 long.
+// By Eq. (18) the hysteretic force F2 never exceeds the largest yield force so far, however long the steps are. At the
+// amplitude of 150 mm this yield force is Y0 (1 + |150/Uh|^p) = 400 kN here. The steps are up to 94 times the yield
+// displacement U0 long.
 TEST(ConvergedIntegration, OfAbeStaysBelowTheYieldForceForSmallYieldDisplacements) {
   data::FitRecord record;
   for (int i = 0; i <= 300; ++i) {

@@ -55,13 +55,14 @@ double work_along(std::vector<double> const& x, std::vector<double> const& force
 
 // For a cycle of strain amplitude A the published functions give the stress at the peak, the stress at zero strain on
 // unloading, the energy 2 pi h G A^2 with damping ratio h and shear modulus G, and the constants a and b of the
-// branches. Another implementation computed the expected values to six digits.
+// branches. A branch contains the terms exp(-a s) and b s exp(-c s), where s is the travel since its turn divided by
+// the peak. Another implementation computed the expected values to six digits.
 TEST(KikuchiAiken, Compound) {
   struct Case {
     double A, peak, zero, energy, a, b, energy_tolerance;
   };
-  // At strain 2 a branch also has the term b s exp(-c s). The formula for b neglects exp(-2c), and isolaw's branch,
-  // unlike the published one, ends exactly at the peak. Together this lowers the energy by 5e-5 of its value.
+  // Only at strain 2 is b above 0. The formula for b neglects exp(-2c), and isolaw's branch, unlike the published one,
+  // ends exactly at the peak. Together this lowers the energy by 5e-5 of its value.
   for (auto const& k : {Case{0.5, 0.450882, -0.184539, 0.317729, 7.116283, 0.0, 1e-6},
                         Case{1.0, 0.683580, -0.256665, 0.903336, 8.294444, 0.0, 1e-6},
                         Case{2.0, 1.132924, -0.347124, 2.597845, 10.19171, 2.448609, 1.5e-4}}) {
@@ -117,8 +118,8 @@ TEST(KikuchiAiken, ItsOwnFunctions) {
     }
 }
 
-// For a peak m above the displacement xn, the peak force is (1 + s1 (m - xn)) times the value without this growth. A
-// closed loop must have the damping ratio h with that force.
+// If the peak m exceeds the displacement xn, the peak force is (1 + s1 (m - xn)) times the force without this factor. A
+// closed loop must have the damping ratio h, computed with that larger peak force.
 TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
   Values<KikuchiAiken> const stiffening{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.0, 30, 0.004, 10.19171, 5};
   constexpr int steps = 4000;
@@ -136,8 +137,8 @@ TEST(KikuchiAiken, SecondBranchOfTheStiffness) {
 
 Values<KikuchiAiken> const rubber{60, 0.4, 0.22, -2e-4, 0.42, -4e-4, 0.02, 30, 0, 10.19171, 5};
 Values<KikuchiAiken> const overshooting{60, 0.4, 0.22, 0, 0.38, -1e-3, 0.02, 30, 0, 10.19171, 5};
-// With these values the rate a of the branches' exponential is only 1.36. The published branch, which isolaw closes,
-// would miss the peak by 13 % of the hysteretic force.
+// With these values the rate a of the branches' exponential is only 1.36. The published branch would miss the peak that
+// it leads to by 13 % of the hysteretic force; isolaw adds a term that makes it end at the peak.
 Values<KikuchiAiken> const far_off{60, 0.4, 0.1, 0, 0.5, 0, 0, 30, 0, 10.19171, 5};
 
 // A small loop of unloading and reloading that closes must not change later forces, except by rounding.

@@ -24,8 +24,8 @@ namespace {
 
 constexpr double tolerance = 1e-11;
 
-// Integrates dy/ds = slope(s, y) over the travel `length` from the given y. `scale` is the size of y; the tolerance is
-// relative to it.
+// Integrates dy/ds = slope(s, y) over the travel `length`, starting from the given y. `scale` is a typical size of y,
+// by which the equation is divided so that the tolerance is relative to it.
 template <class Slope>
 double integrate(Slope const& slope, double y, double length, double scale) {
   using State = std::array<double, 1>;
@@ -137,8 +137,8 @@ std::vector<Motion> motions(std::uint32_t index, double roughness) {
           irregular(1000 + index, 150.0, 2, 100, roughness)};
 }
 
-// Computes each of `count` parameter sets on each motion, and divides the largest error over the path by the peak
-// force. Returns these errors in ascending order.
+// For each of `count` parameter sets and each motion, computes the forces by the law and by the reference, and divides
+// their largest difference by the peak force. Returns these errors in ascending order.
 template <class Law, class Reference, class Source>
 std::vector<double> errors(std::uint32_t count, Reference const& oracle, Source const& source,
                            double roughness = 0.03) {

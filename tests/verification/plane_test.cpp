@@ -177,7 +177,8 @@ Vector<double> integrated_to_the_corner(Vector<double> z, Vector<double> const& 
 }
 
 // Moves a law along random straight steps, short and long. For each step the differential equation is integrated from
-// the law's own state, so that errors do not add up. Returns the largest difference.
+// the law's own state at the start of the step, so that errors do not add up. Returns the largest difference of the
+// state at the end of a step.
 template <class Law, class Slope>
 double worst_over_a_walk(P<Law> const& p, Vector<double> S<Law>::*q, Slope const& slope) {
   std::mt19937_64 random(3);

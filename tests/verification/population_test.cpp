@@ -65,7 +65,7 @@ data::FitRecord motion() {
 }
 
 // Tests and fits devices of a law. Its free parameters are searched on logarithmic scales, from a quarter of their
-// medians to four times their medians, so that the box limits no draw.
+// medians to four times their medians, so wide that the box cuts off no drawn device.
 class Laboratory {
  public:
   explicit Laboratory(Lot const& lot) : lot_(lot), law_(laws::find_law(lot.law)), record_(motion()) {
@@ -230,7 +230,8 @@ Matrix variance_of_cross_terms(Matrix const& A, Matrix const& B) {
 
 class PopulationRecovery : public testing::TestWithParam<std::size_t> {};
 
-// The errors of the fits are 0.1 to 0.8 %, small beside the scatter between devices.
+// The devices scatter by 2.5 to 15 %. The errors of the fits are 0.1 to 0.8 %, small beside that scatter, so the mean
+// and the covariance estimated from the fits must equal those of the population within the sampling error.
 TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   auto const& lot = lots[GetParam()];
   for (double const level : {0.025, 0.05, 0.10, 0.15}) {
@@ -257,12 +258,13 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
   }
 }
 
-// If all devices are equal, their estimates differ only by the errors of the fits. With n parameters, m = devices - 1,
-// the covariance S of the estimates and C of the errors, m trace(C^-1 S) is then chi-squared with n m degrees of
-// freedom. C itself is about 0.10 too large: the kernel estimates the density of the residuals at zero, f(0), too low
-// by half the square of its relative width, and C varies as 1/f(0)^2. For any t, the largest eigenvalue of C^-1 S
-// exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most (Davidson and Szarek 2001, Theorem
-// II.13). The program takes the part of an eigenvalue above 1 for scatter between devices.
+// If all devices are equal, their estimates differ only by the errors of the fits. Let S be the covariance of the
+// estimates, C that of the errors, n the number of parameters and m = devices - 1. Then m trace(C^-1 S) is chi-squared
+// with n m degrees of freedom. C itself is about a tenth too large, because the kernel estimates the density of the
+// residuals at zero, f(0), too low by half the square of its relative width, and C varies as 1/f(0)^2. For any t, the
+// largest eigenvalue of C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most
+// (Davidson and Szarek 2001, Theorem II.13). The program takes the part of an eigenvalue above 1 for scatter between
+// devices, so this limits the scatter that it may find.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.0, 0.01);

@@ -69,9 +69,9 @@ TEST(PowerLaws, VariantsAreTheLawWithoutTheirTerms) {
     EXPECT_NEAR(damped[i] - force[i], 0.05 * motion.velocity_mm_s[i], 1e-12);
 }
 
-// For integer exponents a branch has a closed form: with displacement and force over those of yielding, x1 = x/xy and f
-// = F/Fy, the first loading is f (1 + f^4) = x1. A cycle up to f dissipates 4 a xy Fy f^(r+1) (r-1)/(r+1), with the
-// law's parameters a = 1 and r = 5.
+// For integer exponents a branch has a closed form. Let x1 = x/xy and f = F/Fy be the displacement and the force
+// divided by their values at yielding. With the law's parameters a = 1 and r = 5 the first loading obeys
+// f (1 + f^4) = x1, and a cycle up to the force f dissipates 4 a xy Fy f^(r+1) (r-1)/(r+1).
 TEST(PowerLaws, RambergOsgood) {
   double const K = 2.0, Fy = 30.0, xy = Fy / K;
   Values<laws::RambergOsgood> const values{K, Fy, 1.0, 5.0, 0.0};
@@ -93,8 +93,8 @@ TEST(PowerLaws, RambergOsgood) {
   }
 }
 
-// While the peak M grows, power-scragging integrates dM / M^h for its memory: a logarithm at h = 1, a power elsewhere.
-// The power must tend to the logarithm.
+// While the largest displacement M grows, power-scragging's memory changes by the integral of dM / M^h. The integral is
+// a logarithm if h = 1 and a power of M otherwise. For h near 1 the power must tend to the logarithm.
 TEST(PowerLaws, ScraggingIsContinuousInItsExponent) {
   auto const path = laws::make_path(through(corners, 3), {});
   auto const at = [&](double h) { return forces<PowerScragging>({50, 0.36, 80, 10, 60, 35, h, 0.25, 0.05}, path); };
@@ -125,7 +125,8 @@ TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   for (int i = 0; i < turns; ++i) x.push_back((i % 2 == 0 ? 100.0 : -100.0) * std::pow(0.999, i));
   auto path = laws::make_path(x, {});
   EXPECT_EQ(path.deepest, static_cast<std::size_t>(turns - 1));
-  // A last step goes back past all turning points. Every branch closes at the force where it began.
+  // A last step to -100 mm passes all later turning points. Every branch closes where it began, so the force there is
+  // the opposite of that at the first turn, at 100 mm.
   auto const inwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, path);
   x.push_back(-100.0);
   auto const outwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, laws::make_path(x, {}));
@@ -153,8 +154,8 @@ TEST(PowerLaws, MasingIsContinuous) {
 
 Values<PowerMasing> const bearing{87.1, 0.370, 46.4, 9.8, 65.5, 0.27};  // fitted to a measured bearing
 
-// The first loading of the bearing to five times its tests' largest amplitude, 151.2 mm, needs 1,333 kN. The hardening
-// term, which grows with the square of the displacement, contributes 560 kN.
+// The largest amplitude in the tests of this bearing is 151.2 mm. A first loading to five times this amplitude needs
+// 1,333 kN. The hardening term, which grows with the square of the displacement, contributes 560 kN of them.
 TEST(PowerLaws, HardeningGovernsFarBeyondTheTests) {
   auto const path = laws::make_path(through({0.0, 5.0 * 151.2}, 100), {});
   auto without = bearing;
@@ -170,9 +171,10 @@ std::vector<double> with_noise(std::vector<double> x, double deviation) {
   return x;
 }
 
-// The noise is 0.1 % of the amplitude. A dead band of three of its standard deviations must change the force by less
-// than 0.5 % of the peak force on average; 0.31 % is the most seen. The change is largest after reversals, where
-// branches are steepest.
+// The noise is 0.1 % of the largest amplitude, and the dead band, which keeps it out of the motion, three of its
+// standard deviations. With the dead band, the motion with or without noise must give forces within 0.5 % of the peak
+// force of the exact ones on average; 0.31 % is the most seen. The change is largest after reversals, where branches
+// are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})
@@ -189,7 +191,8 @@ TEST(PowerLaws, DeadBandKeepsThePath) {
 }
 
 // A device rests for ten thousand samples while noise of 0.01 mm makes its record tremble. Without a dead band the law
-// takes the tremor for travel and loses 9 % of the force; with a dead band it loses less than 1 %.
+// takes the tremor for travel and loses 9 % of the force; the test requires more than 5 %. With a dead band it must
+// lose less than 1 %.
 TEST(PowerLaws, TremorIsNoTravel) {
   auto x = through({0.0, 50.0}, 100);
   x.resize(x.size() + 10000, 50.0);

@@ -1,5 +1,5 @@
-// isolaw computes again what other programs' materials do with an exported law. These replays are compared with closed
-// forms and with values of independent implementations.
+// isolaw replays an exported law: it computes the forces that the materials of another program give for it. These
+// replays are compared with closed forms and with values of independent implementations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ double energy(std::vector<double> const& x, std::vector<double> const& f, std::s
   return sum;
 }
 
-// The closed forms are K_eff = K2 + Qd / D and energy 4 Qd (D - Dy).
+// For a bilinear loop of amplitude D the closed forms are K_eff = K2 + Qd / D and energy 4 Qd (D - Dy).
 TEST(Replay, bilinear_materials_have_the_closed_form) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, D = 150.0, b = K2 / K1;
   auto const x = line(0, D, 1) + line(D, -D, 1) + line(-D, D, 1000);
@@ -65,9 +65,9 @@ TEST(Replay, asymmetric_material_without_hardening_has_the_closed_form) {
   EXPECT_NEAR(energy(x, f, 1999), 13750.0, 0.05);
 }
 
-// The example in the material's documentation, from the displacement 0 to 1, -1 and 1: first stiffness 5, last
-// stiffness 0.5, strength 0.45. An independent port of the material gave the expected forces, and the energy of the
-// loop from -1 to 1 and back.
+// Tests the example in the material's documentation: the displacement goes from 0 to 1, -1 and 1, with first stiffness
+// 5, last stiffness 0.5 and strength 0.45. An independent port of the material gave the expected forces, and the energy
+// of the loop from -1 to 1 and back.
 TEST(Replay, asymmetric_material_gives_the_documented_sets) {
   struct Set {
     double b1, b2, gamma, at_1, at_0, at_minus_1, again, energy;

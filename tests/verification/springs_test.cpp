@@ -133,8 +133,8 @@ TEST(Springs, turn_by_their_own_angle_exactly_and_by_any_within_a_spring) {
 
 TEST(Springs, tangents_and_damping_are_slopes) {
   bool damped = false;
-  // power-masing-viscous has an unbounded slope towards a side where it has not been, so only the tangent of its
-  // dashpot is compared.
+  // The force of power-masing-viscous starts with an unbounded slope when a spring enters a side where it has not been,
+  // so only the tangent of its dashpot is compared.
   struct Subject {
     laws::Online law;
     bool has_slopes;

@@ -37,7 +37,7 @@ lot::Robustness robustness(Law const& law, std::string_view leave_out = {}) {
   return lot::robustness_index(names, means);
 }
 
-// Table 4 and Table A.5 were typed in independently, so a typing error would put a mean outside its box.
+// Table 4 and Table A.5 were typed in independently, so a typing error would probably put a mean outside its box.
 TEST(TableA5, EveryMeanLiesInItsSearchBox) {
   ASSERT_EQ(laws.size(), 6u);
   for (auto const& law : laws)

@@ -1,5 +1,5 @@
-// Compares two-sided tolerance factors of the normal distribution (mean +- k standard deviations) with printed tables,
-// for a share of 95 % and a confidence of 95 %.
+// Compares two-sided tolerance factors k of the normal distribution with printed tables. The interval mean +- k
+// standard deviations of a sample holds 95 % of the distribution with a confidence of 95 %.
 #include "isolaw/num/tolerance_factor.hpp"
 
 #include <gtest/gtest.h>

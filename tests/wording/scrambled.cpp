@@ -1,5 +1,7 @@
-// Replaces wording/fill.cpp in a test program: fill() returns the reversed text with its gaps unfilled, remark() the
-// reversed key of the finding's kind. A program that reads its own sentences then behaves differently.
+// Replaces wording/fill.cpp in a test program. In isolaw, fill() puts words and numbers into the fields of a text, and
+// remark() returns the sentence on a group of findings without the devices or the law at its start. Here fill() returns
+// the unfilled text reversed, and remark() returns the reversed key of the kind of the first finding. A program that
+// reads its own sentences then behaves differently.
 #include <algorithm>
 #include <string>
 

@@ -29,7 +29,8 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes each free parameter's profile of the objective. If one finds a lower objective, all begin again there.
+// Computes each free parameter's profile of the objective. If a profile finds a lower objective than the optimum's, all
+// profiles begin again from there, at most three times.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -136,8 +137,8 @@ class Examination {
   // change of the parameters by 50 % (weakly_determined_within) changes the force visibly.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
-  // Adds a direction of parameter changes to the trade-offs if a move along it does not change the force visibly, and if
-  // at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes. The
+  // Adds a direction of parameter changes to the trade-offs if a move along it does not change the force visibly, and
+  // if at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes. The
   // trade-off names the parameters that change at least a tenth as much as the one that changes most, and those that
   // alone would change the force at least a tenth as much as the strongest one. The parameter that is strongest beside
   // the one that changes most is always named, so that a trade-off has two parameters or more.

@@ -75,7 +75,7 @@ struct Freedom {
 };
 // The residuals of the fit are less correlated than the errors, by about the same share. So the number of independent
 // samples that they seem to be is n / share, and n is the larger root of n^2 - seeming n + p seeming = 0. The share is
-// at least a half, which doubles the intervals.
+// taken as at least a half, so that the intervals at most double.
 Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -211,7 +211,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     result.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
                                            std::max<std::size_t>(1, result.samples / 8));
     auto const left = freedom_left(result.samples, n, neighbours.correlation);
-    // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V.
+    // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V. One factor on H makes
+    // up for both, since it enters the covariance twice.
     covariance =
         covariance_in_box(curvature(response) * left.share, variance_of_score(response, neighbours.correlation));
     reach = boost::math::quantile(boost::math::students_t(left.degrees), 1.0 - tail);

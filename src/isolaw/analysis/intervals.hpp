@@ -3,14 +3,15 @@
 // and Bassett 1978). r is the residual of a sample, w its weight, and J its derivatives by the parameters. H = sum 2 f
 // w J J^T is the curvature of the expected objective. f is the density of the residuals at zero, from a kernel and the
 // residuals' local size. V is the variance of sum w sign(r) J; the correlation of the signs is estimated from the
-// residuals (Weiss 1990). A fit of p parameters leaves residuals smaller and less correlated than the errors, by a
-// share 1 - p / n in H and V each; n is the number of independent samples that the record is worth. Student's t with n
-// - p degrees of freedom takes the place of the normal distribution. This is valid if the law is nearly linear over the
-// interval. Bootstrap: blocks of the record are drawn with replacement, and the law is fitted again, many times. The
-// residuals of a block count as often as the block was drawn; the law still runs through the whole history (Kuensch
-// 1989). This assumes neither a linear law nor equal residuals everywhere. The length of the blocks follows from the
-// correlation of the signs (Politis and White 2004, corrected by Patton et al. 2009) and is at most an eighth of the
-// samples. The intervals are widened about the optimum for the residuals that the fit made too small (Hesterberg 2015).
+// residuals (Weiss 1990). A fit of p parameters leaves residuals that are smaller and less correlated than the errors.
+// For each of these two effects the covariance is divided by 1 - p / n, where n is the number of independent samples
+// that the record is worth. Student's t with n - p degrees of freedom takes the place of the normal distribution. The
+// linearisation is valid if the law is nearly linear over the interval.
+// Bootstrap: blocks of the record are drawn with replacement, and the law is fitted again, many times. The residuals of
+// a block count as often as the block was drawn; the law still runs through the whole history (Kuensch 1989). This
+// assumes neither a linear law nor equal residuals everywhere. The length of the blocks follows from the correlation of
+// the signs (Politis and White 2004, corrected by Patton et al. 2009) and is at most an eighth of the samples. The
+// intervals are widened about the optimum, because the fit made the residuals too small (Hesterberg 2015).
 // docs/analysis.md says how often intervals of 95 % held the truth. Both ways tell how far another record of the same
 // device could move the fit if the misfit were noise. They do not tell whether the law is right, and they are no
 // distribution of the parameters over devices.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t start_count = 8;
 
-// The record up to its last sample with a weight. The law's force there does not depend on what follows.
+// The record without the samples after the last one with a weight. The law's forces up to there do not depend on them.
 data::FitRecord up_to_last_weight(data::FitRecord record) {
   std::size_t size = record.size();
   while (size > 0 && record.weights[size - 1] == 0.0) --size;

@@ -12,9 +12,9 @@
 
 namespace isolaw::analysis {
 
-// A law on each test twice: as fitted to its small swings, and as judged on its large ones. The law runs through the
-// whole history before them both times. A test without enough swings of a size, or with a constant force in them, has
-// no model for it.
+// Two models of a law on each test: one counts the small swings, to which the law is fitted, the other the large ones,
+// on which it is judged. In both, the law runs through the whole history before these swings. A test without enough
+// swings of a size, or with a constant force in them, has no model for that size.
 struct SwingModels {
   std::vector<fit::LawOnRecord> small, large;
 };
@@ -24,8 +24,8 @@ SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord co
 
 double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double const> parameters);
 
-// Several descents may end with equally good fits of the small swings that differ on the large ones. The one that is
-// furthest off on the large swings counts.
+// Several descents may end with equally good fits of the small swings that differ on the large ones. The result is the
+// fit among them that is furthest off on the large swings.
 struct LargerSwings {
   std::vector<double> parameters;  // all parameters of the law
   double fitted = 0.0;             // mean objective of the tests on their small swings
@@ -35,8 +35,8 @@ struct LargerSwings {
 };
 // Two fits of the small swings are equally good if their objectives differ by at most this share of the least one.
 inline constexpr double equally_good_fit = 0.02;
-// Makes eight descents from scattered starts, none from a fit to the whole tests: that would carry over what is to be
-// predicted. nullopt if interrupted or if no start has finite forces. An objective is infinite if a force is not
+// Makes eight descents from scattered starts, and none from a fit to the whole tests, since such a fit already knows
+// the large swings. nullopt if interrupted or if no start has finite forces. An objective is infinite if a force is not
 // finite.
 std::optional<LargerSwings> predict_larger_swings(SwingModels const& models, fit::SearchBox const& box,
                                                   num::Stream const& stream, Interrupted const& interrupted = {});

@@ -29,8 +29,9 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
 // The parameters with the smallest objective on the worst device. The search starts from `mean`. It repeatedly gives
-// devices with a large objective more weight and minimises the weighted mean. A least weighted mean is a lower bound
-// for the worst device, if the descent found its global minimum. The search ends near the largest bound.
+// devices with a large objective more weight and minimises the weighted mean. The least value of such a mean is a lower
+// bound for the objective on the worst device, if the descent found the global minimum. The search ends when the worst
+// device is within 0.1 % of the largest bound, and at the latest after 40 rounds.
 struct LeastWorst {
   OneLaw law;
   double bound = 0.0;  // the largest of the least weighted means: a lower bound for the worst device
@@ -38,8 +39,9 @@ struct LeastWorst {
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The parameters of least mean objective over all devices except `device`, tried on it as if it had not been tested.
-// Descents start from the parameters for all devices and from the other devices' optima with the least mean objective.
+// The parameters of least mean objective over all devices except `device`, tried on this device as if it had not been
+// tested. Descents start from the parameters for all devices and from the other devices' optima with the least mean
+// objective.
 struct LeftOut {
   std::vector<double> parameters;
   double objective = 0.0;  // on the device that was left out

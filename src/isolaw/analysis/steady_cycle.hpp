@@ -1,4 +1,5 @@
-// A law in cycles such as a building asks for. They show whether it stays sane within and beyond the tested amplitudes.
+// Computes a law in cycles such as a building imposes on its isolators. They show whether the forces stay sane within
+// and beyond the tested amplitudes.
 #pragma once
 
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace isolaw::analysis {
 
-struct SteadyMotion {  // three cycles of a sine from rest, of which the third counts
+struct SteadyMotion {  // three cycles of a sine from rest; only the third is judged
   double amplitude_mm = 0.0;
   double period_s = 2.0;
 };
@@ -20,8 +21,8 @@ struct SteadyCycle {   // the third cycle of a law with one set of parameters
   double damping = 0.0;       // energy / (2 pi K amplitude^2)
   double largest_kN = 0.0;    // the largest |force|
   double overshoot = 0.0;     // largest |force| / (|K| amplitude): 1 if the force is largest at the peaks
-  // The largest change of force from sample to sample (of 4,000) where |x| is below 0.8 of the amplitude, over |K|
-  // amplitude.
+  // The largest change of force between neighbouring samples, of which a cycle has 4,000, where |x| is below 0.8 of the
+  // amplitude. It is divided by |K| times the amplitude.
   double jump = 0.0;
 };
 

@@ -37,7 +37,7 @@ struct StudiedBuilding {
   building::Study study;
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // number of runs in the store
-  std::string lost = {};                     // what `fresh` replaced other than a study of isolaw; else empty
+  std::string lost = {};                     // a sentence if `fresh` replaced a damaged or empty file; else empty
   std::optional<building::Answers> answers;  // empty for a part and for an incomplete study
   // layout.count() measured numbers for each [law][draw][motion]. All are NaN if the run gave no finite numbers.
   std::vector<double> measured;

@@ -85,7 +85,7 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
   campaign::sqlite::remove_unfinished(file);
   // Undoes what a killed process had begun to write to the store and keeps all that it had finished.
   campaign::campaign_store().fold_log(file);
-  // isolaw merge will read this part and would not notice that a page of the file is cut off.
+  // A part is checked for damage, since isolaw merge will read it and would not notice that a page of it is cut off.
   if (contents.part)
     if (auto const faults = campaign::sqlite::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

@@ -41,10 +41,11 @@ struct Continued {                      // how a campaign differs from the store
   std::string released = {};            // rule set of the stored campaign if the new one has none
   // Compression tests that only the stored campaign has, kept or dropped: "D01 (v.csv)" for the test of device D01.
   std::vector<std::string> kept_vertical = {}, dropped_vertical = {};
-  std::string lost = {};  // what starting over replaced other than a store of isolaw; else empty
+  std::string lost = {};  // a sentence if starting over replaced a damaged or empty file; else empty
 };
 
-// A compression test that only the store has stays if the user names records, and goes if a lot file leaves it out.
+// Whether a compression test that the store has, but the input lacks, is kept. It is kept if the user names records,
+// and dropped if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
 // Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ; `contents` may

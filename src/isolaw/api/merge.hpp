@@ -20,8 +20,9 @@ struct MergeCallOptions {
 
 // Copies the runs of `parts` into `directory`, like the command `isolaw merge`, then makes analyses and reports. A part
 // is the directory of a calibrate() call with CalibrateOptions::part, or its store. The files are the same, byte by
-// byte, as those of a campaign without parts, but incomplete after an interruption. Throws Error for a damaged part, a
-// part of another campaign, build or instruction set, and, after copying the rest, for missing parts or runs.
+// byte, as those of a campaign without parts; after an interruption they are incomplete. Throws Error for a damaged
+// part and for a part of another campaign, build or instruction set. If parts or runs are missing, it copies all others
+// before it throws Error.
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 

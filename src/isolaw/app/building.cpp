@@ -51,7 +51,7 @@ class BuildingProgress {
     constexpr std::chrono::seconds pause(30);
     if (!terminal_ && now - last_ < pause) return;
     last_ = now;
-    // The analyses that an earlier call left in the store took no time of this one.
+    // Leaves out the analyses that an earlier call left in the store: they took none of the time measured here.
     auto const fresh = static_cast<double>(progress.done - *first_);
     auto const left = static_cast<double>(progress.total - progress.done);
     double const spent_s = std::chrono::duration<double>(now - start_).count();
@@ -71,7 +71,7 @@ class BuildingProgress {
   std::optional<std::size_t> first_;
 };
 
-// Motions of --motion are used as they are: a scale belongs to the motion that it stands beside.
+// Tells the user that motions of --motion get scale 1. A scale in the building file belongs to a motion of that file.
 void say_motions(building::BuildingFile const& file, std::filesystem::path const& path) {
   if (file.replaced_scales.empty()) return;
   auto const [least, most] = std::ranges::minmax(file.replaced_scales);

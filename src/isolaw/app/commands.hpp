@@ -137,7 +137,8 @@ int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Prints for Python the parameters that `which` names, alone or by their table, except those in `but`.
+// Prints options as keyword parameters for Python: those that `which` names, singly or by the name of their table,
+// except those in `but`.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 int example(std::filesystem::path const& directory, bool with_building);
 

@@ -78,7 +78,8 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// Links to the shared options of a heading that `command` has: "[Reading records](#reading-records) without `--to`".
+// Returns a link to the shared options of a heading and says which of them `command` has, for example
+// "[Reading records](#reading-records) without `--to`". Returns "" if it has none of them.
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {

@@ -68,8 +68,9 @@ int inspect(InspectArguments const& arguments) {
 
 namespace {
 
-// Copies a lot file's settings to `lot`, and its reading options or those of its first device. A column that is read
-// from a file of its own is dropped, since that file belongs to the other lot.
+// Copies the settings, rules and reading options of another lot file to `lot`. If that file has no common reading
+// options, those of its first device are copied. A column that is read from a separate file is dropped, since that file
+// belongs to the other lot.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -141,7 +142,8 @@ struct Recognition {
   std::vector<Complaint> complaints = {};  // about files that cannot be read
 };
 
-// Reads a test and prints what was recognised. `device` keeps how it was read, and what its file says of it.
+// Reads a test and prints what was recognised. `device` gets the recognised layout and the facts that its file states
+// about it, and is added to found.devices.
 void recognise(campaign::DeviceInput& device, Recognition& found) {
   auto& test = device.tests.front();
   auto const& file = test.files.front();
@@ -166,7 +168,7 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
 Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   Recognition found;
   found.remarks.open_keys = true;
-  std::set<std::filesystem::path> of_sheets;  // files that hold a sheet that cannot be read
+  std::set<std::filesystem::path> of_sheets;  // files with a sheet that cannot be read, if the user chose no sheet
   for (auto& device : lot.devices) {
     auto const& file = device.tests.front().files.front();
     try {
@@ -182,7 +184,8 @@ Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   return found;
 }
 
-// A size that --like copied is that of another lot, so the user is told. A size below the number of devices is dropped.
+// Looks at the lot size that --like copied from another lot. It is dropped if this lot has more devices. Otherwise the
+// user is told that it was taken over.
 void review_lot_size(campaign::Lot& lot, InitArguments const& arguments) {
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {

@@ -22,11 +22,12 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// A parameter as Python text: "runs: int | None = None,". With `in_place`, None keeps the building file's value.
+// A parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which keeps the value
+// in the building file.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
-  // A default of zero that the limits forbid means that other settings decide the value.
+  // A default of zero that the limits forbid means that other settings decide the value. Python then gets None.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
   if (value.is_null() && !type.ends_with(" | None")) type += " | None";

@@ -201,7 +201,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
   }
   auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
-  if (same_device) campaign::make_one_device(lot);  // records of the command line state no facts
+  if (same_device) campaign::make_one_device(lot);  // finds no facts that differ, since no record has been read yet
   return lot;
 }
 

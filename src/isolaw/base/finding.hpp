@@ -11,7 +11,8 @@
 
 namespace isolaw {
 
-// The kinds have the order of the rows in wording/rows.cpp. Findings are shown in this order, the most serious first.
+// The kinds have the order of the rows in wording/rows.cpp; words in brackets name the parts of that table. Findings
+// are shown in this order, the most serious first.
 // clang-format off
 enum class FindingKind {
   // [campaign]

@@ -1,4 +1,5 @@
-// Hashes. SHA-256 identifies the inputs of a result; FNV-1a turns names into numbers of random streams.
+// Hashes. SHA-256 identifies the inputs of a result; FNV-1a turns a name into the number that selects its stream of
+// random numbers.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,8 @@
 namespace isolaw {
 
 std::string sha256(std::string_view bytes);  // in lower-case hexadecimal digits
-// 64-bit FNV-1a. It must stay the same on every machine and in every version, since it decides the seeds.
+// 64-bit FNV-1a. It must stay the same on every machine and in every version, since random numbers, and so results,
+// depend on it.
 constexpr std::uint64_t stable_hash(std::string_view bytes) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (char const c : bytes) {

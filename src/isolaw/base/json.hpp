@@ -1,5 +1,6 @@
-// Writes JSON straight into a string: shortest round-trip numbers, U+FFFD for invalid UTF-8, null for numbers that are
-// not finite. It builds no document tree, since the report page of 160 devices holds a million numbers.
+// Writes JSON straight into a string. A number takes the shortest text that reads back as the same number; one that is
+// not finite becomes null. Invalid UTF-8 becomes U+FFFD. The writer builds no document tree, since the report page of
+// 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Returns the nearest of `known` if it is at most `furthest` away, the first of equally near ones; else "".
+// Returns the word of `known` with the smallest edit distance to `word`, the first of equally near ones. Returns "" if
+// even this distance is above `furthest`.
 template <class Known>
 std::string nearest_word(std::string_view word, Known const& known, std::size_t furthest) {
   std::string near;

@@ -110,7 +110,8 @@ toml::table parse_toml(std::string_view text, std::string const& file, TomlMessa
 
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file) {
   if (complaints.empty()) return;
-  // In the order of the lines. A complaint about the whole file, or about another one, stands behind these.
+  // Sorts the complaints by line. A complaint about the whole file, or about another file, comes after those with a
+  // line.
   std::ranges::stable_sort(complaints, {}, [&](Complaint const& complaint) {
     auto const& where = complaint.where;
     bool const has_line = where.starts_with(file + ":");

@@ -1,4 +1,4 @@
-// Work items that one thread needs in order. Idle threads compute later items before that thread needs them.
+// Lets idle threads compute work items in advance that another thread will need, one after another.
 #pragma once
 
 #include <atomic>
@@ -14,8 +14,9 @@ namespace isolaw {
 
 class WorkAhead;
 
-// Is told when other threads help the thread that made the listener. A helping thread calls help_begins() before and
-// help_ends() after each item of a WorkAhead made during the listener's life, by the listener's thread or by a helper.
+// A HelpListener is told when other threads help the thread that made it. A helping thread calls help_begins() before
+// and help_ends() after each item of a WorkAhead that the listener's thread, or one of its helpers, made during the
+// listener's life.
 class HelpListener {
  public:
   HelpListener();

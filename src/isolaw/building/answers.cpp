@@ -85,7 +85,7 @@ std::string_view form_sentence(LawAnswer const& law) {
 }
 
 // Warns of each quantity for which the bound analyses enclose too few draws. For the first quantity, the bearing
-// displacement, the verdict says so already. It gets a warning only if its bounds are not monotonic.
+// displacement, the verdict says so already, so this quantity gets a warning only if its bounds are not monotonic.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
     if (c.inside >= wanted_share) continue;
@@ -136,7 +136,8 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
 
 using Kept = std::vector<std::vector<std::vector<double>>>;  // [motion][quantity][case]
 
-// Reads the runs of one law. Puts each bearing's means over the runs of draws, and the worst balance, into `out`.
+// Reads the runs of one law. Puts each bearing's means over the runs of draws, and the largest error of the energy
+// balance, into `out`.
 Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, CasePlaces const& places,
                Layout const& layout, double weight_kN, LawAnswer& out) {
   out.bearing_mm.assign(layout.bearings, 0.0);
@@ -164,8 +165,8 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   return kept;
 }
 
-// Distribution and coverage of every quantity. `first` is the answer of the study's first law with a result, or null
-// for that law.
+// Adds the distribution of every quantity, and the coverage of those that bound analyses can cover. `first` is the
+// answer of the study's first law with a result, or null for that law.
 void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& places, Settings const& settings,
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
@@ -183,7 +184,8 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
   }
 }
 
-// Integrates the nominal building implicitly under every motion, and finds the errors of the methods in Checked.
+// Integrates the nominal building implicitly under every motion, and finds how far off the other methods of Checked
+// are.
 void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& source, Model const& model,
                           Kept const& kept) {
   auto const& motions = study.file.motions;

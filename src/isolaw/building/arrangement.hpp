@@ -1,4 +1,4 @@
-// Where to put each tested device, so that the isolation layer twists least.
+// Chooses where to put each tested device, so that the isolation layer twists least.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 namespace isolaw::building {
 
 // Puts a device of known stiffness on each place. Exchanges pairs of devices until no exchange brings the centre of
-// stiffness nearer to `centre`, which may miss the best arrangement. Needs as many devices as places, or more.
+// stiffness nearer to `centre`. This search may miss the best arrangement. Needs as many devices as places, or more.
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]
   double eccentricity_mm = 0.0, in_order_mm = 0.0;  // as arranged here, and with the devices in order

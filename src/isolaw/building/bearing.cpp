@@ -37,11 +37,11 @@ class InPlaneBearing final : public Bearing {
   double length_, force_;
 };
 
-// A bearing that has gone no farther counts as at rest.
+// A bearing that has never moved farther than this from its start counts as at rest.
 constexpr double rest_mm = 1e-6;
 
-// Replaces the law by its tangents at rest until the bearing first moves beyond `rest_mm`. At rest it moves by rounding
-// only, and laws with a power of the displacement then give Newton's method no useful tangent.
+// Replaces the law by its tangents at rest until the bearing first moves beyond `rest_mm`. At rest the bearing moves by
+// rounding only, and laws with a power of the displacement then give Newton's method no useful tangent.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)
@@ -66,18 +66,18 @@ class OneDirection {
   bool went_ = false, goes_ = false;
 };
 
-// Whether the force over a way of `rest_mm` is far more than the tangent at rest says. The laws with a power of the
-// displacement whose slope at 0 has no bound state a bounded tangent there.
+// Whether the force at a displacement of `rest_mm` is more than twice what the tangent at rest says. This is so for
+// laws with a power of the displacement whose slope at 0 is infinite: they state a finite tangent there.
 bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
   double const rest = rest_mm / info.length.in_record_units, slope = law.trial(0.0, 0.0).by_x;
   constexpr double much = 2.0;
   return law.trial(rest, 0.0).force > much * slope * rest;
 }
 
-// Springs around the circle, as laws::Springs, of a law without a slope at rest. A spring across the motion goes no
-// farther than rounding, where the law's force is noise, so each has a straight line instead until it first goes
-// beyond `rest_mm`: the chord of the law up to there. The tangent at 0 itself is still the law's, because the longest
-// integration step is chosen from it.
+// Springs around the circle, as laws::Springs, of a law without a slope at rest. A spring across the motion moves by
+// rounding only, and the law's force is noise there. So each spring follows a straight line, the chord of the law from
+// 0 to `rest_mm`, until it first moves beyond `rest_mm`. Exactly at 0 it still gives the law's own tangent, because the
+// longest integration step is chosen from that.
 class RestingSprings final : public Bearing {
  public:
   RestingSprings(laws::Online const& law, laws::LawInfo const& info)

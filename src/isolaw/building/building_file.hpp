@@ -45,14 +45,15 @@ struct BuildingFile {
   std::vector<BearingPlace> bearings;
   std::optional<std::array<double, 4>> plan_mm;  // left, right, front, back
   std::vector<Motion> motions;
-  std::vector<double> replaced_scales = {};  // scales of the file's motions, if others replaced these
+  std::vector<double> replaced_scales = {};  // scales of the file's motions, if ReplacedKeys::motions replaced these
 
   Plan plan() const;
   bool along_x_alone() const;
 };
 
 // The tables of a building file, in the file's units. For a list such as [[floor]] they hold the table being read or
-// written. A key without a default starts as in building_template(), except for the files of motions.
+// written. The member of a required key starts with the value that building_template() shows, except for the files of
+// motions and the factors of [building].
 struct Slab {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };

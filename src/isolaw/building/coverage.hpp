@@ -1,4 +1,4 @@
-// Whether the bound analyses of a building cover the responses of its draws.
+// Judges whether the bound analyses of a building cover the responses of its draws.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The distribution of a response over the draws of a study, and its spread over motions and over the lot.
+// Describes the distribution of a response over the draws of a study, and its spread over motions and over the lot.
 #pragma once
 
 #include <array>

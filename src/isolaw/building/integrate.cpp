@@ -120,8 +120,8 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // The share of `way` at which the work of the residual along it is at most half of that at its start. `at(share)`
-  // computes the residual, and is called last with the share that is returned.
+  // Finds the share of the vector `way` after which the work of the residual along `way` is at most half of that at the
+  // start. `at(share)` computes the residual, and is called last with the share that is returned.
   template <class At>
   static double share_along(Vector3 const& way, Vector3 const& start, At const& at) {
     double const enough = 0.5 * std::abs(way.dot(start));
@@ -162,7 +162,7 @@ class ImplicitRun {
     Total now{};
     double last = std::numeric_limits<double>::infinity();
     bool found = false;
-    // Computes the bearings' forces at `at` and returns what is out of balance there.
+    // Computes the bearings' forces for the unknown `at` and returns the force that is then out of balance.
     auto const out_of_balance = [&](Vector3 const& at) -> Vector3 {
       double u[3], v[3];
       for (Eigen::Index k = 0; k < 3; ++k) {
@@ -177,7 +177,8 @@ class ImplicitRun {
     auto const is_balanced = [&](Vector3 const& residual) {
       Vector3 const inertial = inertia * unknown;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // Ends at a relative residual below `all`, or below `sufficient` if an iteration no longer cuts it to a tenth.
+      // A residual balances if its share of the largest force is below `all`, or if this share is below `sufficient`
+      // and the last iteration did not cut the residual to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       bool const balanced = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
@@ -199,7 +200,7 @@ class ImplicitRun {
     }
     if (!found) {
       // Where a force rises ever more steeply towards a displacement, as powers of the displacement do, whole steps of
-      // Newton's method leap over the equilibrium. So each goes only so far that the work of the residual along it
+      // Newton's method leap over the equilibrium. So each step goes only so far that the work of the residual along it
       // falls to half. The potential of forces that rise with the displacement is convex, so this finds its minimum.
       unknown = guess;
       last = std::numeric_limits<double>::infinity();

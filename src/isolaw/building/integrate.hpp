@@ -1,7 +1,7 @@
 // Implicit integration of a structure on its bearings under a ground motion, by constant average acceleration (Newmark
 // 1959, gamma 1/2, beta 1/4). Newton's method finds the base's three displacements with the laws' tangents. If it
-// fails, the step is repeated with the tangents at rest; if that fails too, the step is halved. Failure is an Outcome,
-// not an exception.
+// fails, the step is repeated with the tangents at rest, and then with shortened steps of Newton's method. If all fail,
+// the step is halved. Failure is an Outcome, not an exception.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 
 namespace isolaw::building {
 
-// Ground accelerations at equal steps from time 0, linear between samples, falling to zero in a step after the last.
+// Ground accelerations at equal steps from time 0, linear between samples. They fall to zero in one step after the
+// last.
 struct Motion {
   std::string name;
   double step_s = 0.0;
@@ -94,7 +95,8 @@ Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const>
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
-// [measure] step error of `coarse`, from `fine` with half its step: a third of the difference (second-order method).
+// Estimates the step error of each measure of `coarse`. `fine` is the same run with half the step; the error is a third
+// of their difference, since the method is of second order.
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 
 }  // namespace isolaw::building

@@ -1,6 +1,6 @@
 // Explicit integration of a batch of draws, one per SIMD lane. This file is compiled once per instruction set. Other
-// files may use only ISOLAW_LANE_KERNELS, whose name contains the set: of functions with equal names the linker keeps
-// one, which may need instructions that the processor lacks.
+// files may use only ISOLAW_LANE_KERNELS, whose name contains the set: where functions in two objects have equal names
+// the linker keeps one, and it may need instructions that the processor lacks.
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"

@@ -55,7 +55,8 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
   return {k, energy / (2.0 * pi * k * amplitude_mm * amplitude_mm)};
 }
 
-// Iterates to the displacement D at which a linear oscillator with the bearings' stiffness and damping at D peaks at D.
+// Iterates to the displacement D for which a linear oscillator with the bearings' effective stiffness and damping at D
+// has the peak displacement D.
 EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
                                    double mass) {
   EquivalentLinear linear;

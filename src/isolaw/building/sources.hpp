@@ -36,11 +36,11 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
 
 // Which bearings an analysis has. Bearings that are not drawn differ between analyses only by a factor on forces.
 enum class CaseKind {
-  nominal,  // every draw is the population's median
+  nominal,  // bearings that are draws have the population's median parameters
   lower,    // as nominal, with all forces times Settings::lower (or upper)
   upper,
   factor,    // as nominal, with all forces times grid_factor(draw)
-  draw,      // every draw is a device of its own from the population
+  draw,      // each of these bearings is a device of its own from the population
   uncertain  // as draw, but from a population estimated again (population_again)
 };
 struct Case {

@@ -1,14 +1,16 @@
 // Code that the implicit and the explicit integration of a building share: the superstructure's modes over one step and
 // the measures of a run. The explicit integration itself is here too. The scalar T is double, or a batch with one draw
-// per lane. Only plain arrays are used: a container's functions from another instruction set's object could be linked.
+// per lane. Only plain arrays are used, since the linker could take a container's functions from an object of another
+// instruction set.
 //
 // Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes have average acceleration (beta =
 // 1/4), and so has the base in the implicit integration (integrate.cpp). In explicit_run() the base has central
 // differences (beta = 0), with the bearings' forces at the displacement reached. The modes' accelerations at the end of
 // a step are linear in the base's, so they enter the base's equation as a constant 3 x 3 matrix. Undamped,
 // explicit_run() is stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff
-// the superstructure (Hughes and Liu 1978). Rejected: the exact response of the modes to a base acceleration that is
-// linear over the step. With 95 % of the mass above the base and a period of 3 or 4 steps it grows 2.5-fold a step.
+// the superstructure (Hughes and Liu 1978). The exact response of the modes to a base acceleration that is linear over
+// the step is not used instead: with 95 % of the mass above the base and a period of 3 or 4 steps, the solution would
+// grow 2.5-fold a step.
 #pragma once
 
 #include <cstddef>

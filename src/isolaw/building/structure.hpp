@@ -6,7 +6,7 @@
 // With u_b the base's displacement relative to the ground, A its absolute acceleration, and q, phi, omega, zeta the
 // modes' amplitudes, shapes, frequencies and damping ratios,
 //   q'' + 2 zeta omega q' + omega^2 q = -Gamma A      Gamma = phi^T M_s R; M_s, R the floors' masses and rigid motion
-//   M A + Gamma^T q'' + f(u_b, u_b') = 0              M the mass of the whole rigid building, f of the bearings
+//   M A + Gamma^T q'' + f(u_b, u_b') = 0              M the mass of the whole rigid building, f the bearings' force
 // No mode is left out, so these are the full equations. Only the modes on the fixed base are damped, not the isolation
 // layer.
 //
@@ -65,7 +65,8 @@ struct Frame {
 // A frame and its modes on a fixed base. The arrays are row-major.
 class Structure {
  public:
-  // Throws one Error: masses or radii <= 0, storeys not positive definite, centres not finite, damping not in [0, 1).
+  // Throws one Error for masses or radii <= 0, storeys not positive definite, centres not finite and damping outside
+  // [0, 1).
   explicit Structure(Frame frame);
 
   Frame const& frame() const { return frame_; }

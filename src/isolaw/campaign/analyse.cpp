@@ -61,7 +61,8 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // Keeps the analyses from before more runs were asked for, if the best run is still one of the earlier runs.
+  // Keeps the analyses from before the campaign was continued with more runs, if the best run is still one of the
+  // earlier.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {
@@ -156,8 +157,8 @@ class Analysis {
                           .larger_swings = std::move(larger_swings)};
   }
 
-  // Fits the law as springs around the circle to these devices' records. Returns nullopt if the settings do not ask for
-  // it or if the law with these parameters has a coupled two-dimensional form.
+  // Fits the law as a set of springs around a circle (fit/as_springs.hpp) to the records of these devices. Returns
+  // nullopt if the settings do not ask for it, or if the law with these parameters has a coupled two-dimensional form.
   std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
                                            fit::SearchBox const& box, std::vector<double> const& parameters,
                                            int refinement) const {

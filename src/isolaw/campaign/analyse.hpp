@@ -1,4 +1,5 @@
-// The analyses after the runs: of each device's test, of one law for all devices, and of that law without each device.
+// Makes the analyses that follow the runs: of each law on each device's test, of one law for all devices, and of that
+// law without each device.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,8 @@
 
 namespace isolaw::campaign {
 
-// The box of a device's analysis: the search's box, but always with the logarithmic scales of Method::best.
+// The box in which a device's analysis varies the parameters: the search's box, but always with the logarithmic scales
+// of Method::best.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
@@ -29,11 +31,12 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // Analyse only this share of the devices and, once no share's device is left, fit this share of laws to the lot.
+  // Analyse only this share of the devices. Once the devices of all shares are analysed, fit this share of the laws to
+  // the lot.
   std::optional<Part> share = {};
 };
 
-// Whether every law with a usable run on a device has its analysis there. The fits to the lot start from them all.
+// Whether there is an analysis for every device and law with a usable run. The fits to the lot start from all of these.
 bool every_device_examined(Contents const& contents);
 // Makes the analyses that are missing and adds them to the store and to `contents`, whose runs must be complete and
 // sorted. The result depends on the runs and the settings alone. Returns how many threads the system allowed.

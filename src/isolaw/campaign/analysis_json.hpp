@@ -1,5 +1,6 @@
 // Converts a DeviceAnalysis, LotAnalysis or LeftOutAnalysis to the JSON text that the store holds, and back. Numbers
-// keep their last digit; numbers that are not finite become null. Device, law and maker have their own columns.
+// keep their last digit; numbers that are not finite become null. Device, law and maker are not in the text, since the
+// store has columns for them.
 #pragma once
 
 #include <string>

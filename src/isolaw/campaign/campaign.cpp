@@ -83,15 +83,15 @@ Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord c
   }
   run.parameters.resize(box.parameters.size());
   box.expand(result.best, run.parameters);
-  std::vector<double> work;  // scalar code gives the reported numbers, whichever vector code searched
+  std::vector<double> work;  // scalar code computes what is reported, whichever vector code searched
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;
 }
 
-// If more than a thousandth of an optimum's objective is step error, the law is fitted again from this optimum in finer
-// steps, until steps two and four times finer give the same objective within this thousandth. The run fails if finer
-// steps give no finite force.
+// If more than a thousandth of an optimum's objective comes from the step size, the law is fitted again from this
+// optimum in finer steps, until steps two and four times finer give the same objective within this thousandth, or until
+// finest_refinement. The run fails if finer steps give no finite force.
 void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
   if (!model.law().info.traits.path_integrated) return;
@@ -123,13 +123,14 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
   }
 }
 
-// If a run ended at a bound of the automatic box, descends on in a box whose bound lies ten times as far, until no such
-// bound is left or the wider box gains nothing. If the first box had decided, a whole search in the last one follows.
-// `run` and `box` end as they were best. Returns false if interrupted.
+// If a run ended at a bound of the automatic box, repeats its descent in a box in which this bound lies ten times as
+// far, up to six times, until the run ends at no such bound or gains too little. If this lowered the objective by a
+// tenth or more, a whole search in the last box follows. The better result is left in `run`, and the last box that
+// gained in `box`. Returns false if interrupted.
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;
-  // A smaller gain is not worth a wider box: relative to the objective, and in itself.
+  // A wider box is kept only if the objective falls by more than this share of itself plus this amount.
   constexpr double least_gain = 1e-3, visible_gain = 1e-5;
   constexpr double decisive_gain = 0.1;
   if (settings.method != Method::best || settings.box != fit::BoxKind::scaled || !run.usable()) return true;
@@ -277,7 +278,7 @@ class Computation {
       for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
-    store_.add(run);  // after this nothing may fail, since a task that ran out of memory is repeated
+    store_.add(run);  // nothing may fail after this: a task that ran out of memory is repeated
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate_.done(TaskKind::run, run.law);

@@ -20,7 +20,8 @@
 namespace isolaw::campaign {
 namespace {
 
-// Objectives below this one get its tolerance. If the law itself computed the record, they consist of rounding errors.
+// Smaller objectives are compared with the tolerance for this one. If the law itself computed the record, they consist
+// of rounding errors.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});

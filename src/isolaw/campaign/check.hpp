@@ -12,7 +12,7 @@ struct Check {
   std::size_t devices = 0, searches = 0, runs = 0, expected_runs = 0, analyses = 0, expected_analyses = 0;
   double largest_difference = 0.0;       // the largest relative difference between a stored and a recomputed objective
   std::vector<std::string> faults;       // one sentence each; empty if the store is sound
-  std::vector<std::string> differences;  // values of another build that this build computes otherwise, no faults
+  std::vector<std::string> differences;  // values by another build that this build computes differently; no faults
   bool of_another_build = false;         // whether another build computed any part of the store
 };
 

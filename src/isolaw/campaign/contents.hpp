@@ -90,7 +90,7 @@ struct DeviceAnalysis {  // how well one device's test determines a law, examine
   analysis::Intervals intervals;
   std::optional<fit::AsSprings> springs = {};  // the law as springs, if asked for and the optimum has no coupled form
   std::optional<analysis::LargerSwings> larger_swings =
-      {};  // empty if the test does not tell, or without finite forces
+      {};  // empty if the test shows nothing about larger swings, or if no force is finite
   std::size_t maker = 0;
 };
 
@@ -117,15 +117,16 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// Analyses from before more runs were asked for. Each stays valid if the best runs that it starts from are the same.
+// The analyses that a campaign had before it was continued with more runs. Each stays valid if the best runs that it
+// starts from are still the best.
 struct EarlierAnalyses {
-  int runs = 0;  // the number of runs per device and law before
+  int runs = 0;  // the number of runs per device and law at that time
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// No law depends on the requirements for the tests, so they may change before a campaign is continued or reported.
+// The requirements for the tests. No law depends on them, so a campaign that is continued or reported may change them.
 struct Acceptance {
   std::string rules;            // text of a rule set; empty if there is none
   std::string rules_file;       // name or path of the rule set
@@ -145,7 +146,7 @@ inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
 std::string text(Part const& part);      // the inverse of parse_part()
 
-inline constexpr std::string_view whole_lot = "lot";  // stands for the law of the lot in place of a device's name
+inline constexpr std::string_view whole_lot = "lot";  // names the law of the lot where else a device's name stands
 
 struct Contents {
   std::string title;

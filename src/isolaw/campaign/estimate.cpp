@@ -9,7 +9,8 @@ namespace isolaw::campaign {
 Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(contents.settings.laws.size()) {
   auto const& settings = contents.settings;
   bool const genetic = settings.method == Method::genetic;
-  // Seconds per sample and unit of step_cost of an evaluation. A law takes 1e-11 s; descents run more code around it.
+  // The time [s] of one evaluation, per sample and unit of LawInfo::step_cost. The law itself takes 1e-11 s of it;
+  // descents run more code around the law.
   constexpr double population_s = 1.5e-11, descent_s = 3.5e-11;
   // How often a task of each kind evaluates the law on each record, divided by the square of the number of free
   // parameters. The values lie between those counted for the example lot and for a measured bearing.

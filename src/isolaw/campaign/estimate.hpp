@@ -1,4 +1,5 @@
-// Estimates the share done of a campaign and the time left, from the laws' step costs, records and free parameters.
+// Estimates which share of a campaign is done and how long the rest takes, from the laws' step costs, the records and
+// the numbers of free parameters.
 #pragma once
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace isolaw::campaign {
 
-// One run of a search; the analysis of one device; a law's fit to the lot; the law's fit to the lot without one device.
+// The kinds in order: one run of a search; the analysis of one device; the fit of a law to the lot; its fit to the lot
+// without one device.
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
@@ -24,7 +26,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
   void done(TaskKind kind, std::string_view law);
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine where the costs of the laws were measured
-  double share() const;                     // of all work that is done, 0 to 1, including work stored earlier
+  double share() const;                     // share of all work that is done, 0 to 1, including work stored earlier
   double left_s() const;                    // seconds to the end at the rate of work since construction
 
  private:

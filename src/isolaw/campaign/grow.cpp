@@ -23,7 +23,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-Settings grown(Settings settings, Settings const& asked) {  // the stored ones, with those asked for where they may grow
+Settings grown(Settings settings, Settings const& asked) {  // `settings`, as far as they grow to `asked`
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))
@@ -41,7 +41,7 @@ std::optional<std::size_t> place_of(Contents const& contents, std::string_view d
 }
 
 bool same_record(Device const& there, Device const& now) {
-  // The hash of a joined history may be that of several tests.
+  // A history that was joined from several files may have the same hash as these files read as several tests.
   return there.raw.sha256 == now.raw.sha256 && there.raw.starts == now.raw.starts && there.refusal == now.refusal;
 }
 

@@ -41,7 +41,8 @@ bool has_tests(TomlTable& device) {
   return tests != nullptr && tests->is_array_of_tables();
 }
 
-// The tables [[device.test]] have the name of the option that chooses one of a file's tests; `skip_tests` passes them.
+// `skip_tests` passes over the option `test`, which chooses one of a file's tests: in a device with [[device.test]]
+// tables this key holds these tables.
 void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests = false) {
   for (auto const& option : data::reading_table())
     if (!skip_tests || option.option() != "test")
@@ -138,7 +139,8 @@ void for_each_vertical_option(Visit&& visit) {
     if (!option.of_test) visit(option);
 }
 
-// Reads K_v = 1234.0, vertical = "file.csv", or a table of file, loads and options. `take_file` may refuse a file.
+// Reads what a device states about its vertical stiffness: K_v = 1234.0, vertical = "file.csv", or vertical = a table
+// of file, loads and options. `take_file` may refuse a file.
 void read_vertical_input(TomlTable& table, std::filesystem::path const& directory,
                          std::function<void(std::string const&)> const& take_file, std::string const& lot_file,
                          std::vector<Complaint>& complaints, VerticalInput& vertical) {
@@ -236,7 +238,8 @@ class DeviceReader {
     return found;
   }
 
-  // Reads the files of a test and how to read them, or, of a device with tests, what its tests share.
+  // Reads the files of a test and how to read them. For a device with several tests, reads from its own table how to
+  // read all of them.
   TestInput test_in(TomlTable& table, data::ReadOptions const& defaults, bool skip_tests) const {
     TestInput test;
     test.read = defaults;
@@ -255,7 +258,8 @@ class DeviceReader {
     return test;
   }
 
-  // Finds the files that hold single channels, which may be named in [read] or in the device too.
+  // Puts the lot file's folder before the names of files that hold single channels, and refuses those outside it. The
+  // device or [read] may name them too.
   void find_columns(TomlTable& table, toml::table const& source, TestInput& test) const {
     for (auto& [channel, column] : test.read.columns)
       if (auto const other = data::file_column(column)) {
@@ -335,7 +339,8 @@ std::string relative_name(std::filesystem::path const& file, std::filesystem::pa
   return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
 }
 
-// Leaves out null and empty lists. Whole numbers of TOML are signed 64-bit numbers, so larger ones are written as text.
+// Inserts a JSON value into a table, except null and empty lists. Whole numbers of TOML are signed 64-bit numbers, so
+// larger ones are written as text.
 void insert(toml::table& table, std::string const& key, Json const& value) {
   if (value.is_array()) {
     toml::array items;
@@ -357,7 +362,8 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// The reading options that all devices share, for [read]. An option of some devices there would apply to all of them.
+// The reading options on which all devices agree, for [read]. An option of some devices may not stand in [read], since
+// it would apply to all.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {

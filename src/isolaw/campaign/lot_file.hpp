@@ -42,7 +42,7 @@ struct DeviceInput {  // one device before its record is read
   std::string shown_file() const;  // the name in reports: the files of all tests
 };
 
-// All files of the device: its records, then files that hold single channels.
+// All files of the device: for each test its records, then the files that hold single channels.
 std::vector<std::filesystem::path> files_of(DeviceInput const& device);
 
 struct Lot {

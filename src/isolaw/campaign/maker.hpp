@@ -1,4 +1,5 @@
-// Tells which build of isolaw computed a campaign. One build must compute all of it, since builds may differ.
+// Tells which build of isolaw computed a campaign. One build must compute all of it, since two builds may give
+// different numbers.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The device that a user names, or the lot.
+// Finds the device that a user names, or the lot.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace isolaw::campaign {
 
-// As Contents::device_or_lot(), but a refusal offers the lot only where the campaign has a law of it.
+// Like Contents::device_or_lot(), but the message about an unknown name offers the lot only if the campaign has a law
+// of the lot.
 inline std::optional<std::size_t> named_device(Contents const& contents, std::string_view name) {
   bool const known = std::ranges::find(contents.devices, name, &Device::name) != contents.devices.end();
   if (known || name == whole_lot || !contents.lot_analyses.empty()) return contents.device_or_lot(name);

@@ -67,7 +67,8 @@ void refuse_device(Device& device, std::string why) {  // keeps only the record'
   device.record = {};
 }
 
-// Whether to refuse a device with a signal that cannot be true. No law is fitted to it, but an inspection shows it.
+// Whether a device with a signal that cannot be true is refused, as for a campaign, which fits no law to it, or is
+// shown, as for an inspection.
 enum class FalseSignals { shown, refused };
 
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
@@ -77,8 +78,8 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
     refuse_device(device, wording::reasons(properties.refusal));
 }
 
-// Notes the options that the record was read with, so that a report can state a command that reads it again. They stand
-// as JSON beside the first decision of the reader, and no sentence shows them.
+// Notes the options that the record was read with, so that a report can state a command that reads it again. They are
+// kept as JSON in the first finding about how the record was read, and no sentence shows them.
 void note_options(TestInput const& input, std::vector<Finding>& recognised) {
   if (recognised.empty()) return;
   Json given = Json::object();
@@ -181,7 +182,8 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
 Contents with_searches(Contents contents, std::vector<std::string> const& laws) {
   contents.settings.laws = laws.empty() ? parse_laws(usual_laws) : laws;
   contents.settings.validate();
-  // Settings::validate() skips joint limits, conditions between parameters, so that stores outside them can be read.
+  // Settings::validate() does not check joint limits, which are conditions between several parameters, so that stores
+  // that break them can still be read.
   for (auto const& id : contents.settings.laws)
     fit::require_joint_limits(laws::find_law(id), contents.settings.overrides);
   if (std::ranges::none_of(contents.devices, &Device::usable)) {

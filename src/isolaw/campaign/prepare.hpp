@@ -11,7 +11,7 @@
 
 namespace isolaw::campaign {
 
-// The word of a record's first finding that holds the options of reading as a JSON object.
+// The key of the word in a record's first finding that holds the options it was read with, as a JSON object.
 inline constexpr std::string_view given_options = "given_options";
 
 // A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.

@@ -49,7 +49,8 @@ class Profile {
 class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // Assigns to this phase the thread's work since its last lap() of any meter, or since it made or restarted one.
+  // Assigns to this phase the thread's work since it last called lap() on any meter, or since it made or restarted a
+  // meter.
   void lap(Phase phase);
   static void restart();
   void count_evaluations(Phase phase, int evaluations) const;

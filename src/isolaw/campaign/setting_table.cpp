@@ -133,7 +133,8 @@ std::vector<Setting> make_settings() {
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "2; ga: 20")},
-      // The upper limits keep the number of evaluations an int; selection_pressure's keeps roulette weights above zero.
+      // The upper limits keep the number of evaluations within an int. That of selection_pressure keeps the weights of
+      // the roulette above zero.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
@@ -192,7 +193,7 @@ std::vector<Setting> make_settings() {
            "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
-      // A 95 % interval leaves 2.5 % of the replicates outside at each end: one of forty.
+      // A 95 % interval leaves 2.5 % of the replicates outside at each end: one of forty, so forty are needed.
       {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},

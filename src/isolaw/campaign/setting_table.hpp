@@ -13,7 +13,7 @@ namespace isolaw::campaign {
 struct Setting : Option<Settings> {
   std::optional<Method> of = {};  // the only method that has this setting; nullopt if all have it
   bool stored_only = false;       // a constant of its method, kept with the results; users cannot set it
-  Json without = {};              // the value assumed if a store lacks the setting; null: no store of this schema does
+  Json without = {};              // the value assumed if a store lacks the setting; null: every store must have it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
@@ -34,7 +34,8 @@ struct Sides {  // how messages name the two campaigns or files that differ
 // "method: ga there, best now" for each setting that differs. Leaves out settings that only one of two methods has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
-// The options of the rules that tests are checked against. Setting `rules` keeps the name; other code loads the file.
+// The options of the rules that tests are checked against. Setting the option `rules` only keeps the name of the rule
+// set; other code loads the file.
 std::span<Option<Acceptance> const> acceptance_table();
 
 }  // namespace isolaw::campaign

@@ -35,8 +35,8 @@ struct Settings {
   bool analysis = true;  // also analyse what the tests determine, make intervals, and fit one law to the lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
-  // Sets what was left open: 2 runs for `best`, whose runs differ by the last digits, and 20 for `genetic`; weights by
-  // time, as in the paper, for its algorithm and for its boxes.
+  // Sets what was left open. The number of runs becomes 2 for `best`, whose runs differ by the last digits, and 20 for
+  // `genetic`. The weights become those by time, as in the paper, if its algorithm or its boxes are used.
   void complete();
   void validate() const;  // throws Error
 };

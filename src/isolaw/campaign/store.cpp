@@ -109,7 +109,8 @@ Contents Store::read(std::filesystem::path const& file) {
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
-  // Each part changes pages all over the database, so a long log saves writing each of these pages once for every part.
+  // Each part changes pages all over the database. With a long log such a page is written into the file once, not once
+  // for every part.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);
@@ -231,7 +232,7 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   fill(ours, contents, contents.makers);
   write_results(ours, contents);
   std::vector<std::string> faults;
-  char const* settings = "key, json FROM setting";  // read() has refused a store that lacks a required one
+  char const* settings = "key, json FROM setting";  // may lack rows that read() does not require
   for (auto const* table :
        {settings, "key, value FROM meta WHERE key <> 'schema'", "* FROM maker", "* FROM device",
         "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter", "* FROM run",

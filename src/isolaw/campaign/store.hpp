@@ -14,7 +14,7 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  // Makes a store of `contents` with its results, and replaces a file of that name by it only when it is complete.
+  // Makes a store of `contents` with its results. A file of that name is replaced only when the new store is complete.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
   // Opens an existing store to add results. Throws Error if the file is no campaign store of the present schema, or
@@ -40,8 +40,8 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies the runs of another store of this campaign that this build computed. A run that both stores hold must be
-  // the same in both. Copies all runs or, with an Error, none; holds one row at a time in memory.
+  // Copies all runs of another store or, with an Error, none. That store must be of this campaign, and this build must
+  // have computed it. A run that both stores hold must be the same in both. Holds one row at a time in memory.
   struct Taken {
     std::size_t added = 0, there = 0;
   };

@@ -88,7 +88,7 @@ std::string StoreKind::lost_with(std::filesystem::path const& file) const {
     return fmt::format("{} was damaged, or no store of isolaw: its {} bytes are lost", file.string(), bytes);
   }
   if (theirs.empty()) return fmt::format("{} was a database without tables: nothing is lost", file.string());
-  // Stores of all schemas have this table, and it is the first one.
+  // Stores of all schemas have the table meta, which isolaw creates first.
   if (auto const own = theirs.find("meta"); own != theirs.end() && own->second == ours_.at("meta")) return {};
   std::vector<std::string> names;
   for (auto const& [name, declaration] : theirs) names.push_back(in_quotes(name));

@@ -39,8 +39,8 @@ class StoreKind {
   static void create(std::filesystem::path const& file, std::function<void(sqlite::Connection const&)> const& fill,
                      std::function<void()> const& before_replacing = {});
   // to_read() and to_write() throw Error for a file that is missing, not a plain file (a pipe could block), not a store
-  // of this kind, or of another schema. Tables must be declared word by word like ours, since a view or a computed
-  // column could run without end or fill the memory and a trigger could change results.
+  // of this kind, or of another schema. Its tables must be declared word by word as isolaw declares them, since a view
+  // or a computed column could run without end or fill the memory and a trigger could change results.
   sqlite::Connection to_read(std::filesystem::path const& file) const;
   sqlite::Connection to_write(std::filesystem::path const& file) const;
   // Says what is lost if `file` is replaced: "" for a store of isolaw and for no file, else a sentence about a file

@@ -48,13 +48,15 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // Damping is relative to elliptic loops of uncorrelated x and F, of the area 2 pi sigma_x sigma_F each.
+  // The damping is relative to elliptic loops with the same standard deviations, one for each cycle. Such a loop is
+  // widest, with an area of 2 pi sigma_x sigma_F, if x and F are uncorrelated.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
 }
 
-// No isolator is as stiff as a steel bar or as soft as a rubber band. Such a stiffness means that a unit is wrong.
+// Warns if the stiffness or the travel is one that no isolator has: as stiff as a steel bar, as soft as a rubber band,
+// or metres long. Then a unit is probably wrong.
 void warn_about_magnitude(TestRecord& record) {
   constexpr double stiffest_kN_per_mm = 100.0;
   constexpr double softest_kN_per_mm = 0.001;
@@ -79,7 +81,8 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of jumps of the clock that are longer than the motion took. A rest that the logger skipped gives no warning.
+// Warns of gaps in time that are longer than the device needed to cross them. If the logger only skipped a rest, there
+// is no warning.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });

@@ -106,7 +106,8 @@ void choose_scored(FitRecord& record, std::span<double const> scored, std::span<
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-// Gives the samples of all tests weights, unless they count by their time. The swings of all tests decide together.
+// Gives the samples of all tests their weights, or none if every sample counts by its time. If the user asks for no
+// weighting, samples count by swing, or by time if the swings of all tests together are alike.
 void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& tests, std::optional<Weighting> asked) {
   if (asked == Weighting::time) return;
   auto const ranges = test_ranges(record.starts, record.size());
@@ -149,7 +150,7 @@ std::vector<double> sample_numbers(std::size_t size) {
   return numbers;
 }
 
-// All steps but the weights, which depend on the device's other tests too.
+// Takes all steps of cleaning but the weights, which depend on the device's other tests too.
 FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::span<double const> scored,
                      std::span<double const> block, CleanOptions const& options) {
   FitRecord record;

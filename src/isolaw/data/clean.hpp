@@ -24,15 +24,18 @@ struct CleanOptions {
 // Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;
 // 3. k = the record's samples per cycle / samples_per_cycle, rounded down; if k > 1: moving average over k samples
 // (k + 1 if k is even); 4. velocity, which is more exact with all samples; 5. keep every k-th sample. A record without
-// a complete cycle keeps all samples. Each of several tests is cleaned by itself, but the dead band is the largest of
-// theirs, and the swings of all decide how samples count. Throws Error for a record without samples.
+// a complete cycle keeps all samples. If the record holds several tests, each is cleaned by itself, but the dead band
+// is the largest of theirs, and the swings of all tests together decide how samples are weighted. Throws Error for a
+// record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 
-// Three standard deviations of the noise of displacement, which one sample in 400 exceeds. 0 without noise.
+// Three standard deviations of the noise of displacement; normally distributed noise exceeds them in one sample of
+// about 400. 0 if there is no noise beyond rounding errors.
 double dead_band_of(std::vector<double> const& disp_mm);
 
-// Makes a record of a displacement history for running a law on it: all samples, velocity, no force.
+// Makes a record for running a law on a displacement history. It has all samples, and velocity if there is time, but no
+// force.
 FitRecord motion_of(TestRecord const& record);
 
 }  // namespace isolaw::data

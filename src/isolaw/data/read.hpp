@@ -46,7 +46,8 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
 // Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
-// One record of several tests of a device. Throws Error as continue_with() does, and for two tests of one name.
+// Joins several tests of a device into one record. Throws Error as continue_with() does, and if two tests have the same
+// name or the same values.
 struct NamedTest {
   std::string name;
   TestRecord record;

@@ -13,7 +13,8 @@ struct Reading : Option<ReadOptions> {
   std::string_view motion_option = {};  // the option's name for a motion, if `key` means something else there
 };
 
-// If columns or units are given again, only the channels named then change. Any other option is replaced as a whole.
+// If columns or units are given a second time, only the channels named there change. Any other option replaces its
+// earlier value.
 std::span<Reading const> reading_table();
 
 }  // namespace isolaw::data

@@ -12,7 +12,8 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades as a natural logarithm. A logarithmic scale that touches or spans zero covers them from its farther end.
+// Six decades as a natural logarithm. If a logarithmic scale touches or spans zero, it covers the six decades below its
+// farther end.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
@@ -214,7 +215,7 @@ AtBound at_bound(SearchParameter const& parameter, double value) {
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound) {
   constexpr double farther = 10.0;
-  auto const away = [&](double end, double other) {  // away from zero, or towards it, as the end's side of zero says
+  auto const away = [&](double end, double other) {  // moves `end` outwards: away from zero or towards it
     if (end == 0.0) return -other;
     bool const from_zero = (end > 0.0) == (end > other);
     return from_zero ? farther * end : end / farther;

@@ -64,13 +64,14 @@ inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-// A parameter's search interval with this bound ten times as far, within the physical limits. nullopt if the bound is
-// such a limit, or for AtBound::no.
+// A parameter's search interval with this bound moved outwards, within the physical limits: away from zero to ten times
+// its value, towards zero to a tenth, and from zero itself as far as the other bound is on the other side. nullopt if
+// the bound is a physical limit, or for AtBound::no.
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);
-// The box with all bounds moved at which `values` lie, except physical limits and bounds that an override states.
-// nullopt if no bound moves.
+// The box with every bound at which one of `values` lies moved outwards, except physical limits and bounds that an
+// override states. nullopt if no bound moves.
 std::optional<SearchBox> box_beyond(SearchBox const& box, laws::LawEntry const& law, std::span<double const> values,
                                     std::span<Override const> overrides);
 // Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.

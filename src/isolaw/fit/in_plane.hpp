@@ -35,11 +35,12 @@ struct OnAnEight {
 };
 // One result for each extension that the law has: coupled, coupled with a peak along each axis, springs.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-struct Spread {  // largest differences between the extensions, relative to the first one
+struct Spread {  // the largest differences between the extensions, relative to the first extension's value
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);
-// Energy of the law as springs / energy of the law itself, in the second cycle of a motion along one direction.
+// The energy that the law dissipates as springs, divided by the energy that the law itself dissipates, in the second
+// cycle of a motion along one direction.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);
 
 }  // namespace isolaw::fit

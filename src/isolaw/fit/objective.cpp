@@ -69,8 +69,9 @@ Weights time_weights(data::FitRecord const& record) {
   for (double& w : result.weight) w /= result.total;
   return result;
 }
-// By time an interval counts if both of its ends are scored. A record's own weights belong to samples, so a sample at
-// the edge of the scored part keeps the half of the interval outside it.
+// A record without weights of its own is weighted by time, and an interval has weight only if both of its ends are
+// scored. A record's own weights belong to samples: a sample at the edge of the scored part keeps all of its weight,
+// although half of it may stand for the interval outside.
 Weights weights_of(data::FitRecord const& record) {
   if (record.weights.empty()) return time_weights(record);
   Weights result{.weight = record.weights};
@@ -102,8 +103,9 @@ double spread_of(data::FitRecord const& record, std::vector<double> const& value
   return std::sqrt(variance);
 }
 
-// Refuses tests without duration, tests of which no scored sample counts by the weights, and a constant force. For
-// these the objective would be arbitrary. Returns the number of tests of which samples count.
+// Refuses tests of fewer than two samples or without duration, weights that are not finite, a constant force, and
+// records in which no scored sample has a weight. For these the objective would be undefined or arbitrary. Returns the
+// number of tests in which scored samples have a weight.
 std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::FitRecord const> tests) {
   std::size_t count = 0, number = 0;
   auto const refuse = [&](std::string found, std::string allowed) {

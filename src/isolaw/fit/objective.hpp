@@ -45,7 +45,7 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   };
   std::span<Test const> tests() const { return tests_; }
 
-  std::vector<std::size_t> outline() const;  // indices of kept samples: all next to a reversal, fewer elsewhere
+  std::vector<std::size_t> outline() const;  // indices of samples to keep: all just after reversals, fewer elsewhere
   // The law on these samples, in rising order. A rate-independent law gives the same forces if all reversals are kept.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computes the force [kN] at every sample; not finite where the law has no finite force. `parameters` are in the
@@ -69,15 +69,16 @@ class LawOnRecord {
  public:
   // The law makes `refinement` equal steps from sample to sample. The object keeps no reference to the record. Throws
   // Error if the law needs velocities and the record has no time, or if the objective is undefined: fewer than two
-  // samples, no duration, no scored sample that counts by the record's weights, a constant force. A test without a
-  // scored sample that counts takes no part in the mean.
+  // samples, no duration, no scored sample with a weight above 0, a constant force. A test without such a sample takes
+  // no part in the mean.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
-  // The law on the samples of outline(). Each has the weight of the dropped samples near it, so that the objective
-  // changes little. nullopt if over 3/4 of the samples would remain, or if the law takes one integration step a sample.
+  // The law on the samples of LawOnMotion::outline(). Each of them also takes over weight from the dropped samples
+  // beside it, so that the objective changes little. nullopt if over 3/4 of the samples would remain, or if the law
+  // takes one integration step a sample.
   std::optional<LawOnRecord> outline() const;
-  std::vector<double> on_outline(std::span<double const> shares) const;  // spreads all weights over the outline
+  std::vector<double> on_outline(std::span<double const> shares) const;  // moves all weights to the outline
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -115,7 +116,7 @@ class LawOnRecord {
   LawOnMotion motion_;
   std::vector<double> measured_;  // in the law's unit of force
   std::vector<double> weight_;    // share_ / standard deviation of the measured force in the test
-  std::vector<double> share_;     // weight by time, swing or travel; the shares of a test sum to 1 / number of tests
+  std::vector<double> share_;     // weight by time, swing or travel; sum over a weighted test: 1 / number of those
   std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 

@@ -1,4 +1,4 @@
-// The record of the speed measurements: three cycles of +-208 mm at 0.5 Hz with the force of a bilinear loop.
+// The record on which speed is measured: three cycles of +-208 mm at 0.5 Hz with the force of a bilinear loop.
 #pragma once
 
 #include <algorithm>

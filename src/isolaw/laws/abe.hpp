@@ -103,8 +103,8 @@ struct Abe {
       // A step is cut into pieces, into shorter ones near x = 0, where |x|^p is not smooth.
       double const x0 = value_of(step.x0), x1 = value_of(step.x1), length = value_of(step.length);
       double const nearest = x0 * x1 <= 0.0 ? 0.0 : std::min(std::abs(x0), std::abs(x1));
-      // No piece is longer than the largest step of a sine of 200 samples per cycle, 2 pi / 200 = 0.0314 of the peak,
-      // by more than 1 %, unless that takes over 64 pieces. The 1 % keeps such a sine's own steps in one piece.
+      // The largest step of a sine of 200 samples per cycle is 2 pi / 200 = 0.0314 of its peak. No piece is longer than
+      // that by more than 1 %, unless this takes over 64 pieces. The 1 % keeps each step of such a sine in one piece.
       int const smooth = static_cast<int>(std::ceil(std::min(64.0, length / (0.0317 * value_of(step.peak1)))));
       int const pieces = std::max(nearest < 1.5 * length ? 5 : nearest < 4.0 * length ? 2 : 1, smooth);
       X x = step.x0, peak = step.peak0;
@@ -136,7 +136,7 @@ struct Abe {
   // therefore goes over into d/2, and the second fades out. The mean of |x / Uh|^p over x is exact, since its integral
   // is x |x / Uh|^p / (p + 1); a piece that is too short for this difference uses the mean of its two ends. The flow
   // needs the mean over the travel instead. If the peak grows, the travel per x falls as 1 / (Us + peak). The
-  // covariance of |x / Uh|^p and this travel, both taken as straight lines, is therefore added.
+  // covariance of |x / Uh|^p and this travel, both taken as linear in x, is therefore added.
   template <class T, class X, class N>
   static void advance(Params<T> const& p, Constants<T, X> const& c, State<N>& state, N const& direction, X const& x0,
                       X const& x1, X const& peak0, X const& peak1) {

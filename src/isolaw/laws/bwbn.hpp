@@ -125,7 +125,8 @@ struct Bwbn {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // An infinite displacement makes `wanted` NaN. std::min then gives its first argument, enough for a finite step.
+      // An infinite displacement makes `wanted` NaN. std::min then gives its first argument, which is also the largest
+      // number of pieces that finite displacements can need.
       double const wanted = value_of(pieces_to_the_peak * step.length / step.peak1);
       int const pieces = std::max(1, static_cast<int>(std::ceil(std::min(2.0 * pieces_to_the_peak, wanted))));
       for (int i = 0; i < pieces; ++i) advance(p, c, state, N(step.direction), step.length / pieces);

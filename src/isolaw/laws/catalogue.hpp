@@ -37,8 +37,9 @@ struct LawEntry {
     std::string_view statement;
   };
   std::optional<Unmet> unmet(std::span<double const> parameters) const;
-  // Any change of a redundant parameter can be made up for by those in `redundant_with`. `reduce` sets it to
-  // `redundant_value` and changes them so that the forces stay. Empty and null for laws without such a parameter.
+  // If a law has a redundant parameter, the parameters in `redundant_with` can make up for any change of it. `reduce`
+  // sets the parameter that `redundant` names to `redundant_value`, and changes the others so that the forces stay the
+  // same. For other laws the names are empty and `reduce` is null.
   std::string_view redundant = {};
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;
@@ -54,7 +55,7 @@ inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-std::string_view memory_of(LawInfo const& law);  // what it remembers of its path: "turning points", ...
+std::string_view memory_of(LawInfo const& law);  // what the law remembers of its path: "turning points", ...
 LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
 std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself if no law has it
 

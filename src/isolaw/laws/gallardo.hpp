@@ -1,10 +1,11 @@
 // Gallardo: an elastic part that softens with the travel on each side, and Bouc-Wen's hysteresis, where the turn before
 // a branch sets that branch's strength.
 // Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. The source's strain
-// is x over the height of the rubber; this file divides x by 100 mm, and uy is a displacement. Units kN, mm.  Step:
+// is x over the height of the rubber; this file divides x by 100 mm, and uy is a displacement. Units kN, mm. Step:
 // exact. The states of the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve
-// while z dx < 0 and along another while z dx > 0. Divided by one strength while z dx < 0 and by the branch's own
-// strength while z dx > 0, z follows one flow (saturating_flow.hpp) that no turn changes.
+// while z dx < 0 and along another while z dx > 0. In the first case z is divided by one strength for all branches, in
+// the second by the branch's own strength. The quotient then follows one flow (saturating_flow.hpp) that no turn
+// changes.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"

@@ -1,10 +1,12 @@
 // Kikuchi-Aiken: loops between plus and minus the largest displacement so far, the peak. Their secant stiffness,
 // damping and shape depend on the peak; inner branches follow Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
-// points and the peak of the displacement, which the record decides. Departures: after the travel s (in peaks) a
-// published outer branch has risen by 2 - 2 exp(-a s) + b s exp(-c s) strengths. It misses the peak that it leads to by
-// 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). A term in (s/2)^8 adds these, so that
-// the force is continuous. b acts only at peaks where a has reached its cap, as for the published compounds.
+// points and the peak of the displacement, which the record decides. Departures: a branch from one peak to the opposite
+// one has risen, after a travel of s peaks, by 2 - 2 exp(-a s) + b s exp(-c s) strengths; the strength is the
+// hysteretic force at the peak. At s = 2 the published branch therefore misses the opposite peak by
+// 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). Here a term in (s/2)^8 adds this
+// difference, so that the force is continuous. b acts only at peaks where a has reached its largest value, as for the
+// published compounds.
 #pragma once
 
 #include <cmath>
@@ -95,7 +97,7 @@ struct Loops {
     half_elastic = N(0.5) * (now.force - strength);
     exponent = now.exponent;
     N const wanted = N(1.0) - N(1.57079632679489661923) * now.damping / now.share;
-    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. One in `wanted` makes b NaN.
+    // max returns its first argument if one is NaN, so a NaN in c.least_area stays. A NaN in `wanted` makes b NaN.
     N const area = max(N(c.least_area), wanted);
     // Newton's method for area a - 1 + exp(-2a) = 0, which is convex; five steps from 1/area suffice for any area <= 1.
     N root = N(1.0) / area;
@@ -109,7 +111,8 @@ struct Loops {
     closing = N(2.0) - shape(c, 2.0, true, true);
   }
 
-  // The unscaled rise of the hysteretic force on a branch, in strengths, at the distance s from its turn, in peaks.
+  // How far the hysteretic force has risen on a branch, in strengths and before it is scaled, at a distance of s peaks
+  // from the branch's turn.
   template <class T, class X>
   N shape(Constants<T> const& c, X const& s, bool outer, bool bump) const {
     N f = N(2.0) - N(2.0) * exp2(-a * N(s));
@@ -212,7 +215,7 @@ struct KikuchiAiken {
   static N step(Params<T> const& p, kikuchi_aiken::Constants<T> const& c, kikuchi_aiken::Loops<N>& state,
                 StepOf<X> const& step, PathMemory const& memory) {
     state.make_room(memory);
-    // As the peak grows from 0 the slope has no bound; the tangent is at most the secant at 0.01 mm.
+    // As the peak grows from 0 the slope has no bound; the tangent is at most the secant from 0 to 0.01 mm.
     auto const steepest = [&] { return p.G1 * power(T(1e-4), -p.p) / T(reference_mm); };
     if (!(memory.peak > 0.0)) return slope_alone(step.x1, N(steepest()));
     N force = state.force(c, step.x0, step.x1, memory, [&](X const& m) { return at_peak<N>(p, N(m)); });

@@ -16,16 +16,17 @@
 //   Memory<X>             if traits.remembers: which parts of the path's memory the law reads (memory/). Its step
 //                         gets them as a fifth argument. A State with a stack sizes it in make_room. Such a law ignores
 //                         motion within the record's dead band, and its first motion goes from 0 to the first sample.
-//                         A memory that no part of memory/ offers lies in State; each candidate computes it.
+//                         Whatever else the law remembers belongs in State, and each candidate computes it anew.
 //   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
 //   crowded               true: a step holds so many values at once that kernels compute fewer lanes
 //   joint_limits          one JointLimit for each condition between several parameters
-//   reduced(params)       for a law with a redundant parameter: parameters that give the same forces, in which
-//                         `redundant`, which trades off with `redundant_with`, is `redundant_value`
+//   reduced(params)       for a law with a redundant parameter: returns parameters that give the same forces. In them
+//                         the parameter that `redundant` names has the value `redundant_value`, and the parameters in
+//                         `redundant_with` make up for the change
 //   canonical(params)     the law of analysis programs that equals this one, or NoForm{what those programs lack}
 //                         (parts/canonical.hpp)
 //
-// Four rules keep one step fast and right for all of them:
+// Four rules keep one step fast and right for all three kinds of numbers:
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
 //   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
 //   - min and max return their first argument if both are equal: put the one first whose slope is meant.
@@ -155,8 +156,8 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It only estimates
-  // which runs cost more, so that each machine of a campaign gets its share. Without such a processor take that of a
-  // law of similar cost.
+  // which runs cost more, so that each machine of a campaign gets its share. Whoever adds a law without such a
+  // processor takes the value of a law of similar cost.
   unsigned step_cost = 500;
 };
 
@@ -229,7 +230,8 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// The member pointers of rows<T>, without the functions in the rows, of which each instruction set would get a copy.
+// The member pointers of rows<T>. The functions in the rows are left out, because each instruction set would get a copy
+// of them.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};
@@ -237,7 +239,8 @@ inline constexpr auto members = [] {
   return pointers;
 }();
 
-// Operations of a step in a record, whose motion has no slopes. online/numbers.hpp explains those of a trial.
+// Operations that a step calls, here for a record, whose motion has no slopes. online/numbers.hpp has the same
+// operations for a trial and explains them.
 inline bool moves(Step const& step) {
   return step.length > 0.0;
 }

@@ -1,9 +1,9 @@
 // Menegotto-Pinto: from each reversal a smooth curve, which starts along the elastic line, leads to the asymptote of
 // the other side.
 // Source: Menegotto and Pinto 1973 with the sharpness R of Filippou et al. 1983, without isotropic hardening. This file
-// does not use the intersection (x0, F0) but F = b E x + (1 - b) z. From its value zr at the reversal z moves to +-Fy,
-// which is a distance D away, by (D^-R + t^-R)^(-1/R), where t = E |x - xr| is the elastic travel; then E (x0 - xr) =
-// +-D.  Units kN, mm.  Step: exact.
+// does not compute the intersection (x0, F0) but writes F = b E x + (1 - b) z. At the reversal z has the value zr, at a
+// distance D from the value +-Fy ahead of it. After an elastic travel t = E |x - xr|, z has moved towards +-Fy by
+// (D^-R + t^-R)^(-1/R). The source's x0 follows from E (x0 - xr) = +-D. Units kN, mm. Step: exact.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

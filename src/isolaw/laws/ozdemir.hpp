@@ -4,8 +4,8 @@
 //     F = (Ks alpha (x + g) + s) / (1 + alpha),   s' = Ks (x' (1 - alpha g'(x)) - (1 + alpha) |x'| |s/Ys|^n sgn(s)).
 // This file uses z = s / (1 + alpha): F = alpha K (x + g) + z, K = Ks / (1 + alpha), Y = Ys (1 + alpha)^(-1 - 1/n). It
 // leaves out -alpha g' in z', so that z follows one curve between reversals (saturating_flow.hpp). For g = 0 this
-// equals the source. Otherwise a branch leaves a reversal with alpha K g' more than the source's slope, and saturates
-// at +-Y instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
+// equals the source. Otherwise a branch leaves a reversal with a slope that is alpha K g' above the source's, and z
+// saturates at +-Y instead of +-Y (1 - alpha g')^(1/n).  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"

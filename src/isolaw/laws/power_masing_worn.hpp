@@ -1,7 +1,7 @@
 // power-masing with two more terms. The hysteretic force decreases with the distance travelled. And each growth of the
 // largest |x| leaves a lasting force in proportion to it, positive for a growth at x > 0 and negative for one at x < 0.
 // The terms describe differences between the first and last cycles of a record, and between its two sides.
-// Source: this project; docs/league.md lists the candidates. Units kN, mm. Step: exact, as in power-masing.
+// Source: this project; docs/league.md lists the variants tried. Units kN, mm. Step: exact, as in power-masing.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

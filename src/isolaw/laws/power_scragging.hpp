@@ -95,7 +95,8 @@ struct PowerScragging {
     return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
-  // Growth of the peak M in this step over the slow memory's length U (M/100)^h: the integral of dM / (U (M/100)^h).
+  // The growth of the peak M in this step over the length U (M/100)^h of the slow memory, which changes with M: the
+  // integral of dM / (U (M/100)^h).
   template <class T, class X>
   static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
     using N = NumberOf<T, X>;

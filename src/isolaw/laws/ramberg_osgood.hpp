@@ -83,7 +83,8 @@ struct RambergOsgood {
   }
 
   // Solves f + a f^r = u. The left side is convex, so Newton's method approaches the root from above. It starts at the
-  // smaller f at which one term alone equals u, at most twice the root, and six steps leave only rounding.
+  // smaller of the two f at which one term alone equals u. This is at most twice the root, and six steps leave only
+  // rounding.
   template <class T, class X>
   static NumberOf<T, X> skeleton(Params<T> const& p, Constants<T, X> const& c, X const& at) {
     double const x = value_of(at);

@@ -1,6 +1,6 @@
 // Finds devices that differ from the other devices of their lot in a property: a measured value, a law's parameter or
 // the error of a fit. Source: the modified z-score of Iglewicz and Hoaglin 1993 (num::modified_scores). Rule sets use
-// this score for measured properties too, but ask for at least five values, since a verdict depends on them.
+// this score for measured properties too, but ask for at least five values, since the score of fewer says little.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ struct Outlier {
 
 // With fewer values the median absolute deviation does not tell how much they scatter.
 inline constexpr std::size_t fewest_for_outliers = 4;
-// The least standard deviation assumed for a property, as a share of |median|: one record determines it no better.
+// The least standard deviation assumed for a property, as a share of |median|, because one record determines a property
+// no better.
 inline constexpr double least_scatter = 0.005;
 // values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its
 // modified z-score exceeds 3.5 and at least fewest_for_outliers devices have the property. The largest scores come

@@ -23,7 +23,8 @@
 
 namespace isolaw::lot {
 
-// The coordinate in which a parameter is normally distributed: its value, or log|value| if all devices have its sign.
+// The coordinate in which a parameter is normally distributed: its value, or log|value| if the values of all devices
+// have one sign.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
 // Returns logarithm if all values are finite, not zero and of one sign. The scatter is then relative, and no draw
@@ -72,10 +73,10 @@ struct Population {
 // Estimates the population from names[n] and devices[d]; transform_for() chooses the transforms. One device gives a
 // mean without covariance, no device gives neither, and `note` says so. Throws one Error with all complaints: vectors
 // and matrices that do not fit names, values or squares of values that are not finite, and negative variances.
-// `undetermined` holds indices of parameters that no device's test determines. Such a parameter is left out if its
-// estimates scatter no more than their error would if all other parameters were known: its rows and columns of S become
-// zero. In a lot of a dozen devices, chance correlations with other parameters would otherwise give it a scatter. If a
-// law depends only on the product of two parameters, both are kept. Cost: n^3 + devices n^2.
+// `undetermined` holds indices of parameters that no device's test determines. Such a parameter is left out of the
+// scatter if the variance of its estimates is at most that of its error with all other parameters known: its rows and
+// columns of S become zero. In a lot of a dozen devices, chance correlations with other parameters would otherwise give
+// it a scatter. If a law depends only on the product of two parameters, both are kept. Cost: n^3 + devices n^2.
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
@@ -91,11 +92,12 @@ struct Sample {
 };
 inline constexpr std::uint32_t most_tries = 100;
 // Draws `count` devices from N(mu, Sigma) as mu + Sigma^(1/2) z, with all parameters of a device together. The
-// symmetric root does not jump where eigenvalues coincide. Device i depends only on the places (i, try) of the stream,
-// not on `count`. A draw outside `limits` (one pair per parameter, or none) is repeated. After `most_tries` the last
-// draw is moved towards the medians on a straight line in transformed coordinates, which keeps to the directions in
-// which devices differ. Many repeated or moved draws mean that the sample is shaped by the limits and not by the tests.
-// Throws Error for a population without covariance, for another number of limits, and for medians outside the limits.
+// symmetric root does not jump where eigenvalues coincide. Device i takes its random numbers from the places (i, try)
+// of the stream, so it does not depend on `count`. A draw outside `limits` (one pair per parameter, or none) is
+// repeated. After `most_tries` the last draw is moved towards the medians on a straight line in transformed
+// coordinates, which keeps to the directions in which devices differ. Many repeated or moved draws mean that the sample
+// is shaped by the limits and not by the tests. Throws Error for a population without covariance, for another number of
+// limits, and for medians outside the limits.
 Sample sample(Population const& population, std::size_t count, num::Stream const& stream,
               std::span<Limits const> limits = {});
 

@@ -1,8 +1,8 @@
 // The robustness index beta: how little a law's parameters differ between the devices of a lot (Cucuzza et al. 2025,
 // sections 5 and 6, Eqs. 28-31).
-// The input is, for each device, the mean of a parameter over the runs. Differences are relative to the mean over all
-// devices. They are undefined if that mean is only a rounding error (|mean| <= 1e-9 times the largest |value|) or if
-// the value of a device is not finite. The caller chooses the devices.
+// The input is, for each device, the mean of a parameter over the runs of the search. Differences are relative to the
+// mean over all devices. They are undefined if that mean is only a rounding error (|mean| <= 1e-9 times the largest
+// |value|) or if the value of a device is not finite. The caller chooses the devices.
 #pragma once
 
 #include <optional>

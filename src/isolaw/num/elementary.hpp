@@ -1,7 +1,7 @@
 // 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls. They serve code that computes
 // many lanes at once: loops over doubles that a compiler vectorises, and the same bodies on vectors.
 //   function           largest error (with / without fused multiply-add; tests/unit checks it) and where it holds
-//   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual down to -1022.5, 0 below
+//   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual underflow to -1022.5, 0 below
 //   fast_exp(x)        0.9 / 1.2 ULP in [-708.3, 709.4]; +inf from 709.44 on; 0 below -708.75
 //   fast_expm1(x)      relative error 4e-16; x is clamped to [-700, 700] first
 //   fast_fifth_root(x) relative error 6e-14 for x = 0 and normal x > 0; uses no division and no square root

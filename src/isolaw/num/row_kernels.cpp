@@ -27,7 +27,8 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// For a chunk of rows, the columns less column 0, plain and times either curvature. A chunk fits in the cache.
+// A chunk of rows: each column minus column 0, and this difference times the cautious and times the bold curvature
+// (row_kernels.hpp). A chunk fits in the cache.
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];

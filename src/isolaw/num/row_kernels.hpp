@@ -9,7 +9,8 @@
 
 namespace isolaw::num {
 
-// Columns computed together; a table's stride is a multiple of it. Columns after the last candidate may hold anything.
+// This many columns are computed together, and a table's stride is a multiple of it. Columns after the last candidate
+// may hold anything.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -31,7 +32,8 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // In column c, values[c] = sum of weight * |r| and rounded[c] = sum of weight * sqrt(r^2 + delta^2). Both are padded.
+  // In column c, values[c] = sum of weight * |r| and rounded[c] = sum of weight * sqrt(r^2 + delta^2). Both arrays have
+  // room for padded(columns) values.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
   // The curvature of `cautious` is weight / size: the parabola with this curvature touches `size` from above. The
   // curvature of `bold` is cautious_share times weight / size plus bold_share times the true one, weight * delta^2 /

@@ -43,7 +43,8 @@ constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta fall
 // Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
-// Step of one-sided differences. Curvature falsifies a slope by about 1e-6, rounding by 1e-9; damping matters more.
+// Step of one-sided differences. The residuals' curvature falsifies a slope by about 1e-6, and rounding by 1e-9. Both
+// errors change a Newton step less than its damping does.
 constexpr double difference_step = 1e-6;
 // The curvature for bold steps is bold_share times the true curvature plus cautious_share times the cautious one, since
 // the true one vanishes if no residual is near zero.
@@ -81,7 +82,7 @@ constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of t
 // Number of best ends to polish if the hits scatter. Polishing one left 3 of 29 logged searches 0.1 % too high.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
-constexpr double worth_polishing = 1.01;  // largest value after the approach, as a multiple of the best value
+constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
 constexpr int hops_in_vain = 10, most_last_hops = 40;  // largest number of hops in a row without gain, and of all hops
 constexpr double gain_of_last_hop = 0.1;               // in hit tolerances; smaller gains count as none
 constexpr double absolute_tolerance = 1e-9;            // tolerance of a hit if the best value is zero
@@ -93,7 +94,7 @@ using num::Matrix;
 using num::Vector;
 
 struct Cost {
-  std::size_t computed = 0, failed = 0;  // residuals computed in all, and for points without a finite value
+  std::size_t computed = 0, failed = 0;  // number of residuals: all, and those of points without a finite value
   Cost& operator+=(Cost const& other) {
     computed += other.computed;
     failed += other.failed;
@@ -389,7 +390,7 @@ class Search {
   }
 
   // Number of descents to make. It rises if few scattered starts hit the best value, since a better one was then more
-  // likely missed. Hops do not count, because they tend to return to the valley that they came from.
+  // likely missed. The share of hits leaves hops out, because they tend to return to the valley that they came from.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);

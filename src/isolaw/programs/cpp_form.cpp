@@ -49,8 +49,9 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Tolerance of the self-check as a share of the peak force. With an exact flow the exported law reads a table, and the
-// expected force comes from polynomials: they differ by 1e-7, and by more in unloading near rest (kappa near -1).
+// Tolerance of the self-check as a share of the peak force. A law with an exact flow (laws/flows/) follows a curve,
+// which the exported law reads from a table, while the expected force comes from polynomials. The two differ by 1e-7,
+// and by more where unloading comes nearly to rest (kappa near -1 in laws/flows/saturating_flow.hpp).
 double allowed(laws::LawInfo const& law) {
   return law.traits.exact_flow ? 1e-4 : 1e-6;
 }

@@ -1,4 +1,5 @@
-// Writes the law for Abaqus/Standard as a user element (UEL) in C++. All state is in SVARS: Abaqus repeats increments.
+// Writes the law for Abaqus/Standard as a user element (UEL) in C++. The element keeps its whole state in SVARS,
+// because Abaqus may repeat an increment from an earlier state.
 #include <fmt/format.h>
 
 #include <array>
@@ -14,7 +15,8 @@
 namespace isolaw::programs {
 namespace {
 
-// Room in SVARS for the largest state without turning points, and for turning points left by a long free vibration.
+// Numbers of SVARS. The first is enough for the largest state without turning points. A law that remembers turning
+// points gets the second in addition, which is enough for those that a long free vibration leaves.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
 }  // namespace

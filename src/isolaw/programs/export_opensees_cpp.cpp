@@ -31,7 +31,7 @@ Variants variants_of(Subject const& subject) {
   return variants;
 }
 
-// Whether the slope of the first motion has no bound. Its tangents near the start then differ.
+// True if the force begins with an unbounded slope. The tangent then grows as the displacement approaches zero.
 bool starts_steeply(Subject const& subject) {
   double const amplitude = subject.design_disp_mm / subject.law->info.length.in_record_units;
   auto const tangent = [&](double share) {

@@ -1,8 +1,11 @@
-// Writes a page of input values for programs that we could not try. Each value has the program's own symbol; each law
-// has its error. The force laws come from the manuals. SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with
-// dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0, otherwise dz = (k / Fy) dd; this is Bouc-Wen with beta = gamma. Rubber
-// Isolator: the same law with exp = 2, in two coupled directions. MIDAS, Hysteretic System: Plastic (Wen) with free
-// shares PA + PB = 1. SeismoStruct: the bearing of OpenSees. Abaqus: connector elasticity, linear kinematic hardening.
+// Writes a page of input values for programs that we could not try. Each value has the program's own symbol, and each
+// law states its error. The force laws come from the programs' manuals:
+//   SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0,
+//     otherwise dz = (k / Fy) dd; this is Bouc-Wen with beta = gamma
+//   SAP2000 and ETABS, Rubber Isolator: the same law with exp = 2, in two coupled directions
+//   MIDAS, Hysteretic System: Plastic (Wen) with free shares PA + PB = 1
+//   SeismoStruct: the bearing of OpenSees
+//   Abaqus: connector elasticity with linear kinematic hardening
 #include <fmt/format.h>
 
 #include <cmath>

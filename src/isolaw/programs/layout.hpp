@@ -26,7 +26,8 @@ std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string cons
 
 // Splits "2400 kN" into 2400 and "kN". Returns nullopt if the text does not begin with a finite number.
 std::optional<std::pair<double, std::string_view>> number_and_unit(std::string_view text);
-// Returns a unit of length in mm, of force in kN, of stiffness in kN/mm ("kN/m" is 0.001). nullopt for any other text.
+// Return how many mm, kN or kN/mm a unit of length, force or stiffness is; for "kN/m" this is 0.001. nullopt for any
+// other text.
 std::optional<double> length_in_mm(std::string_view unit);
 std::optional<double> force_in_kN(std::string_view unit);
 std::optional<double> parse_stiffness(std::string_view unit);

@@ -32,7 +32,7 @@ struct Form {
   std::string title;
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
-  std::string condition = {};  // where the form fails beyond the records; "" if nowhere
+  std::string condition = {};  // a limitation that users are told, such as where the force is NaN; "" if there is none
   // Longest travels in one direction before the force is NaN: from rest, and from side to side. Empty without a limit.
   std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
   std::string since = {};  // first version of OpenSees that has the material; "" if all have it

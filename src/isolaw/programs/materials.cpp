@@ -160,7 +160,8 @@ DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// Arguments: ka kb fo b1 b2 gamma. After a long one-way path rounding can make s * distance < 0 and the force NaN.
+// Arguments: ka kb fo b1 b2 gamma. After a long travel in one direction, rounding can make s * distance negative, which
+// makes the force NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)

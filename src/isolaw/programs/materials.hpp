@@ -1,10 +1,14 @@
 // The OpenSees materials and elements that exports use, programmed from published formulas and never from the code of
 // OpenSees. Arguments are in the order of the command. An export is called exact only if replaying its commands here
-// agrees with the law. Sources: Steel01, OpenSees command manual (kinematic hardening, without the optional isotropic
-// part). Steel02: Filippou et al. 1983 as in that manual, without the isotropic part. BoucWen: Wen 1976 as in Haukaas
-// and Der Kiureghian 2003, backward Euler. BoucWenOriginal and elastomericBearingBoucWen: Park, Wen and Ang 1986, z
-// without unit, backward Euler. elastomericBearingPlasticity: return mapping. HystereticAsym: Vaiana et al. 2018/2021.
-// Newton's rule for z has the start value and the iteration limit of OpenSees. If it fails, the force is NaN.
+// agrees with the law. The formulas and their sources are:
+//   Steel01: OpenSees command manual (kinematic hardening, without the optional isotropic part)
+//   Steel02: Filippou et al. 1983 as in that manual, without the isotropic part
+//   BoucWen: Wen 1976 as in Haukaas and Der Kiureghian 2003, with backward Euler
+//   BoucWenOriginal, elastomericBearingBoucWen: Park, Wen and Ang 1986, z without unit, with backward Euler
+//   elastomericBearingPlasticity: return mapping
+//   HystereticAsym: Vaiana et al. 2018/2021
+// The Bouc-Wen commands find their variable z by Newton's rule, with the start value and the iteration limit of
+// OpenSees. If Newton's rule fails, the force is NaN.
 #pragma once
 
 #include <memory>

@@ -85,7 +85,8 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// True if the force is finite in every unit system. BoucWen starts Newton's rule at 0.01 in each and may fail in some.
+// True if the form gives a finite force in every unit system. BoucWen starts Newton's rule at z = 0.01 whatever the
+// unit of length, so it may fail in some unit systems only.
 bool has_a_force(Form const& form, Subject const& subject) {
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
     return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
@@ -111,7 +112,8 @@ Realised replayed(Form const& form, Subject const& subject) {
   return realised;
 }
 
-// True if the force may be NaN at `overtravel` times the tested motion. Beyond the longest swing a replay may hide it.
+// True if the force may be NaN when the isolator moves `overtravel` times as far as in the tests. A replay may miss
+// this for travels beyond the form's longest swing, so such travels count as a failure without a replay.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -123,7 +125,8 @@ bool breaks_beyond_the_test(Form const& form, Subject const& subject, double tra
   return false;
 }
 
-// Maps the law with the factors of each bound. Takes the form with the nominal form's id or, without one, its index.
+// Adds the forms of the lower and the upper bound. The law is mapped with the factors of the bound, and the form with
+// the nominal form's id is taken. If no form has this id, the one with the nominal form's index is taken.
 void add_bounds(Realised& realised, std::size_t index, laws::LawEntry const& law, std::span<double const> parameters,
                 Bounds const& bounds) {
   auto const form = [&](std::optional<BoundFactors> const& factors) -> std::optional<Form> {

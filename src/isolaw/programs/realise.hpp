@@ -54,7 +54,7 @@ struct Realisation {
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
   std::vector<std::string> refused;         // rejected forms, each with the reason: "form: how its replay failed"
-  std::optional<Deviation> draws_from_law;  // the largest of a drawn law's form, on the first history
+  std::optional<Deviation> draws_from_law;  // the largest of a form from its drawn law, on the first history
 };
 
 // A form counts as exact if it differs from the law by at most this percentage of the peak force: exact_percent at
@@ -65,7 +65,8 @@ inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";
 
-// Limits of far_off() in percent of the peak force: at one sample, and rms. Those of K_eff, energy: study/adequacy.hpp.
+// Limits of far_off() on the largest difference at a sample and on the rms difference, in percent of the peak force.
+// The limits on the differences of K_eff and energy are in study/adequacy.hpp.
 inline constexpr double far_off_percent = 50.0, far_off_rms_percent = 10.0;
 bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
@@ -83,8 +84,8 @@ Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, st
 
 Realisation realise(Subject const& subject);
 
-// Replays a form, the commands that stand for a law in a program, in a unit system, as the program would, and returns
-// the force in kN.
+// Computes the force in kN of a form, the commands that stand for a law in a program. The commands get their arguments
+// and displacements in `units`, and the force is computed as the program would compute it.
 std::vector<double> replay_kN(Form const& form, UnitSystem const& units, std::span<double const> disp_mm);
 
 // Replays a form and stores the result in `realised`. Returns how the form differs from the law, or "" if it agrees.

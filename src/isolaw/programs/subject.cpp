@@ -84,7 +84,8 @@ rules::LotQuantity const* quantity_of(study::Summary const& summary, rules::Quan
   return nullptr;
 }
 
-// Returns the value on which the bounds' factors act: the lot's mean, or the value of the device's counting cycle.
+// Returns the value that the factors of a bound multiply. For the lot this is the mean, and for a device the value of
+// the cycle that study::counting_cycle() chooses, usually the third.
 std::optional<double> own_value(study::Summary const& summary, Subject const& subject, rules::LotQuantity const& view) {
   if (subject.lot) return view.mean;
   auto const device = std::ranges::find(summary.devices, subject.device, &study::DeviceResult::name);

@@ -9,7 +9,8 @@
 
 namespace isolaw::programs {
 
-// Replaces all characters that Tcl, Python or C++ could act on by '_', so that the text is safe in a comment.
+// Writes '_' for every character that begins a substitution or joins lines in Tcl, Python or C++. The text is then safe
+// in a comment.
 std::string harmless(std::string_view text);
 std::string harmless_markdown(std::string_view text);
 // Name of the export, "isolaw_bouc_wen_P_1": letters, digits, single underscores; unique for each device of a campaign.

@@ -54,7 +54,8 @@ std::optional<double> percent_of(double value, double truth) {
   return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite_difference;
 }
 
-// The least slope of the force on the way outwards, beyond a displacement; 0 if the force falls nowhere.
+// The steepest fall of the force while the motion goes outwards beyond a displacement. `slope` is negative there, or 0
+// if the force falls nowhere.
 struct Fall {
   double slope = 0.0, at_mm = 0.0;
 };
@@ -126,7 +127,8 @@ std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem con
       continue;
     }
     auto const fall = steepest_fall({x, f}, subject.tested.disp_mm);
-    // A force that depends on the velocity falls before every reversal, also in the tests.
+    // A force that depends on the velocity falls before every reversal, also in the tests. Only a fall that is steeper
+    // than in the tests is reported.
     auto const in_tests = steepest_fall(tested_cycle, subject.tested.disp_mm / times);
     if (most < 0.999 * tested_peak)
       sentences.push_back(

@@ -1,6 +1,6 @@
-// Checks an exported law on motions that differ from the tested cycle: smaller amplitudes and another rate for a
-// substitute law; larger amplitudes; larger time steps; a circle in plan, with two springs for a bearing. Each check
-// drives two equal cycles from rest and uses the second.
+// Checks an exported law on motions that differ from the tested cycle. A substitute law is checked at smaller
+// amplitudes and at another rate. Other checks use larger amplitudes, larger time steps, or a circle in plan with two
+// springs for a bearing. Each check drives two equal cycles from rest and uses the second.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,8 @@ namespace isolaw::programs {
 // Computes the force in kN at all points of a history.
 using ForceOf = std::function<std::vector<double>(History const&)>;
 
-// Differences of a substitute from the exported law, in percent of the law's value. Empty if that value is not above 0.
+// Differences of a substitute from the exported law in the energy and the peak force of one cycle, in percent of the
+// law's value. A difference is empty if the law's value is not finite and above 0.
 struct OtherCycle {
   double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
   std::optional<double> energy, peak;
@@ -46,8 +47,9 @@ struct StepsNeeded {
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
 // Compares two springs at right angles, moved around a circle of the tested amplitude, with one spring moved along its
-// axis. `force` is the largest resultant of the two / the peak force of the one. `energy` is the work of the two in a
-// turn / (pi/2 * the work of the one in a cycle), where a coupled bearing of constant strength would have 1.
+// axis at that amplitude. `force` is the largest resultant of the two springs divided by the peak force of the one.
+// `energy` is the work of the two in one turn divided by pi/2 times the work of the one in a cycle. For a coupled
+// bearing of constant strength, `energy` would be 1.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -1,4 +1,4 @@
-// Gives the results of a study, which every renderer shows, their own names in isolaw::render.
+// Lets the code in isolaw::render, which shows the results of a study, use the names of isolaw::study without a prefix.
 #pragma once
 
 #include "isolaw/study/summary.hpp"

@@ -54,7 +54,8 @@ std::string_view measure_text(Measure measure) {
   return texts.at(static_cast<std::size_t>(measure));
 }
 
-// The ratio, change or loss of a property over the limit's cycles; nullopt if a cycle or its positive value is missing.
+// The ratio, change or loss of a property over the limit's cycles; nullopt if a cycle is missing or its value is not
+// positive.
 std::optional<double> measured(StabilityLimit const& limit, BlockValues const& block) {
   double first = 0.0, lowest = 0.0, highest = 0.0;
   for (int number = limit.first; number <= limit.last; ++number) {

@@ -60,9 +60,11 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 // deviation of 20.04 % would read +20.0 %, which seems to be within 20 %.
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
-// Sets the verdict: information if the set is not verified, not assessed if `unmet` has reasons, else pass or fail.
+// Sets the verdict: information if the set is not verified, not assessed if `unmet` names a condition that is not met,
+// else pass or fail.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
-// Compares the value with design value and limit, and sets verdict and texts. `without` says why there is no value.
+// Compares the value with design value and limit, and sets verdict and texts. `without` is the reason to give if there
+// is no value.
 void hold_to(Assessment& assessment, RuleSet const& rules, Limit const& limit, std::string_view without,
              std::vector<std::string> const& unmet);
 

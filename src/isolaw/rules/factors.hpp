@@ -16,10 +16,10 @@ struct FactorPair {
   double min = 1.0, max = 1.0;
 };
 
-// lambda_test of one device: the largest and smallest of the values P_1 to P_n of its counted cycles / mean(P_1..P_3).
-// If a property falls from cycle to cycle, these are P_1 and P_n, as in ASCE/SEI 7. If it does not, P_1 and P_n would
-// miss larger or smaller values. Among equal cycles, the first counts as the largest and the last as the smallest.
-// test_factors() is nullopt without the first three cycles, or if a value is not positive.
+// lambda_test of one device: the largest and the smallest of the values P_1 to P_n in its counted cycles (data/cycles),
+// each divided by mean(P_1..P_3). If a property falls from cycle to cycle, these are P_1 and P_n, as in ASCE/SEI 7. If
+// it does not, P_1 and P_n would miss larger or smaller values. Among equal cycles, the first counts as the largest and
+// the last as the smallest. test_factors() is nullopt without the first three cycles, or if a value is not positive.
 struct TestFactors {
   double min = 1.0, max = 1.0;
   int min_cycle = 0, max_cycle = 0;
@@ -38,9 +38,10 @@ struct CombinedFactors {
 CombinedFactors combine(FactorRule const& rule, FactorPair const& environment, FactorPair const& test,
                         FactorPair const& spec);
 // Half width of the 95 % interval (1.960 standard deviations) of the mean over all `installed` devices, in percent of
-// that mean, if the lot's mean and its coefficient of variation `cov_percent` count as known. A mean of N independent
-// devices scatters by CoV/sqrt(N): half width 2.6 % for N = 28 and CoV 7 %. If n of them are `tested`, only the others
-// are unknown. The factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for n = 6 and 0 for n = N.
+// that mean, if the lot's mean and its coefficient of variation `cov_percent` are taken as known. A mean of N
+// independent devices scatters by CoV/sqrt(N): half width 2.6 % for N = 28 and CoV 7 %. If n of them are `tested`, only
+// the others are unknown. The factor of a finite population, sqrt((N - n)/(N - 1)), gives 2.3 % for n = 6 and 0 if all
+// are tested.
 double system_half_width_percent(double cov_percent, int installed, int tested);
 // Half width of the 95 % interval of the mean over all `installed` devices about the mean of the `tested` ones, if mean
 // and CoV are only estimates: t(0.975, n-1) CoV sqrt(1/n - 1/N) (Cochran 1977, 2.8). It is 6.5 % for N = 28, n = 6 and

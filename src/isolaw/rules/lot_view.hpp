@@ -15,7 +15,8 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that the rules are applied to
-  // The device whose record is the same as this one's; else empty. A copy counts in means, but not as a tested device.
+  // The device whose record is the same as this one's; else empty. A copy enters the means, but is not counted as a
+  // tested device.
   std::string copy_of = {};
 };
 
@@ -26,8 +27,8 @@ struct Outlier {
   std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
 };
 
-// Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation counts as at least
-// 0.5 % of |median|, the error of a property from one record. Empty for fewer than five values.
+// Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation is taken as at least
+// 0.5 % of |median|, which is the error of a property from one record. Empty for fewer than five values.
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;

@@ -1,4 +1,5 @@
-// The input of rules: values of the counted cycles of one block, and the design values to compare them with.
+// The input of rules: values of the counted cycles (data/cycles) of one block, and the design values to compare them
+// with.
 #pragma once
 
 #include <array>
@@ -60,7 +61,8 @@ Design parse_design(std::string_view text);
 enum class Side { both, positive, negative };  // both: peak to peak, or a quantity without sides
 std::string_view name(Side side);              // "both", "positive", "negative"
 
-// A value that a rule set asks for from its counting cycles. Each side and each extreme over cycles has its own entry.
+// A value that a rule set asks for, computed from the cycles that the set names (RuleSet::cycles). Each side and each
+// extreme over cycles has its own entry.
 struct DerivedValue {
   std::string label;  // "K_eff, positive side"
   Side side = Side::both;
@@ -69,8 +71,8 @@ struct DerivedValue {
   std::string reason;
 };
 std::vector<DerivedValue> derive(RuleSet const& rules, Quantity quantity, BlockValues const& block);
-// A device's value for statistics over a lot: the mean over the counting cycles, and over both sides if the formula is
-// per side. nullopt if a counting cycle is missing or the mean is not positive.
+// A device's value for statistics over a lot: the mean over the cycles that the set names, and over both sides if the
+// formula is per side. nullopt if one of these cycles is missing or the mean is not positive.
 std::optional<double> device_value(RuleSet const& rules, Quantity quantity, BlockValues const& block);
 // A sentence for each condition of the shear test that is unknown or is not as the set asks.
 std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues const& block, Design const& design);

@@ -18,7 +18,7 @@ std::string_view name(Quantity quantity);                       // as rule files
 std::string_view unit(Quantity quantity);                       // "kN/mm", "%", "kN mm", "kN"
 std::vector<Quantity> const& measured_quantities();             // all but K_v, in the order of reports
 
-enum class Formula {  // from which force and displacement stiffness and damping follow
+enum class Formula {  // the forces and displacements that give stiffness and damping
   peak_to_peak,       // (F+ - F-)/(d+ - d-); E/(2 pi K D^2) with this K and D = (d+ - d-)/2
   per_side,           // for each side by itself: F/d; E/(2 pi F d)
 };
@@ -84,13 +84,13 @@ struct PropertyFactors {
 };
 
 struct FactorRule {            // see combine() in factors.hpp
-  double system_factor = 1.0;  // fraction of (lambda_ae - 1) that counts; f_a or psi in standards
+  double system_factor = 1.0;  // fraction of (lambda_ae - 1) that is applied; f_a or psi in standards
   std::optional<double> max_not_below, min_not_above;
   std::string clause;
   std::vector<PropertyFactors> properties;
 };
 
-struct MeanAnalysisRule {  // up to this distance of every device from the mean, an analysis may use mean properties
+struct MeanAnalysisRule {  // an analysis may use mean properties if no device is farther than this from the mean
   double within_percent = 0.0;
   std::string clause;
 };

@@ -52,9 +52,10 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the scatter of the lot permits an analysis with mean properties: only if the scatter of every quantity does.
+// Whether the scatter of the lot permits an analysis with mean properties. It does only if every quantity with a limit
+// on this scatter permits it; K_v is not asked.
 struct MeanAnalysis {
-  std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity is not judged
+  std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity cannot be judged
   std::string sentence;
 };
 MeanAnalysis mean_analysis(rules::LotView const& lot);

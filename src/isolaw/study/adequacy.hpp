@@ -1,4 +1,4 @@
-// Two questions before a law is compared with others: does it describe the tested devices at all, and would its
+// Answers two questions before a law is compared with others: does it describe the tested devices at all, and would its
 // parameters still agree between the devices if the search box were wider? docs/decision.md has the reasons.
 #pragma once
 

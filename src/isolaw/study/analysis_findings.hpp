@@ -1,4 +1,5 @@
-// Makes findings from the analyses: the optimiser's noise, devices left out, predicted blocks, undetermined parameters.
+// Makes findings from the analyses: the front and beta without the optimiser's noise, the error on devices left out,
+// the prediction of blocks, and the share of parameters that the tests determine.
 #pragma once
 
 #include <vector>

@@ -139,7 +139,8 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
 
 // The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at
 // its bound that the test does not determine gets a quarter of its box's squared width, the largest variance that a box
-// permits. The square of a millionth of the estimate, or of a thousandth of the box, keeps every variance above zero.
+// permits. To keep every variance above zero, the square of a millionth of the estimate is added, or of a millionth of
+// a thousandth of the box's width if that is larger.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -317,7 +318,7 @@ void add_larger_swings(LawResult& law) {
   law.larger_swings_least = least / count;
 }
 
-// The error on each device of the law that was fitted to the other devices.
+// Adds the error on each device with the law that was fitted to the other devices.
 void add_left_out(LawResult& law, campaign::Contents const& contents) {
   double sum = 0.0;
   std::size_t count = 0;

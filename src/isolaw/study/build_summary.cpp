@@ -26,8 +26,8 @@
 namespace isolaw::study {
 namespace {
 
-// Whether a record has no cycle to report because its motion is not cyclic. Nothing is wrong with the signals of such a
-// TestRecord; the properties of a CycleView do not tell.
+// Whether a record has no cycle to report only because its motion is not cyclic. For the properties of a TestRecord
+// this means that its signals are sound; a CycleView does not have its signals checked.
 bool is_irregular(data::Properties const& properties) {
   return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
     return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||
@@ -64,7 +64,8 @@ void add_vertical(DeviceResult& result) {
   if (!test.refusal.empty())
     warnings.push_back({.kind = FindingKind::vertical_test_refused, .words = {{"reason", test.refusal}}});
   if (result.vertical) std::ranges::copy(result.vertical->warnings, std::back_inserter(warnings));
-  // Isolators carry weight. A vertical stiffness below this many times the horizontal stiffness is implausible.
+  // Isolators carry weight, so they are far stiffer vertically. A vertical stiffness below this many times the
+  // horizontal stiffness is implausible.
   constexpr double least_ratio = 3.0;
   auto const& reported = result.properties.reported;
   if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
@@ -158,8 +159,8 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-// Sets the errors of one test: on its cycle, or on its largest swings if it has no cycles. They stay empty without
-// both.
+// Sets the errors of one test: in the cycle of compared_cycle() or, if the motion is not cyclic, on the largest swings.
+// Without either they stay empty.
 void compare_properties(TestFit& fitted, data::FitRecord const& record, std::span<double const> force_kN) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
@@ -182,7 +183,7 @@ void compare_properties(TestFit& fitted, data::FitRecord const& record, std::spa
   fitted.damping_error_percent = error(computed.damping_percent, reference.damping_percent);
 }
 
-// Compares law and measurement in every test. The device has the largest error of its tests.
+// Compares law and measurement in every test. The errors of the device are the largest of its tests.
 void compare_tests(DeviceFit& fitted, data::FitRecord const& record, std::vector<data::TestSource> const& sources) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured =

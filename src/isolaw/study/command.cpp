@@ -45,7 +45,8 @@ std::vector<std::string_view> options_of(DeviceResult const& device) {
   return options;
 }
 
-// A command line gives all its records the same options. A device that was refused has no record and no options.
+// The options that all records were read with; nullopt if they differ, since a command line gives all its records the
+// same. A device that was refused has no record and no options.
 std::optional<std::string_view> shared_options(Summary const& summary) {
   std::optional<std::string_view> shared;
   for (auto const& device : summary.devices) {
@@ -58,7 +59,8 @@ std::optional<std::string_view> shared_options(Summary const& summary) {
   return shared.value_or(std::string_view());
 }
 
-// Devices with several tests need a lot file, unless there is just one device: then --same-device says it.
+// Devices with several tests need a lot file, unless there is just one device: then the option --same-device says that
+// all files are its tests.
 bool is_one_device(Summary const& summary) {
   return summary.devices.size() == 1 && !summary.devices.front().raw.tests.empty();
 }

@@ -11,11 +11,13 @@
 namespace isolaw::study {
 
 // Grades the prediction of the blocks that the law was not fitted to: FindingKind::prediction_good to
-// prediction_unusable, or prediction_unknown if no block was left out of the fit.
+// prediction_unusable. If no block was left out of the fit, it is prediction_larger_swings where the tests tell the
+// error on larger swings, else prediction_unknown.
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {
-  // Limits that the device or the lot does not keep, devices that the lot's law leaves out, warnings about the law.
+  // Limits that the device or the lot does not keep, devices that the lot's law leaves out, warnings about the law, and
+  // how far the campaign's laws disagree.
   std::vector<Finding> findings;
   Finding prediction;
   std::optional<Finding> objection;  // why the law should not be used at all

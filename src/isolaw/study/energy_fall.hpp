@@ -1,5 +1,5 @@
-// How the energy of a cycle falls through a block, on the device (by heat, wear and damage) and in a law. Counting
-// starts at the third counted cycle, since the loss before it is scragging, which a law without wear can follow.
+// Compares how the energy of a cycle falls through a block on the device (by heat, wear and damage) and in a law. The
+// fall counts from the third counted cycle: the loss before it is scragging, which a law without wear can follow.
 #pragma once
 
 #include <optional>

@@ -70,7 +70,8 @@ std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& f
 
 // Finds the law between the front's two ends that is nearest to the point of least objective and least beta, both
 // scaled to differ by 1 between the ends. Returns its place, or the front's size if there is none. The law must predict
-// well, the search box must not decide its beta, and it must be on the front without the optimiser's noise too.
+// well, and the search box must not decide its beta. If there are analyses, it must also be on the front of their
+// results, which are free of the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);
@@ -191,7 +192,8 @@ std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> c
   return {beside_others(summary, FindingKind::headline_nearest, nearest), *inadequacy(nearest)};
 }
 
-// Groups devices of which each is the `same` as the first of its group, and drops groups of one.
+// Groups the devices for which counts() is true. A device joins the group with whose first device it is the same().
+// Groups of one device are dropped.
 template <class Counts, class Same>
 std::vector<std::vector<DeviceResult const*>> groups_of_devices(Summary const& summary, Counts counts, Same same) {
   std::vector<std::vector<DeviceResult const*>> groups;

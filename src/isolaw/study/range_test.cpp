@@ -15,11 +15,11 @@ namespace {
 
 using analysis::SteadyCycle;
 
-// The sizes of the lot's tests that decide in which cycles a law is tried.
+// The displacements and velocities of the lot's tests that decide in which cycles a law is tried.
 struct Tested {
   double disp_mm = 0.0;          // the largest displacement
   std::vector<double> vel_mm_s;  // for each test the largest velocity in its largest swing; empty without time
-  double asked_mm = 0.0;         // the displacement of the design
+  double asked_mm = 0.0;         // the displacement of the design, at least disp_mm; if none is stated, twice disp_mm
 };
 
 Tested tested_by(Summary const& summary) {
@@ -54,12 +54,12 @@ Measured measured_on(DeviceResult const& device) {
   return measured;
 }
 
-// One set of parameters of a law in all cycles of the test.
+// The cycles in which one set of parameters of a law is tried.
 struct Cycles {
   SteadyCycle tested, asked;
-  std::array<SteadyCycle, 4> inside;  // at the shares below of the tested displacement
+  std::array<SteadyCycle, 4> inside;  // at inner_shares of the tested displacement
   std::optional<SteadyCycle>
-      at_tested_speed;  // at the tested displacement, if the building's cycles are of other speed
+      at_tested_speed;  // at the tested displacement and speed, if the building's cycles have another speed
 };
 constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
 
@@ -73,9 +73,9 @@ bool outside(double value, double least, double most) {
   return !(value >= least && value <= most);
 }
 
-// The first limit that one cycle exceeds by itself.
+// Returns the first limit that this cycle exceeds, without comparing it with other cycles.
 std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) {
-  constexpr double rounding = 1e-6;  // share of the energy of a cycle of the largest force
+  constexpr double rounding = 1e-6;  // share of the energy of a rectangular loop of this largest force
   if (!cycle.finite) return breach("not-finite", amplitude_mm);
   if (cycle.energy_kN_mm < -rounding * 4.0 * amplitude_mm * cycle.largest_kN)
     return breach("gives-energy", amplitude_mm);
@@ -123,8 +123,9 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
   return std::nullopt;
 }
 
-// The period of cycles of the tested displacement whose peak velocity is the nearest tested one. nullopt if the cycles
-// of the building are neither faster nor slower than all tests.
+// The period [s] at which cycles of the tested displacement have the tested peak velocity that is nearest to that of
+// the building's cycles. nullopt if no velocity is known, or if the building's cycles are neither faster nor slower
+// than all tests.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;

@@ -1,5 +1,6 @@
-// Tests whether the laws of a campaign stay sane in the cycles of a building, within the tested displacements and up to
-// those that the design asks for. A law that does not is not named for a building. docs/decision.md has the limits.
+// Tests whether the laws of a campaign give plausible forces in the cycles of a building, within the tested
+// displacements and up to those that the design asks for. A law that does not is not recommended. docs/decision.md has
+// the limits.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"
@@ -14,7 +15,7 @@ void add_range_tests(Summary& summary, campaign::Contents const& contents);
 inline constexpr double period_of_building_s = 2.0;
 inline constexpr double least_stiffness_ratio = 0.45, most_stiffness_ratio = 3.0;
 inline constexpr double least_damping_ratio = 0.15, most_damping_ratio = 3.0;
-inline constexpr double most_damping = 0.70;  // of a law at the tested amplitude; sliders have 2 / pi
+inline constexpr double most_damping = 0.70;  // at the tested amplitude; a rectangular loop has 2 / pi
 // The damping at the tested amplitude may be this many times the measured one, and a little more.
 inline constexpr double most_times_measured = 1.5, damping_above_measured = 0.02;
 inline constexpr double most_overshoot = 1.5;  // largest force / force at the peaks

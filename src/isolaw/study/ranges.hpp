@@ -1,5 +1,5 @@
-// The largest displacement and speed of the tests, and of the part that a law was fitted to, from the cleaned records.
-// Exports state these ranges, and `simulate` compares a motion with them.
+// Finds the largest displacement and speed of the tests, and of the part that a law was fitted to, in the cleaned
+// records. Exports state these ranges, and `simulate` compares a motion with them.
 #pragma once
 
 #include <algorithm>

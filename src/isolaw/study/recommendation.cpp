@@ -29,8 +29,8 @@ std::optional<double> error_of_fits(LawResult const& law) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// Whether a block of largest amplitude was left out of the fit. The error on the blocks left out then tells how the law
-// goes on to larger amplitudes.
+// Whether, on some device, a block of larger amplitude than all fitted blocks was left out of the fit. The error on the
+// blocks left out then tells how the law goes on to larger amplitudes.
 bool larger_blocks_are_predicted(Summary const& summary, LawResult const& law) {
   for (auto const& fit : law.devices) {
     auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
@@ -87,7 +87,8 @@ std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law) {
   return reason;
 }
 
-// The mean over the devices, of the reported cycle or of the largest swings; infinite if no device has either.
+// The mean over the devices of the measured damping [%] of the reported cycle or, without it, of the largest swings.
+// Infinite if no device has either.
 double measured_damping_percent(Summary const& summary) {
   double sum = 0.0, count = 0.0;
   for (auto const& device : summary.devices) {
@@ -100,7 +101,8 @@ double measured_damping_percent(Summary const& summary) {
   return count > 0.0 ? sum / count : infinite;
 }
 
-// Doubts about the cycles: those of the tests, and those that a building may ask for.
+// Adds doubts about the stiffness and damping of the law in the cycles of the tests and in those that a building may
+// ask for.
 void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::vector<Finding>& doubts) {
   auto const add = [&](FindingKind kind, double percent) {
     doubts.push_back({.kind = kind, .law = law.id, .numbers = {{"percent", percent}}});
@@ -130,7 +132,7 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
   add_ratio(FindingKind::weak_damping_beyond, beyond.damping_ratio, low_damping_ratio);
 }
 
-// The tests of which one side reaches less than half as far as the other.
+// Finds the first device whose tests reach less than half as far to one side as to the other.
 std::optional<Finding> one_sided(Summary const& summary) {
   for (auto const& device : summary.devices) {
     if (device.record.size() == 0) continue;

@@ -24,15 +24,16 @@ struct Standing {
   // `new_device` on devices that it was not fitted to; `predicts` on larger swings, or on blocks of larger amplitude,
   // that it was not fitted to.
   std::optional<double> fits, new_device, predicts;
-  // The mean of two errors: on a new device if there are three devices or more, else of the fits; and of `predicts`.
-  // If one of the two is not known, it is the other. It decides which law is taken.
+  // The error that decides which law is taken: the mean of `predicts` and of the error on devices, which is
+  // `new_device` if there are three devices or more, else `fits`. If only one of the two is known, it is that one.
   std::optional<double> error;
   std::size_t parameters = 0;      // parameters that were searched
   std::optional<Finding> reason;   // why the law is ruled out
   std::vector<Finding> weak = {};  // doubts about a law that is not ruled out
 };
 
-// The laws of least error that are not ruled out, in steady cycles at BeyondTests::asked_mm: a range, not an interval.
+// How far the laws of least error (at most five, none ruled out) differ in steady cycles at BeyondTests::asked_mm. This
+// is the range of their values, not a confidence interval.
 struct LawSpread {
   std::size_t count = 0;
   double disp_mm = 0.0;
@@ -60,13 +61,14 @@ std::optional<Recommendation> recommendation(Summary const& summary);
 
 inline constexpr double tie_share = 0.10;     // laws tie with the least error if theirs is at most this share larger
 inline constexpr double usable_error = 0.30;  // no law is recommended if the least error is larger
-// A choice is weak beyond these limits. Errors on the largest cycle are those of Fit::K_eff_error_percent and so on.
+// Beyond these limits the choice is weak. Errors of stiffness, energy and damping are the means over the devices of the
+// magnitudes of DeviceFit::K_eff_error_percent and its neighbours.
 inline constexpr double doubtful_error = 0.20;
 inline constexpr double doubtful_times = 2.0;  // error on larger swings or other blocks / error of the fit
 inline constexpr double doubtful_stiffness_percent = 15.0, doubtful_energy_percent = 30.0;
 inline constexpr double small_damping_percent = 5.0, doubtful_damping_points = 2.0;
 inline constexpr double low_stiffness_ratio = 0.5, low_damping_ratio = 0.4, high_ratio = 1.5;
-inline constexpr double found_share = 0.5;  // of the law's runs end near the least objective
-inline constexpr double open_share = 0.5;   // of the parameters are left undetermined, and nothing was predicted
+inline constexpr double found_share = 0.5;  // least share of the law's runs that end near the least objective
+inline constexpr double open_share = 0.5;   // largest share of undetermined parameters, if the law predicted nothing
 
 }  // namespace isolaw::study

@@ -343,7 +343,7 @@ inline constexpr Result<OutlyingDevice> outlier_results[]{
     {"percent", "%", "difference", "difference from the median", get<&OutlyingDevice::percent>},
 };
 
-// Selects rows by their keys, in this order. "key: heading" changes the heading. An unknown key does not compile.
+// Selects rows by keys, in the order of `keys`. "key: heading" changes the heading. An unknown key does not compile.
 template <class Object, std::size_t all, std::size_t count>
 consteval std::array<Result<Object>, count> columns(Result<Object> const (&rows)[all],
                                                     std::string_view const (&keys)[count]) {

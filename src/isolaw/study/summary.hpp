@@ -110,7 +110,8 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// Two parameter sets for all devices, in the law's order: with the least mean, and with the least largest objective.
+// Two parameter sets for all devices, in the law's order: `parameters` has the least mean objective over the devices,
+// and with `worst_parameters` the largest objective of any device is least.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
@@ -126,8 +127,8 @@ constexpr std::string_view name(PredictionGrade grade) {
   return names[static_cast<std::size_t>(grade)];
 }
 
-// A law at a displacement beyond the tests, in steady cycles. The law is that of the lot, or of the first device that
-// has one if there is no law of the lot.
+// A law in steady cycles at a displacement beyond the tests. The law is that of the lot or, if there is none, that of
+// the first device with a fit.
 struct BeyondTests {
   double tested_mm = 0.0;  // the largest displacement of the tests
   double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
@@ -153,7 +154,7 @@ struct LawResult {
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
-  // As for a device, means over the devices that tell, and the largest of them.
+  // As in DeviceFit: the means over the devices whose tests tell, and the largest of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
   std::optional<BeyondTests> beyond;      // empty if no device was identified
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building

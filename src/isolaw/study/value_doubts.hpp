@@ -1,4 +1,4 @@
-// Doubts about a certified value because of errors of the measurement, with the value that it has without the error.
+// Says where an error of the measurement puts a certified value in doubt, and what the value is without the error.
 #pragma once
 
 #include <string>

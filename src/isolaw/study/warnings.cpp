@@ -172,7 +172,7 @@ class Collector {
     if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
-    // If there are many runs, some may end elsewhere. If there are two or three, each counts.
+    // If there are many runs, some may end at a worse objective. If there are two or three, each counts.
     constexpr int few_runs = 3;
     for (auto const* fit : fits(law))
       if (fit->runs <= few_runs && fit->runs_apart > found_within)
@@ -295,7 +295,8 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// Adds the reasons why the record has no cyclic properties, except those that reading it has already reported.
+// The warnings about the record and the reasons why it has no cyclic properties, except reasons that are among these
+// warnings.
 std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)

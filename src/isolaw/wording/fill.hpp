@@ -1,12 +1,14 @@
-// Makes a sentence from a text with the fields of findings in braces, "{law} is {error:%} off {measure}".
+// Makes a sentence from a text that holds fields of findings in braces, such as "{law} is {error:%} off {measure}".
 //   {name}        a word of the finding (or its phrase, if fill.cpp has one for it), or a number
-//   {name:SPEC}   a number: 3 significant digits `3`, with the unit of its channel `unit3`, with thousands `,`, or as
-//                 fmt prints it `.1f`; 0.042 is 4.2 % by `%` and `%1` (always one decimal), 4 % by `0%`, "only
-//                 4.2 %" by `few%`, which makes 0 "none"; `law`: a word that is a law's id
+//   {name:SPEC}   a number in the form SPEC: `3` prints 3 significant digits, `unit3` also the unit of its channel, `,`
+//                 a whole number with commas at thousands, `.1f` what fmt prints. `%` prints 0.042 as "4.2 %", `%1` as
+//                 well but always with one decimal, `0%` as "4 %", and `few%` as "only 4.2 %", or 0 as "none".
+//                 {name:law} is the name of the law whose id is the word `name`
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
 //   [ ... ]       left out if a field inside is absent, or if a number {name} inside is 0
-//   < ... >       repeated for each finding, and names its device if there are several; ~ ... ~ never names the device
+//   < ... >       repeated for each finding, and names its device if there are several
+//   ~ ... ~       repeated for each finding too, but never names the device
 // If the findings of a group have different values of a number, their range is printed.
 #pragma once
 

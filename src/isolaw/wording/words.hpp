@@ -16,12 +16,13 @@ namespace isolaw::wording {
 // "A, B and C"; if there are more than `most` names, "A, B and 5 more".
 std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 
-// Fixed decimals. From a million on, three significant digits, since fixed decimals could give hundreds of digits.
+// Writes a number with fixed decimals. From a million on it has three significant digits, since fixed decimals could
+// give hundreds of digits.
 std::string with_decimals(double value, int decimals);
 // Writes 0.042 as "4.2 %": one decimal below ten per cent, none above.
 std::string percent(double fraction);
 std::string capitalised(std::string text);
-// The law's name in sentences, such as "Bouc-Wen". Users type its id.
+// The law's name in sentences, such as "Bouc-Wen". Users type the law's id instead.
 std::string law_name(Finding const& finding);
 
 // The number `name` of the findings as text: one number, or "4.2 to 6.1" if they differ.

@@ -1,6 +1,7 @@
 // Trilinear: two elastic-perfectly-plastic elements and a spring in parallel. No release has this law: the tests of
 // this folder add it to the list of laws, as CONTRIBUTING describes. Source: Eq. (1) of Cucuzza et al. 2025 with one
-// more element (Iwan 1966). Units kN, mm. Exact where the displacement changes linearly from sample to sample.
+// more element (Iwan 1966). Units kN, mm. The step is exact where the displacement changes linearly from sample to
+// sample.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

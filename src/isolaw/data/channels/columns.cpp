@@ -350,7 +350,8 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // Takes a column such as "Axial Force" if no name means horizontal. The only actuator is then the one that shears.
+  // Takes a column such as "Axial Force" if no column's name means horizontal and the names refer to the machine's own
+  // axis. The only actuator is then the one that shears.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {

@@ -11,7 +11,8 @@ namespace isolaw::data {
 
 inline constexpr double gravity_mm_s2 = 9806.65;
 
-// A unit of acceleration in mm/s2: "g", "gal", "m/s2", "cm/s^2", "in/sec2". Brackets and blanks are ignored.
+// The size in mm/s2 of the unit of acceleration that the text names: "g", "gal", "m/s2", "cm/s^2", "in/sec2". Brackets
+// and blanks are ignored.
 std::optional<double> parse_acceleration(std::string_view unit);
 inline constexpr std::string_view known_accelerations = "g, gal, mm/s2, cm/s2, m/s2, in/s2";
 

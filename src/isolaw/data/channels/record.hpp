@@ -44,8 +44,8 @@ struct TestRecord {
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
   std::vector<Finding> warnings;
   std::vector<SignalFault> faults;  // faults of the measured signals, except repaired spikes; not stored
-  // A device may have several tests, which stand one after another, each from rest: where each test begins, and what it
-  // is. Both are empty if there is one test.
+  // A device may have several tests. They stand one after another in the channels, and each starts from rest. `starts`
+  // holds the first sample of each test, and `tests` says which test it is. Both are empty if there is one test.
   std::vector<std::size_t> starts = {};
   std::vector<TestSource> tests = {};
 

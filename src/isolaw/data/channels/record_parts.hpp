@@ -16,8 +16,9 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// The samples from options.from_s to options.to_s, or nullopt and a complaint if none. Messages write `dashes` before
-// the names of these options, which are --motion-from and --motion-to for a motion.
+// The samples from options.from_s to options.to_s. Returns nullopt, with a complaint, if there are none or if the time
+// passes through this interval more than once. Messages write `dashes` before "from" and "to": the options of a motion
+// are called --motion-from and --motion-to.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
@@ -41,7 +42,8 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Adds other's channels to `main`, interpolated at main's times if both have times of one kind, else row by row.
+// Adds the channels of `other` to `main`. Interpolates them at main's times if both files have times of one kind,
+// seconds or time stamps; else joins the files row by row.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

@@ -11,8 +11,8 @@ double usual_interval(std::span<double const> time_s);  // the median
 // If samples are more than this many usual intervals apart, what a channel did between them is unknown.
 inline constexpr double most_intervals = 5.0;
 
-// A jump of the clock by more than most_intervals. taken_s is the time that the device needs to cross the gap at the
-// speed that it has beside the gap; it is at least one interval and at most length_s.
+// A jump of the clock by more than most_intervals usual intervals. taken_s is the time that the device needs to cross
+// the gap at the speed that it has beside the gap; it is at least one interval and at most length_s.
 struct Gap {
   std::size_t after = 0;  // last sample before the gap
   double length_s = 0.0;  // by the clock

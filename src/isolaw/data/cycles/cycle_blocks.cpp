@@ -62,7 +62,8 @@ bool is_even(Shape const& shape) {
   return same_pace(shape.rise_and_fall, shape.period + shape.still_time, far_period);
 }
 
-// Whether periods change from [begin, at) to the two cycles from `after` on: by 5 %, or 20 % if only one is before.
+// Whether the period changes between the cycles [begin, at) and the two cycles from `after` on: by more than 5 %, or by
+// more than 20 % if [begin, at) is a single cycle.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -78,8 +79,9 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
 }
 
 // Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
-// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other.
-// The first cycle of a part may start slowly, so it is not compared if two or more cycles follow it before cycle i.
+// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other
+// and is then not compared. The first cycle of a part may start slowly, so it is not compared if two or more cycles
+// follow it before cycle i.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -212,7 +214,8 @@ std::string of_period(Shape const& shape, double period, std::string_view unit) 
                      period, unit, far_period);
 }
 
-// The median period of cycles that neither start nor end slowly, else of all. 0 if no period is close to the median.
+// The median period of cycles that neither start nor end slowly, or of all if there are no such cycles. 0 if no period
+// is close to the median.
 double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> const& nominal_cycles) {
   std::vector<double> even, all;
   for (auto const i : nominal_cycles) {

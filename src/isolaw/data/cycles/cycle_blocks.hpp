@@ -1,4 +1,5 @@
-// Groups cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count.
+// Groups cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count. Only these
+// are numbered and enter the results of the block.
 #pragma once
 
 #include <string_view>
@@ -21,11 +22,13 @@ struct Shape : CycleCut {
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };
 
-// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A cycle alone with its amplitude is a
-// block if it is symmetric about the centre. It joins a neighbouring block, but does not count, if it is asymmetric or
-// within 15 % of the amplitude of a run of three or more, as when a rig builds up its amplitude. A new frequency splits
-// a block if it differs by 5 % and lasts for two cycles; periods before and after must scatter by less than a quarter
-// of that. A cycle does not count if its period is over 1.4 times the block's, or the reverse. `unit` is for messages.
+// A block is a run of cycles of one amplitude (within 5 %) and one frequency. A cycle that is alone with its amplitude
+// is a block of its own if it is symmetric about the centre. It joins a neighbouring block, but does not count, if it
+// is asymmetric or within 15 % of the amplitude of a run of three or more cycles, as when a rig builds up its
+// amplitude. A change of frequency splits a block if the period changes by 5 % and keeps its new value for two cycles;
+// the periods before the change, and those after it, must scatter by less than a quarter of the change. A cycle does
+// not count if its period is over 1.4 times the block's, or the block's over 1.4 times its own. `unit` is the unit of
+// periods in messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

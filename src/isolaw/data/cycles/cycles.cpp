@@ -114,9 +114,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
   return count;
 }
 
-// The displacement about which cycles are counted. It is zero if the motion's middle is close to zero and as many
-// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
-// record ends where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
+// The displacement at which cycles are cut. It is zero if the motion's middle is close to zero and as many swings cross
+// zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the record ends
+// where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -240,7 +240,8 @@ Finding too_short(std::span<double const> x, Motion const& motion, Segmentation 
                       {"noise_mm", 2.0 * segmentation.band_mm}}};
 }
 
-// The travel in incomplete cycles at the record's ends that repeat the amplitude of the regular cycle beside them.
+// The travel of the swings before the first and after the last complete cycle, if they repeat the amplitude of the
+// regular cycle beside them.
 double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std::vector<std::size_t> const& at) {
   double travel = 0.0;
   for (auto k = swings.begin; k < swings.end; ++k) {
@@ -250,13 +251,14 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const& neighbour = before ? shapes.front() : shapes.back();
     if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
       continue;
-    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half belongs to the cycle
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half the swing is in the cycle
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
 }
 
-// Regular cycles as a share of the whole way, without pre-loads, tapers, regular_ends() and the first and last swing.
+// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, tapers, regular_ends(),
+// and the first and the last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -339,7 +341,8 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
 }  // namespace
 
 // Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
-// hundredth. A missing value counts as large, because nth_element cannot sort NaN.
+// hundredth. The median size of normally distributed noise is 0.6745 standard deviations. A missing value counts as
+// large, because nth_element cannot sort NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

@@ -1,10 +1,11 @@
-// Cuts a cyclic test into cycles, from displacement alone. A swing counts as motion if it is at least twice a floor,
-// which is one hundredth of the half range, or five standard deviations of the noise if that is more (at most 5 % of
-// the half range). A small interruption of a large swing does not count. Cycles are cut where displacement crosses its
-// centre in the direction in which the test, or a part of it after a rest, starts (data/cycles/excursions.hpp). A
-// motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the record is
-// clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks. A period leaves out the time in which the
-// device stands still (data/cycles/holds.hpp).
+// Cuts a cyclic test into cycles, from displacement alone. A swing from one extreme to the next is taken as motion only
+// if it is at least twice as large as a band, which is one hundredth of the half range, or five standard deviations of
+// the noise if that is more (at most 5 % of the half range). A small interruption of a large swing is ignored. Cycles
+// are cut where displacement crosses its centre in the direction in which the test, or a part of it after a rest,
+// starts (data/cycles/excursions.hpp). A motion that starts, turns or rests near the centre is cut at that sample. The
+// centre is zero unless the record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and
+// decides which of them count, that is, enter the results. A period leaves out the time in which the device stands
+// still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ struct CycleCut {
 struct Segmentation {
   bool cyclic = false;
   std::optional<Finding> refusal;  // why the record is not cyclic: not_cyclic or no_complete_cycle
-  double band_mm = 0.0;            // swings smaller than twice this do not count as motion
+  double band_mm = 0.0;            // swings smaller than twice this are not taken as motion
   double centre_mm = 0.0;          // displacement at which cycles are cut: 0 unless the record is clearly off zero
   double regular_share = 0.0;      // share of regular cycles in the travel; they repeat an amplitude or are symmetric
   std::vector<CycleCut> cycles;    // in order, with partial cycles; also set if the record is not cyclic
@@ -52,7 +53,8 @@ struct Reversals {
 };
 Reversals reversals(std::span<double const> disp_mm);
 
-// Sample index of each peak: the middle of the time beyond nine tenths of the amplitude, which noise hardly moves.
+// Sample index of each peak: the middle of the time that displacement spends beyond nine tenths of the amplitude. Noise
+// hardly moves this middle.
 struct PeakPositions {
   double largest = 0.0;
   double smallest = 0.0;

@@ -6,7 +6,7 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double at_rest = 0.05;  // fraction of an excursion's reach; closer to the centre counts as at the centre
+constexpr double at_rest = 0.05;  // fraction of an excursion's reach; a point closer to the centre is taken as at it
 constexpr double alike = 0.15;    // difference of two reaches over the larger one; alike excursions differ by less
 constexpr double same_fall =
     1.5;                        // ratio of the times in which two excursions fall; alike excursions have a smaller one
@@ -76,7 +76,8 @@ class Finder {
     excursion.reach_mm = reach(k);
   }
 
-  // An excursion ends where the motion crosses the centre, or nearest to it if the motion only comes back to it.
+  // An excursion ends where the motion crosses the centre or, if the motion only comes back to the centre, at the
+  // sample nearest to it.
   double boundary(Excursion const& excursion, std::size_t to, bool crosses) const {
     std::size_t nearest = excursion.tip;
     for (auto i = excursion.tip + 1; i <= to; ++i) {
@@ -177,7 +178,8 @@ std::vector<Group> group_excursions(std::vector<Excursion> const& excursions) {
     if (excursion.ends_open || i + 1 == excursions.size()) {
       i = add(excursion.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (excursion.starts_open) {
-      // If the record starts on its way out, cycles start to that side, so the next excursion is left out as well.
+      // If the record starts while the motion goes outwards, cycles begin on that side of the centre. The next
+      // excursion then ends the cycle that the record's start cut, so it is left out as well.
       bool const outwards = excursion.tip > 0 && opposite && !excursions[i + 1].ends_open && i + 2 < excursions.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

@@ -1,7 +1,8 @@
 // An excursion is a motion to one side of the centre and back. It ends where the motion crosses the centre, or comes
 // back to it and turns there. Two excursions to opposite sides make a cycle. An excursion after the start, a rest or a
-// turn is left out as a pre-load if the next two are alike and it differs from them in reach (by 15 %) or in the time
-// in which it falls (by a factor of 1.5). So is half a cycle with which a series of like excursions ends.
+// turn is left out as a pre-load if its reach is less than a fifth of the next one's. It is also left out if the next
+// two are alike and it differs from them in reach (by 15 %) or in the time in which it falls (by a factor of 1.5). An
+// excursion that ends a series of like ones, and differs so from the next two, is left out as half a cycle.
 #pragma once
 
 #include <cstddef>

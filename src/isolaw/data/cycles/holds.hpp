@@ -1,5 +1,5 @@
 // Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement. In a
-// hold, displacement stays within half a percent of the amplitude, or within its noise, for longer than in a sine.
+// hold, displacement stays within half a percent of the amplitude, or within its noise, for longer than a sine would.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct Stretch {
   std::size_t last = 0;
   std::size_t size() const { return last - first; }
 };
-// The longest stretches of at least `least` intervals in [begin, end) within which x varies by at most `width`. They
-// may overlap. O(n).
+// The stretches in [begin, end) within which x varies by at most `width`, each as long as it can be, but at least
+// `least` intervals. They may overlap. Takes O(n).
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least);
 
@@ -30,7 +30,8 @@ struct StillTime {
   double time = 0.0;  // in s; in samples if the record has no time
 };
 
-// `noise` is the standard deviation of disp_mm in mm. If noise is too large, no holds are found. O(n log n) at worst.
+// `noise` is the standard deviation of the noise of disp_mm, in mm. If it is too large, no holds are found. O(n log n)
+// at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
 }  // namespace isolaw::data

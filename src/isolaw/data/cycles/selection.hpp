@@ -1,4 +1,5 @@
-// Selects the part of a test that the objective counts. Earlier samples act on a law's state but are not scored.
+// Selects the samples of a test that the objective counts. A law also runs through the samples before them, which act
+// on its state but are not scored.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +42,7 @@ struct Selection {
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 // For each sample, the number of its block if that block is fitted or predicted, else 0. Empty if all blocks are
-// fitted. Throws Error if predicted blocks are named, but the record has none of them, or only such as are fitted.
+// fitted. Throws Error if predicted blocks are named, but the record has none of them, or all that it has are fitted.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

@@ -14,22 +14,22 @@ namespace isolaw::data {
 inline constexpr double small_swing = 0.7;
 
 struct SwingSizes {
-  // The weights of a test's samples within its small and within its large swings. A list is empty if the test takes no
-  // part: less than a twentieth of its weight lies in such swings.
+  // The weights of a test's samples within its small swings, and within its large swings. A list is empty if its swings
+  // hold less than a twentieth of the weight of all the test's swings. The test then takes no part for that size.
   struct Test {
     std::vector<double> small, large;
   };
-  std::vector<Test> tests = {};  // as the records
-  // Whether the tests show how a law goes on to larger swings: they have at least two large and four small swings, and
-  // each of the two sizes holds at least a twentieth of the weight, as a mean over the tests.
+  std::vector<Test> tests = {};  // one for each record
+  // Whether the tests show how a law predicts larger swings. For this they need at least two large and four small
+  // swings, and each of the two sizes must hold at least a twentieth of the swings' weight, on average over the tests.
   bool tell = false;
 };
 
-// The record's swings of which the objective counts every sample.
+// The swings of the record in which the objective counts every sample.
 std::vector<Swing> scored_swings(FitRecord const& record);
 
-// Swings with a sample that the objective does not count are left out. A record's weights must be those of `weighting`,
-// or empty for those of time.
+// Swings with a sample that the objective does not count are left out. A record's weights must be made by `weighting`;
+// empty weights stand for Weighting::time.
 SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting);
 
 }  // namespace isolaw::data

@@ -1,4 +1,4 @@
-// Swings are the ways of a motion from one turning point to the next. They give the samples of an irregular record
+// A swing is the way of a motion from one turning point to the next. Swings give the samples of an irregular record
 // weights by which a large, rare swing counts more than the small motion that fills most of the time.
 #pragma once
 
@@ -15,10 +15,10 @@ struct Swing {
   double duration = 0.0;  // without rest, in s; in samples if the record has no time
 };
 
-// A sample is a turning point if the motion comes back from it by 5 % of half its range; of equal extremes the first
-// sample is. The first and the last sample are none. A motion with fewer than two turning points has no swings. A rest
-// is longer than the median swing and than a quarter of its own swing, and stays within 1 % of the range. time_s may be
-// empty.
+// A sample is a turning point if the motion comes back from it by 5 % of half its range. If several equal samples form
+// the extreme, the first is the turning point. The first and the last sample of a record are never turning points. A
+// motion with fewer than two turning points has no swings. A stretch is a rest if it stays within 1 % of the range and
+// is longer than the median swing and than a quarter of its own swing. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
 // Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.
@@ -26,13 +26,13 @@ bool are_alike(std::span<Swing const> swings);
 
 // How much the samples of a record count in the misfit of a law.
 //   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
-//   swing   that time, without rest, times half range / duration of its swing; 0 outside all swings
+//   swing   the time around it, without rest, times half range / duration of its swing; 0 outside all swings
 //   travel  the way around the sample
 enum class Weighting { time, swing, travel };
 std::string_view name(Weighting weighting);
 
-// The weights of a record's samples, without a common scale. For `swing` they are those of `time` if there are no
-// swings.
+// The weights of a record's samples, to an arbitrary scale. If there are no swings, Weighting::swing gives the weights
+// of Weighting::time.
 std::vector<double> sample_weights(std::span<double const> disp_mm, std::span<double const> time_s,
                                    Weighting weighting);
 // The part of these weights that lies within some of the motion's swings.

@@ -79,7 +79,7 @@ bool is_capital(char c) {
 struct Translation {
   std::string_view text, words;
 };
-// The first match counts, so a longer name comes before the shorter names that it contains.
+// The names are replaced in this order, so a longer name comes before the shorter names that it contains.
 constexpr Translation japanese[]{{"加速度", "acceleration"},
                                  {"試験年月日", "test date"},
                                  {"試験体番号", "specimen no"},

@@ -21,7 +21,8 @@ struct ConfinedResult {
   std::string failure;  // why there is no output; empty if the work ended well
 };
 
-// `work` passes its result to `write`; `failure` tells what `work` throws. Throws std::system_error if fork() fails.
+// `work` passes its result to `write`. If `work` throws, the text of the exception becomes the result's `failure`.
+// Throws std::system_error if fork() fails.
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const& write)> const& work,
                             ConfinedLimits const& limits);
 

@@ -141,7 +141,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   bool const empty = value.find_first_not_of("-_. ") == std::string_view::npos;
   if (empty || value.size() > longest || std::ranges::find(found, key, &DeviceFacts::value_type::first) != found.end())
     return;
-  // Leaves out a value that contains further labels, since it is several values.
+  // Leaves out a value that contains a semicolon or a further colon, since it is several values.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;

@@ -132,7 +132,8 @@ struct Candidate {
   std::size_t channels;
 };
 
-// The line that has the right number of cells and names the most channels. If several do, the last of them.
+// Finds the row of names: the line that has the right number of cells and names the most channels, or the last of
+// several such lines. A comment is taken only if no other line names a channel.
 std::optional<Candidate> find_names(std::span<std::string_view const> above, Dialect const& dialect, Header& header) {
   std::optional<Candidate> best;
   std::optional<Candidate> comment;

@@ -11,8 +11,9 @@ namespace isolaw::data {
 
 bool is_mat(std::string_view bytes);
 
-// Reads only the columns of the struct or matrix `owner`, fields without the struct's name. Without `owner`, reads all
-// variables as one table; if several owners name two channels each, Tests::sheets lists these owners. Throws Error.
+// With `owner`, reads only the columns of this struct or matrix, and calls fields by their names without the struct's.
+// Without it, reads all variables as one table. If several structs or matrices name two channels each, Tests::sheets
+// lists them. Throws Error.
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner);
 
 }  // namespace isolaw::data

@@ -21,10 +21,11 @@ std::string rows_text(RowRange const& range);
 
 inline constexpr std::size_t least_samples = 3;
 
-// Advises to read only the rows before the bad `row`, or those behind it, of `of` rows; if too few, to export again.
+// Advice for a file of `of` rows whose row `row` cannot be read: to read only the rows before it, or only those behind
+// it. If these are too few, the advice is to export the record again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 
-// The same for several rows that cannot be read, in rising order and within the range.
+// The same advice for several rows that cannot be read. They must be in rising order and within the range.
 std::string without_rows(RowRange const& range, std::vector<std::size_t> const& rows, std::size_t of);
 
 }  // namespace isolaw::data

@@ -1,4 +1,5 @@
-// The common form of all file formats before their values are read: named columns, and rows with their line numbers.
+// The form in which tests of all file formats are kept before their values are read: named columns, and rows with their
+// line numbers.
 #pragma once
 
 #include <cstddef>

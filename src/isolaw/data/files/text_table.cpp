@@ -213,7 +213,8 @@ class RowReader {
     rows_.numbers.push_back(i + 1);
   }
 
-  // Advises what to do about rows that cannot be read. It looks at all of them once, when the first one is refused.
+  // Advises what to do about rows that cannot be read. It looks at all rows only once, when the first of these is
+  // refused.
   std::string const& leave_out() {
     if (!advice_.empty()) return advice_;
     std::size_t count = 0;

@@ -284,7 +284,8 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Takes the order of dates in which times rise in short steps, if times go back or leap by days in the other order.
+  // Takes the order of dates in which times rise in steps of at most 12 hours, if in the other order times go back or
+  // leap farther.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {
@@ -339,7 +340,8 @@ std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& 
   return midnights;
 }
 
-// Refuses time stamps that many rows share. A logger that writes whole seconds makes such stamps.
+// Refuses time stamps if a fifth or more of them repeat the one before. A logger that writes whole seconds makes such
+// stamps.
 bool refuse_coarse(std::vector<double> const& times, std::string const& where, std::vector<Complaint>& complaints) {
   std::size_t repeated = 0;
   for (std::size_t i = 1; i < times.size(); ++i) repeated += times[i] == times[i - 1] ? 1u : 0u;

@@ -33,7 +33,7 @@ Stamp stamp_of_serial(double days);
 // MATLAB counts days from the year 0. Its datenum minus this constant is a spreadsheet's day.
 inline constexpr double datenum_of_serial = 693960.0;
 Stamp on_date(Stamp clock, Stamp const& date);
-// Also true for words with a year, such as "spring 2024".
+// Whether the text may be a date. Also true for words with a year, such as "spring 2024".
 bool may_be_date(std::string_view text);
 // Whether a number may be a spreadsheet's day. Accepts the days from 1954 to 2119.
 bool may_be_serial(double value);

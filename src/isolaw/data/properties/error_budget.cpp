@@ -27,7 +27,7 @@ constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the t
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // largest change of a peak force from two neighbours; from one
+                 unlike_beside = 0.2;       // largest change of a peak force from the mean of two neighbours; from one
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {
@@ -395,8 +395,9 @@ double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
 }
 
-// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s).
-// Integration over v gives the mean of the largest. If samples are many, only every `weight`-th one is computed.
+// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s), where s
+// is the standard deviation of the noise. Integration over v gives the mean of the largest. If samples are many, only
+// every `weight`-th one is computed.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;

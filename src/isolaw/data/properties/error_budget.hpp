@@ -1,4 +1,5 @@
-// Estimates how sampling, the rig and filters change the cyclic properties, by closed forms for a sine and its loops.
+// Estimates how sampling, the rig and filters change the cyclic properties, by formulas for a sinusoidal motion and its
+// loops.
 #pragma once
 
 #include <optional>
@@ -31,13 +32,14 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// Percent that sampling takes off a loop's energy and off a sine's peak, and that a moving average takes off a sine.
+// How many percent sampling takes off a loop's energy and off a sine's peak, and a moving average takes off a sine.
 double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
 double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
 double average_loss_percent(int window, double samples_per_cycle);
-// Mean distance of a sine's largest sample beyond its true peak, for white noise of standard deviation noise_mm.
+// How far the largest sample of a noisy sine lies beyond the true peak on average, for white noise of standard
+// deviation noise_mm.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
-// Percentage points of equivalent damping that friction adds: 200 F_f / (pi K D)
+// Percentage points of equivalent damping that friction adds: 200 F_f / (pi K D), where D is the amplitude.
 double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
 // Stiffness in kN/mm by which a mass that moves in a sine lowers the measured stiffness: m (2 pi f)^2
 double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);

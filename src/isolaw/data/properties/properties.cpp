@@ -123,7 +123,8 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Velocity over 1/25 of a cycle (0.3 % low for a sine). From sample to sample, 0.02 mm of noise at 1 kHz adds 30 mm/s.
+// Takes velocity over 1/25 of a cycle, which is 0.3 % low for a sine. Taken from sample to sample, it would be worse:
+// at 1 kHz, 0.02 mm of noise adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -165,7 +166,8 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares a swing with half a cosine and a line. A cycle with twice a sine's time at its extremes is neither of them.
+// Compares a swing with half a cosine and a line. A cycle that spends more than twice a sine's time near its extremes
+// is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   bool const falls = peaks.largest < peaks.smallest;

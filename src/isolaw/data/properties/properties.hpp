@@ -39,7 +39,7 @@ struct Cycle : CycleCut {
   double closure_kN = 0.0;
 
   bool counts() const { return number > 0; }
-  // nullopt if K_eff is almost zero, so that K_eff D is less than a thousandth of the loop's mean half height.
+  // nullopt if K_eff is almost zero, that is, if K_eff D is less than a thousandth of the loop's mean half height.
   std::optional<double> damping() const {
     constexpr double least_stiffness = 1e-3;
     double const stiff = K_eff_kN_per_mm * amplitude_mm, height = energy_kN_mm / (4.0 * amplitude_mm);
@@ -65,7 +65,8 @@ struct Block {
 
 struct Properties {
   std::vector<Block> blocks;
-  // The third counted cycle, or the last, of the first block of largest amplitude. Empty if there is a refusal.
+  // The third counted cycle of the block of largest amplitude, or the last if it counts fewer. If the amplitudes of two
+  // blocks differ by at most 2 %, the earlier block is taken. Empty if there is a refusal.
   std::optional<Cycle> reported;
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
@@ -90,12 +91,12 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
-// Also searches for faulty signals. If a signal is faulty, no cycle counts.
+// Also takes over the faults of the record's signals. If there are any, no cycle counts.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
 
-// The properties of the same cycle with another force, such as the force that a law computes at the same samples.
+// The properties of `cycle` with another force, such as the force that a law computes at the same samples.
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are

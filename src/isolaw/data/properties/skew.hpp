@@ -20,15 +20,15 @@ struct Skew {
   double phase = 0.0;       // the angle of force_late in a cycle, rad: 2 pi f force_late
   double agreement = 0.0;   // fraction of the reversals that show at least half of force_late
   int reversals = 0;        // reversals that gave a value
-  bool is_followed = true;  // the fit is within noise; else the loop is so sharp that it may only look late
+  bool is_followed = true;  // the fit is within noise; if not, a sharp loop may only make the force look late
 
   // Whether most reversals agree and the skew exceeds four standard errors (more if reversals are few) and a limit. The
-  // limit is a little above what the shape of a loop alone looks like: 0.04 rad early, 0.015 rad late, or 0.045 rad
-  // late if not is_followed.
+  // limit is a little above the skew that the shape of a loop alone can imitate: 0.04 rad early, 0.015 rad late, or
+  // 0.045 rad late if not is_followed.
   bool significant() const;
 };
 
-// Whether displacement stays at an extreme for longer than in a sine. During such a hold the force may relax.
+// Whether displacement stays at an extreme for longer than a sine would. During such a hold the force may relax.
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
 
 // First subtracts friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles give a value.

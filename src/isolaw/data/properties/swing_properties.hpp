@@ -11,8 +11,8 @@
 
 namespace isolaw::data {
 
-// Two neighbouring swings stand for a cycle. A pair counts if the mean of its half ranges is at least 0.8 of that of
-// the largest pair. Sums are over the swings of the pairs that count.
+// Two neighbouring swings stand for a cycle. A pair is used if the mean of its half ranges is at least 0.8 of that of
+// the largest pair. The sums below are over both swings of every pair used, so a swing in two pairs enters twice.
 struct SwingProperties {
   std::size_t pairs = 0;
   double amplitude_mm = 0.0;     // mean of the half ranges
@@ -25,9 +25,9 @@ struct SwingProperties {
 // nullopt if there are fewer than two swings, or if the stiffness is not above 0.
 std::optional<SwingProperties> swing_properties(std::span<double const> disp_mm, std::span<double const> force_kN,
                                                 std::span<double const> time_s);
-// Those of the test that has the largest amplitude.
+// The properties of the record's test that has the largest amplitude.
 std::optional<SwingProperties> swing_properties(TestRecord const& record);
-// The same swings with another force, such as the force that a law computes at the same samples.
+// The properties of these swings with another force, such as the force that a law computes at the same samples.
 SwingProperties properties_on(std::span<Swing const> swings, std::span<double const> disp_mm,
                               std::span<double const> force_kN);
 

@@ -185,7 +185,8 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // A yielding device may rise to its plateau within the last step, so it counts too. Clipping never steepens it.
+      // The last step before the plateau is compared too, since a yielding device may rise to its plateau within that
+      // step. Clipping never makes this step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);

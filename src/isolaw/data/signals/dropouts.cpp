@@ -14,7 +14,7 @@ constexpr double least_gone = 0.1;        // fraction of the half range; both ju
 constexpr double gone_deviations = 10.0;  // standard deviations of the noise; both jumps are larger
 constexpr double gone_quanta = 4.0;       // steps of the digitiser; both jumps are larger
 constexpr double gone_steps = 4.0;        // times the largest step between samples near by; both jumps are larger
-constexpr double other_goes_on = 0.002;   // fraction of the other channel's half range; it moves by more meanwhile
+constexpr double other_goes_on = 0.002;   // times the half range of the other channel, which must move by more
 constexpr double other_jumps = 0.3;       // largest jump of the other channel over this one's, each over its half range
 constexpr double most_gone = 0.15;        // fraction of the samples; if more are gone, the channel has no dropouts
 

@@ -1,8 +1,8 @@
 // Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
 // docs/properties.md has the limits and rates of error. A plateau of displacement is a hold if the force only relaxes
-// on it, faster at first than later. It is clipping if the force goes on rising and turns within it. A plateau of force
-// is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse digitiser and
-// noise are no faults.
+// during it, faster at first than later. It is clipping if the force goes on rising during it and then turns. A plateau
+// of force is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse
+// digitiser and noise are no faults.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,8 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
                                        std::span<double const> time_s = {});
 
-// A fault of plateaus. `samples` holds the first sample of each plateau, `longest` is the longest plateau's length.
+// Makes a fault that consists of plateaus. `samples` holds the first sample of each plateau, `longest` is the longest
+// plateau's length.
 SignalFault standing_fault(FaultKind kind, std::string const& channel, std::string_view unit,
                            std::vector<std::size_t> samples, std::span<double const> time_s, double level,
                            std::size_t longest);
@@ -39,8 +40,8 @@ std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_
                                         std::vector<Dropout> const& gone, std::span<double const> time_s);
 
 // Names samples for messages, with their times if there are any: "sample 213 (2.12 s)", or "samples 3, 17 and 21"
-// without time. Of more than five samples it names five and the number of the others. The text counts samples from 1,
-// the argument counts them from 0.
+// without time. If there are more than five samples, it names five and says how many others there are. The text counts
+// samples from 1, the argument counts them from 0.
 std::string sample_text(std::span<std::size_t const> samples, std::span<double const> time_s);
 
 }  // namespace isolaw::data

@@ -158,7 +158,8 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A channel that is sampled slowly makes many stretches, each shorter than half a cycle. `covered` counts these.
+      // A channel that is sampled slowly makes many stretches, each shorter than half a cycle. `covered` is the number
+      // of samples in such stretches.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());

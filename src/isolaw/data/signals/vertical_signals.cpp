@@ -104,7 +104,8 @@ class Plateaus {
     double const way = std::abs(other_.x[run.last] - other_.x[run.first]);
     return way > std::max(threshold(goes_on) * other_.range, 2.0 * other_.width);
   }
-  // Counts only while the load rises. While the load falls, a device that dissipates energy may keep its displacement.
+  // Only a plateau in which the load rises is a fault. While the load falls, a device that dissipates energy may keep
+  // its displacement.
   bool is_stuck_displacement(SampleRange const& run) const {
     return other_goes_on(run) && other_.x[run.last] > other_.x[run.first];
   }

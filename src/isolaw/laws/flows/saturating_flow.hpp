@@ -4,7 +4,8 @@
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
 // Every device history between reversals is a piece of one curve u(t), with t = 0 at u = 0. On either side of 0 one
-// polynomial gives |u|: no table to search, no gather, no power per sample, no step size, no stability limit.
+// polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a step
+// size nor a stability limit.
 // A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
 //   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
 //     rate is negative where unloading speeds up;
@@ -51,7 +52,7 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights to guess a place from those above it and 1
+  std::array<std::array<double, guesses>, terms> guess;  // weights that guess a place from 1 and the places above it
 
   static Nodes const& get();
 };
@@ -60,7 +61,7 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // E counts as at least this where it gives a time
+inline constexpr double saturated = 1e-13;  // when a time is computed from E, E counts as at least this
 
 }  // namespace flow_parts
 
@@ -73,7 +74,7 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u for which the flow still counts time
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // time_at() hardly grows beyond about this u
   // Needs n > 0 and kappa > -1, and kappa = 1 for Reach::beyond_saturation; other values give results that are not
   // finite. Where the polynomials cannot follow the curve, as for n above largest_n, a table takes their place.
   void fit(T const& n, T const& kappa);
@@ -88,7 +89,8 @@ class SaturatingFlow {
     return value;
   }
 
-  // u after the given travel, also from u > 1; du/dt before and after the travel; rate1 / rate0, also where both are 0.
+  // advance() gives u after the given travel, which may also start from u > 1; the rates du/dt before and after the
+  // travel; and their ratio rate1 / rate0, which is right even where both rates are 0.
   struct Advance {
     T u, rate0, rate1, ratio;
   };
@@ -351,7 +353,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
   T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
   T const rate = n_ * E0, ratio = decay * slope1 / slope0;
-  // Removes the error of the conversion of u by H at the start, so that such errors do not add up over the steps.
+  // H converts u to x with a small error. Its effect on the end is removed, so that such errors do not add up over the
+  // steps.
   T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
   end = select(u > one, max(end, one), min(end, one));
   Advance moved{end, rate * slope0, rate * decay * slope1, ratio};

@@ -23,8 +23,9 @@ enum class Reach { within_saturation, beyond_saturation };
 
 namespace tabulated_flow_parts {
 
-// Fixed nodes and the quadrature of each cell. `key` ascends with time along the curve: it is u itself on the rising
-// piece, and falling_origin - u on the piece that falls to saturation from above, so that one search serves both.
+// Fixed nodes, and the quadrature of the cell between each node and the next. `key` ascends with time along the curve.
+// It is u itself on the rising piece, and falling_origin - u on the piece that falls to saturation from above, so that
+// one search serves both pieces.
 template <std::size_t Count>
 struct Nodes {
   std::array<double, Count> key{};

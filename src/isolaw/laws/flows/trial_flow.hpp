@@ -15,7 +15,7 @@ namespace isolaw::laws::online {
 // The exact curve u(t) of a hysteretic variable between two reversals, tabulated once. The travel t is called time:
 //     du/dt = 1 - |u|^n for u >= 0, 1 + kappa |u|^n for u < 0
 // Nodes are graded geometrically towards 0 and towards saturation. Lobatto quadrature gives the times between nodes,
-// and quintics the values. With `beyond`, u may start above 1 and falls to 1.
+// and quintics the values. If `beyond` is true, u may start above 1 and falls to 1.
 template <Reach reach>
 class Flow {
   static constexpr bool beyond = reach == Reach::beyond_saturation;

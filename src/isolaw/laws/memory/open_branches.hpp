@@ -9,7 +9,7 @@
 namespace isolaw::laws {
 
 // [export]
-// Where a branch reaches the point at which the branch before it began, both close. If only one branch is left, it
+// When a branch reaches the point at which the branch before it began, both close. If only one branch is open, it
 // closes where it meets the skeleton curve, at the mirror image of its start.
 struct OpenBranches {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

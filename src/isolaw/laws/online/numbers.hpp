@@ -107,8 +107,8 @@ struct StepOf<Dual> {
 inline bool moves(StepOf<Dual> const&) { return true; }
 inline Dual log2_abs_x1(StepOf<Dual> const& step) { return log2(max(abs(step.x1), smallest_power_base)); }
 
-// Calls act() with each number of a state; every part of the state lists its members. Removes the derivatives, which a
-// committed state does not have.
+// Calls act() with each number of a state; every part of the state lists its members. Derivatives are removed, because
+// a committed state has none.
 template <class Act>
 class Members {
  public:

@@ -114,7 +114,7 @@ T hysteretic_slope(T const& F2, Point<T> const& at, T const& n, T const& directi
   return at.Yt * at.inverse_Ut * (T(1.0) - select(direction * F2 < T(0.0), -ratio, ratio));
 }
 
-// 1 / Ut, Ut the yield displacement, where the path is at x. `softened` holds the values for peak0, the earlier peak.
+// 1 / Ut where the path is at x; Ut is the yield displacement. `softened` holds the values for peak0, the earlier peak.
 template <class T, class Params>
 T inverse_Ut_at(Params const& p, Constants<T> const& c, Softened<T> const& softened, double x, double peak0) {
   return std::abs(x) <= peak0 ? softened.inverse_Ut : c.inverse_U0 / (T(1.0) + T(std::abs(x)) / p.Us);

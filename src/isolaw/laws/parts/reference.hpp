@@ -8,7 +8,8 @@ namespace isolaw::laws {
 // [export]
 inline constexpr double reference_mm = 100.0;
 // [end]
-// The record's largest force, scaled to 100 mm with the power 0.4 of the amplitude, about that of high damping rubber.
+// The record's largest force, scaled to 100 mm as if it grew with the power 0.4 of the amplitude, about as the force of
+// high damping rubber does.
 inline double force_at_reference(RecordScales const& s) {
   return s.force * std::pow(reference_mm / s.disp, 0.4);
 }

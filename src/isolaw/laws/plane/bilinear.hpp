@@ -1,8 +1,9 @@
 // Bilinear in the plane: kinematic hardening with a circular yield surface.
 // Source: perfect plasticity of stiffness K1 - K2 and strength (K1 - K2) xy in parallel with a spring K2. Step: exact
-// along a straight path. Inside the circle z is elastic. On the circle z turns towards the direction of motion, and
-// tan(angle / 2), of the angle from z to the motion, falls as exp(-travel / xy) (Krieg and Krieg 1977). Rejected: a
-// radial return, which is exact only for motion along z and of first order elsewhere.
+// along a straight path. While z, the force of the plastic part, is inside the circle, it changes elastically. On the
+// circle z turns towards the direction of motion: if a is the angle from z to the motion, tan(a / 2) falls as
+// exp(-travel / xy) (Krieg and Krieg 1977). Rejected: a radial return, which is exact only for motion along z and of
+// first order elsewhere.
 #pragma once
 
 #include "isolaw/laws/bilinear.hpp"

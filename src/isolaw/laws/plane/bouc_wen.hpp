@@ -2,7 +2,7 @@
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
 // The form often printed, with |z_x dx_x| + |z_y dx_y|, changes by some per cent of the strength when the axes turn.
-// Step: the parts p and s of z along and across the motion, and A times the travel, are divided by the largest |z|.
+// Step: z has the parts p along the motion and s across it. p, s and A times the travel are divided by the largest |z|.
 // With c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
 // For n = 2, p and s are hyperbolic or circular functions (exact); other n take steps of sixth order (follow.hpp). p
@@ -59,8 +59,8 @@ struct BoucWen {
   template <class T>
   static void flow_of_two(Split<T>& z, T const& travel, T const& unloading) {
     T const zero(0.0), one(1.0), from = min(z.along, zero);
-    // While the motion unloads, z.along is negative. Another rate holds up to z.along = 0 than after it, so the travel
-    // is cut there; `part` is the travel before, or all of it if z.along stays negative.
+    // While the motion unloads, z.along is negative and c is `unloading`; from z.along = 0 on, c is 1. The travel is
+    // therefore cut at z.along = 0: `part` is the travel up to there, or all of it if z.along stays negative.
     T const to_zero = Circular<T>::length_to(-from, unloading), part = min(travel, to_zero);
     Circular<T> const back(unloading, part);
     T const per = one / (one + unloading * from * back.tan);

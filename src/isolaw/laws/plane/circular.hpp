@@ -33,7 +33,7 @@ struct Circular {
 
  private:
   static constexpr double half_pi = 1.57079632679489661923;
-  static constexpr double smallest = 1e-4;  // below it the first two terms of the series have all digits but the last
+  static constexpr double smallest = 1e-4;  // below it two terms of the series suffice for all digits but the last
 
   struct SineCosine {  // up to pi/2: the series of an eighth of the angle, which is then doubled three times
     T sine, cosine;

@@ -1,7 +1,7 @@
 // Laws in two directions. Each takes the parameters of a law in one direction and gives that law's force on any
 // straight line through the origin. A law of the plane is a struct with
 //   OneDirection                           the law in one direction, which gives info and Params<T>
-//   State<T>                               nothing but numbers T: a trial copies it, numbers_as() changes its scalar
+//   State<T>                               nothing but numbers T: a trial copies it, numbers_as() converts them
 //   start<T>(params) -> State<T>           at rest at the origin
 //   step<T>(params, state, from, to, dt)   advances the state over the straight step between two displacements, returns
 //                                          the force at its end; in the law's units, dt in seconds

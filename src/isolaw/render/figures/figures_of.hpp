@@ -17,8 +17,9 @@ using MaybeNumber = std::optional<double>;
 std::size_t place_in_summary(Summary const& summary, LawResult const& law);
 // Accuracy against robustness, as in Fig. 14.
 MaybeFigure front_figure(Summary const& summary, FrontView view);
-// The objective of every law on every device: mean, standard deviation over runs and difference from the law's mean. As
-// in Fig. 6 with one panel for all laws, and as in Fig. 7 with a panel and the devices' names for each law.
+// The objective of every law on every device: mean, standard deviation over runs and difference from the law's mean.
+// objective_figure() shows all laws in one panel, as Fig. 6. objective_by_device_figure() has a panel with the devices'
+// names for each law, as Fig. 7.
 MaybeFigure objective_figure(Summary const& summary);
 MaybeFigure objective_by_device_figure(Summary const& summary);
 // A panel for each calibrated parameter, over the devices, as in Figs. 8 to 13.

@@ -14,7 +14,8 @@
 
 namespace isolaw::render {
 
-// Digits of numbers: `all` that reading needs to get the same double, or those that the result's row sets for plots.
+// How many digits numbers get. `all`: enough that reading them gives the same double again. `shown`: as many as the
+// result's row in study/results.hpp sets, which is enough for plots.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
@@ -61,8 +62,10 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
                           std::optional<study::Recommendation> const& recommendation);
 // Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
-// Writes an array with one object for each sentence, in which findings of one kind may be joined: its kind, topic,
-// severity, action, law, devices, parameters and blocks. Its array `each` holds the fields of every joined finding.
+// Writes an array with one object for each sentence. One sentence may join several findings of a kind. The object has
+// the sentence, its kind, topic, severity and action, whether it is on the certificate, and its laws, devices,
+// parameters and blocks. Its array `each` has one object for each joined finding, with the devices, parameters, blocks
+// and numbers of that finding.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,
                     unsigned place = wording::in_report);
 

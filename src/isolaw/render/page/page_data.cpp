@@ -32,7 +32,8 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Rounds values to integers and writes their differences, whose sum is exact. A value not finite repeats the last one.
+// Rounds each value to a whole number of steps and writes the differences between neighbours. These are integers, so
+// adding them up causes no error. A value that is not finite repeats the one before it.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;

@@ -16,7 +16,7 @@ namespace isolaw::render {
 std::string page_data_json(Summary const& summary);
 
 // The names to typeset on a page. write_notation() writes the markers of the laws and the symbols of these names into
-// the open object. A name like a10 is not typeset if a device has it.
+// the open object. A parameter's name such as a10 is not typeset if a device has the same name.
 struct Notation {
   std::set<std::string_view> parameters, devices;
 };

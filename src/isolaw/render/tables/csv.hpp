@@ -14,7 +14,8 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
-  // Adds a cell for each value: a Statistic has three (mean, std, best), Ends has two, an undefined value an empty one.
+  // Adds the cells of each value: a Statistic has three (mean, std, best), Ends has two (lower, upper), any other value
+  // one. The cell of an undefined value is empty.
   template <class... Of>
   CsvTable& add(Of const&... cells) {
     (put(study::value_of(cells)), ...);

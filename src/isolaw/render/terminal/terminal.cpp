@@ -63,7 +63,8 @@ struct Row {
   std::string remark = {};
 };
 
-// `widths` are minima. A column is two blanks wider than its longest text, the column of Row::id by `id_gap` blanks.
+// Makes a column two blanks wider than its longest text, but at least as wide as `widths` says. The column of Row::id
+// is `id_gap` blanks wider than its longest text, and at least `id_width` wide.
 std::string table(std::vector<Row> const& rows, std::vector<int> widths, int id_width, int id_gap = 0) {
   widths.resize(rows.front().cells.size());
   for (auto const& row : rows) {
@@ -101,7 +102,8 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Says that |dK| (of K_eff) and |dE| (of energy) are not of the reported cycle if laws are fitted to part of the tests.
+// Returns a line if laws are fitted to part of the tests, else "". The line says that |dK| and |dE|, the errors of
+// K_eff and energy, are then not of the reported cycle.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });

@@ -14,8 +14,9 @@ function enters([x0, y0], [x1, y1], box) {
 }
 
 // Returns the centre of each point's label. A label is beside its point or, farther away, joined to it by a line.
-// Labels lie inside the plot, cover no point and no other label, and if possible do not cover the stair through the
-// points with the indices `stair`, from left to right. points: [{x, y, width}] in pixels; `others` have no label.
+// Labels lie inside the plot and cover no point and no other label. If possible, they do not cover the stepped line
+// through the points whose indices are in `stair`, from left to right. points: [{x, y, width}] in pixels, with the
+// width of the label; `others` are points without a label.
 export function labelPlaces(points, stair, width, height, others = []) {
   const markers = [...points, ...others].map(({ x, y }) => [x - MARKER, y - MARKER, x + MARKER, y + MARKER]);
   const steps = stair.slice(1).flatMap((to, k) => {

@@ -54,7 +54,8 @@ export function answering(purpose, viewId) {
   return placedIn(view).filter((law) => view.onFront(law));
 }
 
-// Says which law to take for a purpose; without a recommendation, a finding or the list of the laws on the front.
+// Says which law to take for a purpose. A purpose without a recommendation gets the report's headline in the view of
+// the runs, and in any other view the list of the laws on the front.
 export function answerOf(purpose, viewId) {
   if (purpose.recommendation) return purpose.answer;
   const view = viewOf(viewId);

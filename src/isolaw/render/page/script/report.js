@@ -54,7 +54,8 @@ export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   };
 }
 
-// The data of a table. `rows` has the leading cells of each row and, last, the object with the other results.
+// The data of a table. An element of `rows` holds the leading cells of a row and, as its last item, the object with the
+// results for the row's other cells.
 export function resultData(kind, rows, lead = [], keys = undefined) {
   const { columns, cells } = resultColumns(kind, keys);
   return { columns: [...lead, ...columns], rows: rows.map((row) => [...row.slice(0, -1), ...cells(row.at(-1))]) };

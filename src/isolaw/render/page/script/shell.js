@@ -3,8 +3,9 @@ import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from '.
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
 
-// Builds the sections of a page: {id, title, short, figures, controls, adorn}. For each section, adorn(element), which
-// may change the look, and opened(section, element) run before its figures exist. onChoice(f) calls f after a choice.
+// Builds the sections of a page from objects {id, title, short, figures, controls, adorn}. Before the figures of a
+// section exist, adorn(element) may change the section's look, and opened(section, element) is called. onChoice(f)
+// makes the page call f after each choice of its reader.
 export function showSections(sections, { onChoice, opened = () => {} }) {
   const observer = new IntersectionObserver(
     (entries) => {
@@ -79,7 +80,7 @@ export function followWindow({ beforePrint = () => {}, afterPrint = () => {} } =
 
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => redraw());
 
-  // If the page's width changes, all plots are drawn again. Drawing changes heights only and starts no other drawing.
+  // All plots are drawn again if the page's width changes. Drawing changes heights only, so it starts no other drawing.
   let drawnWidth = document.getElementById('report').clientWidth;
 
   new ResizeObserver(([entry]) => {

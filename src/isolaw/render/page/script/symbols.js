@@ -11,7 +11,8 @@ export const symbol = (name) => (parameters[name] ? MARK + name + MARK : name);
 const escaped = Object.keys(words)
   .sort((a, b) => b.length - a.length)
   .map((word) => word.replace(/[^\w]/g, '\\$&'));
-// Symbols inside a file name or another word are not found. The exponent of "1.6e+04" is, to become a power of ten.
+// Finds symbols, but not inside a file name or another word. It also finds the exponent of a number such as "1.6e+04",
+// which becomes a power of ten.
 const SET = new RegExp(
   MARK + '([^' + MARK + ']+)' + MARK + '|(?<![\\w./-])(' + escaped.join('|') + ')(?![\\w/-]|[.]\\w)|(?<=\\d)e([+-]\\d\\d)(?!\\w)',
   'g',

@@ -6,7 +6,8 @@ const FEW_ROWS = 3; // a table of up to this many rows cannot be sorted
 // The sort order of each table, by the table's label. A table that is built again keeps its order.
 const orders = new Map();
 
-// In a group of rows only the first shows the common value. Screen readers and sorted tables have it in all rows.
+// In a group of rows with a common value, only the first row shows the value. Screen readers read it in every row, and
+// a sorted table shows it in every row.
 export const said = (first, node) => {
   if (!first) node.classList.add('again');
   return node;

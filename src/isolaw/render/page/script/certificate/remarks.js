@@ -19,7 +19,7 @@ function certificateRemarks() {
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // Lists how options or the lot file had a record read. Corrections are left out, because they are listed apart.
+  // Lists how options or the lot file told isolaw to read a record, without the corrections, which are listed apart.
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [

@@ -28,7 +28,7 @@ const ORDERS = {
   robustness: 'Sorted by \u03b2.',
 };
 
-// The laws in the order of what is shown. Laws without a fit come last.
+// The laws in the order of the chosen purpose, or by rising beta if it has no order. Laws without a fit come last.
 function ordered() {
   const purpose = purposeOf(chosen.purpose);
   if (purpose.order) return purpose.order;

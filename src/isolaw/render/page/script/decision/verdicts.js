@@ -23,7 +23,8 @@ export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', depe
 
 const ROLES = { taken: 'most accurate', ties: 'most accurate', behind: 'not ranked', 'ruled out': 'not adequate' };
 
-// The place of a law, or the reason for it unless that is poor prediction, which the badge beside the name states.
+// The text after a law's error: the reason for the law's place or, without a reason, the place itself unless it is
+// 'behind'. If the reason is poor prediction, the text is empty, because the badge beside the law's name states this.
 const said = (place, reason, kind) =>
   reason ? (kind === 'out-prediction' ? '' : ', ' + sentence(reason)) : place === 'behind' ? '' : ', ' + place;
 

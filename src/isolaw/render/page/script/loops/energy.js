@@ -16,7 +16,7 @@ export const energyFigure = {
   draw: drawEnergy,
 };
 
-// The area of the drawn loop from one time to another, also between samples; null if the record does not reach them.
+// The work of the drawn force between two times, which may lie between samples; null if the record does not reach them.
 function energy({ t, x }, F, from, to) {
   const spare = 1.5 * (t[1] - t[0]);
   if (from < t[0] - spare || to > t[t.length - 1] + spare) return null;
