@@ -13,8 +13,9 @@ const valueOf = (options, name) => {
   return at < 0 ? null : options[at].includes('=') ? options[at].slice(name.length + 1) : options[at + 1];
 };
 
-// Returns into how many parts an earlier campaign was cut, for example 8 for the path 'parts/3-of-8/...', or null if it
-// left no such files. `kind` is 'parts' (runs), 'shares' (analyses of devices) or 'lots' (laws for the whole lot).
+// Returns into how many pieces an earlier campaign was divided, or null if it left no files of this kind. The number
+// stands in their paths: 'parts/3-of-8/...' gives 8. `kind` is the first folder of the path: 'parts' (runs), 'shares'
+// (analyses of devices) or 'lots' (laws for the whole lot).
 const dealtInto = (parts, kind) => {
   const found = parts.map(({ path }) => /^(\w+)\/\d+-of-(\d+)\//.exec(path)).find((one) => one && one[1] === kind);
   return found ? Number(found[2]) : null;

@@ -235,7 +235,7 @@ std::string form_name(::testing::TestParamInfo<Form> const& tested) {
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, ::testing::Values(Form::v5, Form::v7, Form::v73, Form::v73_packed),
                          form_name);
 
-// --- version 5, byte by byte ---
+// --- files of version 5, which these tests write byte by byte ---
 
 std::string word(std::uint32_t value) {
   std::string bytes(4, '\0');

@@ -1,16 +1,17 @@
-// Code that the implicit and the explicit integration of a building share: the superstructure's modes over one step and
-// the measures of a run. The explicit integration itself is here too. The scalar T is double, or a batch with one draw
-// per lane. Only plain arrays are used, since the linker could take a container's functions from an object of another
-// instruction set.
+// The explicit integration of a building, and the code that it shares with the implicit one (integrate.cpp): the modes
+// of the superstructure over one step, and the results that are measured during a run. The scalar T is double, or a
+// batch that computes one building in each lane, each with its own bearings drawn from the lot. This file is compiled
+// for several instruction sets. It uses plain arrays only: of a container's functions, the linker keeps one copy, which
+// may have instructions that the processor lacks.
 //
-// Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes have average acceleration (beta =
-// 1/4), and so has the base in the implicit integration (integrate.cpp). In explicit_run() the base has central
-// differences (beta = 0), with the bearings' forces at the displacement reached. The modes' accelerations at the end of
-// a step are linear in the base's, so they enter the base's equation as a constant 3 x 3 matrix. Undamped,
-// explicit_run() is stable for dt^2 K < 4 m, with K the bearings' stiffness and m the base slab's mass, however stiff
-// the superstructure (Hughes and Liu 1978). The exact response of the modes to a base acceleration that is linear over
-// the step is not used instead: with 95 % of the mass above the base and a period of 3 or 4 steps, the solution would
-// grow 2.5-fold a step.
+// Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes move with average acceleration
+// (beta = 1/4) in both. The base moves with average acceleration in the implicit integration, and by central differences
+// (beta = 0) in explicit_run(), which takes the bearings' forces at the displacement at the end of the step. The modes'
+// accelerations at the end of a step depend linearly on the base's acceleration, so they enter its equation as a
+// constant 3 x 3 matrix. Without damping, explicit_run() is stable for dt^2 K < 4 m, with K the stiffness of the
+// bearings and m the mass of the base slab, however stiff the superstructure is (Hughes and Liu 1978). The exact response
+// of the modes to a base acceleration that is linear over the step would be unstable: with 95 % of the mass above the
+// base and a mode with a period of 3 or 4 steps, the solution would grow 2.5-fold in each step.
 #pragma once
 
 #include <cstddef>

@@ -65,8 +65,8 @@ struct Frame {
 // A frame and its modes on a fixed base. The arrays are row-major.
 class Structure {
  public:
-  // Throws one Error for masses or radii <= 0, storeys not positive definite, centres not finite and damping outside
-  // [0, 1).
+  // Throws one Error that lists all faults: masses and radii that are not above 0, storeys whose stiffness matrix is not
+  // positive definite, centres that are not finite, and damping ratios outside [0, 1).
   explicit Structure(Frame frame);
 
   Frame const& frame() const { return frame_; }

@@ -184,8 +184,10 @@ std::vector<Reading> make_table() {
       date_order(),
       name_or_number("sheet", "sheet of a workbook, struct of a .mat file or key of JSON, by name or number",
                      Kind::text, &R::sheet, [](std::string const& name) { return name; }),
-      name_or_number("test", "test to read from a file that holds several: a number, or all, joined in turn",
-                     Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
+      name_or_number(
+          "test",
+          "for a file that holds several tests: the number of the one to read, or all to join them one after another",
+          Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
       repair(),
       skew(),

@@ -146,14 +146,17 @@ void add_draws(Model& model, ModelOptions const& options, campaign::Contents con
 
 std::vector<Option<ModelOptions>> const& model_table() {
   static std::vector<Option<ModelOptions>> const table{
-      words("layout", "table of the isolators: columns x and y, optionally name, load, K_v, angle; units in the header",
-            &ModelOptions::layout),
+      words(
+          "layout",
+          "file with a table of the isolators: columns x and y, optionally name, load, K_v (vertical stiffness), angle; units in the header",
+          &ModelOptions::layout),
       words("mass", "mass or weight on the isolators, such as 1200t or 12000kN (default: the layout's loads)",
             &ModelOptions::mass),
       words("gyration",
             "radius of gyration of the mass, such as 8.5m (default: as for a rectangle around the bearings)",
             &ModelOptions::gyration),
-      words("axial", "vertical stiffness of a bearing, 1200kN/mm (default: from the layout or compression tests)",
+      words("axial",
+            "vertical stiffness of a bearing, for example 1200kN/mm (default: from the layout or compression tests)",
             &ModelOptions::axial),
       words("ground-motion", "ground acceleration along x: an AT2 file, or columns with units",
             &ModelOptions::ground_motion),

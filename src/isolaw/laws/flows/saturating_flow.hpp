@@ -47,8 +47,9 @@ struct Nodes {  // numbers of the fit that are the same for all candidates, comp
   // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
   // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
   std::array<Values, terms> chebyshev, power;
-  // The matrices of a rough polynomial through a few of the points `place`: its Chebyshev coefficients, and T_k at all
-  // points. The fit subtracts the rough polynomial first, since a small rest has small rounding errors.
+  // The fit first subtracts a rough polynomial through a few of the points, because a small remainder has small rounding
+  // errors. `few` holds the indices of these points. `chebyshev_of_few` turns the values there into the coefficients of
+  // T_k, and `at_places` holds T_k at all points `place`.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
