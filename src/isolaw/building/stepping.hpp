@@ -5,13 +5,13 @@
 // may have instructions that the processor lacks.
 //
 // Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes move with average acceleration
-// (beta = 1/4) in both. The base moves with average acceleration in the implicit integration, and by central differences
-// (beta = 0) in explicit_run(), which takes the bearings' forces at the displacement at the end of the step. The modes'
-// accelerations at the end of a step depend linearly on the base's acceleration, so they enter its equation as a
-// constant 3 x 3 matrix. Without damping, explicit_run() is stable for dt^2 K < 4 m, with K the stiffness of the
-// bearings and m the mass of the base slab, however stiff the superstructure is (Hughes and Liu 1978). The exact response
-// of the modes to a base acceleration that is linear over the step would be unstable: with 95 % of the mass above the
-// base and a mode with a period of 3 or 4 steps, the solution would grow 2.5-fold in each step.
+// (beta = 1/4) in both. The base moves with average acceleration in the implicit integration, and by central
+// differences (beta = 0) in explicit_run(), which takes the bearings' forces at the displacement at the end of the
+// step. The modes' accelerations at the end of a step depend linearly on the base's acceleration, so they enter its
+// equation as a constant 3 x 3 matrix. Without damping, explicit_run() is stable for dt^2 K < 4 m, with K the stiffness
+// of the bearings and m the mass of the base slab, however stiff the superstructure is (Hughes and Liu 1978). The exact
+// response of the modes to a base acceleration that is linear over the step would be unstable: with 95 % of the mass
+// above the base and a mode with a period of 3 or 4 steps, the solution would grow 2.5-fold in each step.
 #pragma once
 
 #include <cstddef>
