@@ -778,7 +778,7 @@ async function check_certificate(page, name, pictures, state) {
       blanks: [...document.querySelectorAll('#certificate .blank')].filter(shown).length,
       masthead: shown(document.querySelector('.masthead')),
       names: report.devices.length,
-      hashes: [...document.querySelectorAll('#figure-certificate-records .hash')].map((hash, i) => hash.textContent === report.devices[i].sha256),
+      hashes: [...document.querySelectorAll('#figure-certificate-records .hash')].map((hash, i) => hash.textContent === report.devices.flatMap(({ tests, sha256 }) => (tests.length > 0 ? tests.map((test) => test.sha256) : [sha256]))[i]),
       mark: document.getElementById('certificate').dataset.mark ?? null,
       wanted: report.result.mark,
       word: report.result.word,

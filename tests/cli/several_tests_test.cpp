@@ -70,6 +70,9 @@ TEST_F(SeveralTests, state_facts_of_their_device) {
   expect_message(o, 0, {"serial: S-77 in small, S-78 in large", "are they tests of one device?"});
   auto const made = read("made.toml");
   EXPECT_TRUE(contains(made, "\nlot = 'L5'")) << made;
+  expect_message(
+      isolaw(Words{"calibrate", "small.csv", "large.csv", "--same-device", "--out", "O", "--details"} + laws), 0,
+      {"different values of serial: S-77 in small, S-78 in large"});
   EXPECT_TRUE(contains(made, "\n# serial = \"\"  # the file says: S-77 in small, S-78 in large")) << made;
 }
 
@@ -139,6 +142,11 @@ TEST_F(SeveralTests, are_read_from_the_store_and_exported) {
   auto const exported =
       isolaw({"export", "O", "--law", "bilinear", "--device", "small + large", "--to", "opensees", "--out", "b.tcl"});
   EXPECT_EQ(exported.code, 0) << exported;
+  EXPECT_TRUE(contains(json("R/summary.json")["recommendation"]["reach"].back()["sentence"], "a range of laws"));
+  write("other.toml",
+        "[[device]]\nname = \"small + large\"\n[[device.test]]\nfile = \"large.csv\"\n[[device.test]]\nfile = "
+        "\"small.csv\"\n");
+  expect_refused(isolaw(Words{"calibrate", "other.toml", "--out", "O"} + laws), {"its tests are in another order"});
   auto const again = isolaw(Words{"calibrate", "small.csv", "large.csv", "--out", "O"} + laws);
   EXPECT_NE(again.code, 0) << "two devices are another campaign than one device with two tests";
 }

@@ -140,8 +140,9 @@ void apply(Values const& given, campaign::Acceptance& acceptance) {
   if (acceptance.rules.empty()) {
     std::vector<std::string> sets;
     for (auto const& set : rules::built_in_rule_sets()) sets.push_back(set.id);
-    say("design values {}: without a rule set no device is checked against them; try: --rules NAME, one of {}, or --rules FILE\n",
-        printable(acceptance.design), joined(sets));
+    say("design values {}: without a rule set no device is checked against them{}; try: --rules NAME, one of {}, or --rules FILE\n",
+        printable(acceptance.design),
+        rules::parse_design(acceptance.design).disp_mm ? ", but laws are tried at the displacement" : "", joined(sets));
   }
   auto const damping = rules::parse_design(acceptance.design).damping_percent;
   if (damping && *damping < 1.0)

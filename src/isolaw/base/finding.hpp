@@ -23,7 +23,7 @@ enum class FindingKind {
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
   prediction_unknown,
   // [answers]
-  law_recommended, no_law_recommended, why_next, why_better_refused, none_identified, none_describes,
+  law_recommended, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,
   none_predicts, none_on_every_device, none_for_a_building, none_energy, weak_prediction_fair, weak_error,
   weak_larger_swings, weak_other_blocks, weak_cycle_stiffness, weak_cycle_energy, weak_cycle_damping,
   weak_stiffness_beyond, weak_damping_beyond, weak_one_sided, weak_only_law, weak_incomplete, weak_search,
@@ -46,7 +46,7 @@ enum class FindingKind {
   units_implausible, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
   about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
-  average_too_wide, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
+  average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused,
   // Notes: numbers of a record that the reader should know.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,

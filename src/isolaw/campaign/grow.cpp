@@ -50,6 +50,13 @@ bool same_record(Device const& there, Device const& now) {
 std::string obstacle(Device const& there, Device const& now) {
   if (!there.usable()) return {};
   if (!now.usable()) return fmt::format("{}: refused now: {}", now.name, now.refusal);
+  auto const names_of = [](Device const& device) {
+    std::vector<std::string> names;
+    for (auto const& test : device.raw.tests) names.push_back(test.name);
+    return names;
+  };
+  if (names_of(there) != names_of(now))
+    return fmt::format("{}: it has other tests, or its tests are in another order", now.name);
   if (!same_record(there, now)) return fmt::format("{}: its file has changed", now.name);
   bool const same = there.raw.disp_mm == now.raw.disp_mm && there.raw.force_kN == now.raw.force_kN &&
                     there.raw.time_s == now.raw.time_s && there.raw.load_kN == now.raw.load_kN;

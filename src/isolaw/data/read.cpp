@@ -6,12 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/hash.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/channels/columns.hpp"
 #include "isolaw/data/channels/joined_files.hpp"
@@ -95,10 +99,12 @@ constexpr std::string_view displacement_needed =
 // Appends channels, faults, warnings and corrections.
 void append_record(TestRecord& history, TestRecord const& next, std::string const& label) {
   if (next.has_time() != history.has_time())
-    throw Error(Complaint{.where = label,
-                          .found = "only some of the device's files have a time channel",
-                          .allowed = "all of them or none",
-                          .advice = "--dt SECONDS"});
+    throw Error(Complaint{
+        .where = label,
+        .found = "only some of the device's files have a time channel",
+        .allowed = "all of them or none",
+        .advice =
+            "a lot file with a [[device.test]] table for each file, and dt = SECONDS in that of the file without time"});
   if (history.has_time()) {
     double const pause = history.time_s.back() - history.time_s[history.time_s.size() - 2];
     double const offset = history.time_s.back() + pause - next.time_s.front();
@@ -139,6 +145,20 @@ void refuse_repeated(NamedTest const& test, std::span<NamedTest const> earlier) 
     if (other.record.disp_mm == test.record.disp_mm && other.record.force_kN == test.record.force_kN)
       throw Error(Complaint{
           .where = test.name, .found = "the same record as " + other.name, .allowed = "each test of a device once"});
+  }
+}
+
+// Warns of facts about the device that the files of its tests state differently.
+void warn_of_facts(std::span<NamedTest const> tests, std::vector<Finding>& warnings) {
+  std::map<std::string, std::vector<std::pair<std::string, std::string>>> stated;  // by fact: test and text
+  for (auto const& test : tests)
+    for (auto const& [fact, text] : test.record.device_facts) stated[fact].emplace_back(test.name, text);
+  for (auto const& [fact, said] : stated) {
+    if (std::ranges::all_of(said, [&](auto const& one) { return one.second == said.front().second; })) continue;
+    std::vector<std::string> values;
+    for (auto const& [test, text] : said) values.push_back(fmt::format("{} in {}", printable(text), test));
+    warnings.push_back(
+        {.kind = FindingKind::tests_state_differently, .words = {{"fact", fact}, {"values", joined(values)}}});
   }
 }
 
@@ -261,6 +281,8 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
       throw Error(
           Complaint{.where = test.name, .found = "a record of several tests", .allowed = "records of one test each"});
   for (std::size_t t = 1; t < tests.size(); ++t) refuse_repeated(tests[t], std::span(tests).first(t));
+  std::vector<Finding> about_facts;
+  warn_of_facts(tests, about_facts);
   bool const some_loads = std::ranges::any_of(tests, [](auto const& test) { return !test.record.load_kN.empty(); });
   TestRecord record = std::move(tests.front().record);
   auto const& first = tests.front().name;
@@ -280,6 +302,7 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
       record.recognised.push_back(std::move(line));
     }
   }
+  record.warnings.insert(record.warnings.end(), about_facts.begin(), about_facts.end());
   std::vector<std::string> names;
   for (auto const& test : record.tests) names.push_back(test.name);
   record.recognised.push_back(decision(

@@ -195,12 +195,20 @@ std::vector<Fact> measured_facts(Subject const& subject) {
                      fmt::format("objective {:.4g}{} (mean deviation over the standard deviation of the force)",
                                  *subject.objective, subject.lot ? ", mean of the devices" : "")});
   Deviation worst;
-  for (auto const& history : subject.histories)
-    if (!history.measured_kN.empty()) keep_worst(worst, deviation(history, history.law_kN, history.measured_kN));
+  std::size_t compared = 0, cyclic = 0;
+  for (auto const& history : subject.histories) {
+    if (history.measured_kN.empty()) continue;
+    auto const found = deviation(history, history.law_kN, history.measured_kN);
+    ++compared;
+    cyclic += found.K_eff ? 1 : 0;
+    keep_worst(worst, found);
+  }
   if (worst.largest > 0.0)
-    facts.push_back({fmt::format("The law against the measured force{}",
-                                 subject.histories.size() > 1 ? "s (the worst of them)" : ""),
-                     deviation_text(worst)});
+    facts.push_back({fmt::format("The law against the measured force{}", compared > 1 ? "s (the worst of them)" : ""),
+                     deviation_text(worst) +
+                         (cyclic > 0 && cyclic < compared
+                              ? fmt::format(" (K_eff and energy: of the {} with cycles)", counted(cyclic, "record"))
+                              : "")});
   return facts;
 }
 

@@ -56,14 +56,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     // A refused device has no part in the law, and devices_not_in_lot_law names it already.
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
-  if (auto const spread = spread_of_laws(summary))
-    result.findings.push_back({.kind = FindingKind::laws_disagree,
-                               .numbers = {{"count", static_cast<double>(spread->count)},
-                                           {"disp_mm", spread->disp_mm},
-                                           {"K_low_kN_per_mm", spread->K_low_kN_per_mm},
-                                           {"K_high_kN_per_mm", spread->K_high_kN_per_mm},
-                                           {"energy_low_kN_mm", spread->energy_low_kN_mm},
-                                           {"energy_high_kN_mm", spread->energy_high_kN_mm}}});
+  if (auto const spread = spread_of_laws(summary)) result.findings.push_back(finding_of(*spread));
   if (law.prediction_unusable()) result.objection = result.prediction;
   return result;
 }

@@ -368,6 +368,16 @@ std::optional<LawSpread> spread_of_laws(Summary const& summary) {
   return spread_of(summary, standings_of(summary));
 }
 
+Finding finding_of(LawSpread const& spread) {
+  return {.kind = FindingKind::laws_disagree,
+          .numbers = {{"count", static_cast<double>(spread.count)},
+                      {"disp_mm", spread.disp_mm},
+                      {"K_low_kN_per_mm", spread.K_low_kN_per_mm},
+                      {"K_high_kN_per_mm", spread.K_high_kN_per_mm},
+                      {"energy_low_kN_mm", spread.energy_low_kN_mm},
+                      {"energy_high_kN_mm", spread.energy_high_kN_mm}}};
+}
+
 std::optional<Recommendation> recommendation(Summary const& summary) {
   if (summary.laws.empty()) return std::nullopt;
   Recommendation advice;
@@ -375,6 +385,7 @@ std::optional<Recommendation> recommendation(Summary const& summary) {
   rank(advice.standings);
   auto const& best = advice.standings.front();
   advice.spread = spread_of(summary, advice.standings);
+  if (advice.spread) advice.reach.push_back(finding_of(*advice.spread));
   advice.why = why_none(summary, advice.standings);
   if (!advice.why.empty()) {
     for (auto& s : advice.standings)
@@ -391,6 +402,10 @@ std::optional<Recommendation> recommendation(Summary const& summary) {
   advice.answer = answer_of(summary, advice);
   advice.surer = what_would_decide(summary, best.predicts.has_value(), advice.sure != Sure::clear);
   advice.valid_mm = largest_displacement(summary, law);
+  if (advice.valid_mm)
+    advice.reach.insert(
+        advice.reach.begin(),
+        {.kind = FindingKind::law_shown_up_to, .law = law.id, .numbers = {{"disp_mm", *advice.valid_mm}}});
   if (!law.in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = law.id};
   return advice;
 }

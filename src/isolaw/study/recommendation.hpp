@@ -48,6 +48,7 @@ struct Recommendation {
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
+  std::vector<Finding> reach;       // up to which displacement the tests show the law, and how far laws differ beyond
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
@@ -56,6 +57,7 @@ struct Recommendation {
 
 bool compares_laws(Summary const& summary);
 std::optional<LawSpread> spread_of_laws(Summary const& summary);
+Finding finding_of(LawSpread const& spread);
 // The program's answer. An inspection has none.
 std::optional<Recommendation> recommendation(Summary const& summary);
 

@@ -119,7 +119,7 @@ std::span<Row const> rows() {
           "its force is not finite in finer integration steps on {devices}: the result comes from the step, not from the law."),
       campaign(
           laws_disagree, "laws-disagree", "other laws", note, "Test to that displacement", one_sentence, taken, none,
-          "At {disp_mm:4} mm the {count} best laws give stiffnesses from {K_low_kN_per_mm:3} to {K_high_kN_per_mm:3} kN/mm and energies of a cycle from {energy_low_kN_mm:3} to {energy_high_kN_mm:3} kN mm. This is a range of laws, not an interval."),
+          "At {disp_mm:4} mm the {count} best laws give {K_low_kN_per_mm:3} to {K_high_kN_per_mm:3} kN/mm and {energy_low_kN_mm:3} to {energy_high_kN_mm:3} kN mm a cycle: a range of laws, not an interval."),
       campaign(prediction_good, "prediction-good", "prediction", note, "", each_alone, anywhere, law,
                "its prediction is good: {objectives}."),
       campaign(prediction_fair, "prediction-fair", "prediction", note, "", each_alone, anywhere, law,
@@ -134,6 +134,7 @@ std::span<Row const> rows() {
           law_recommended, "law-recommended", "answer",
           "Take {law}{sure}: it gives back {fitted_to} within {fits:%}[, and larger swings that it was not fitted to within {predicts:%}][, and blocks that it was not fitted to within {blocks:%}].[ {laws} {is|are} as good.]{larger}"),
       answer(no_law_recommended, "no-law-recommended", "answer", "No law can be recommended."),
+      answer(law_shown_up_to, "law-shown-up-to", "answer", "Shown up to {disp_mm:3} mm."),
       answer(why_next, "why-next", "reason", "The next best, {law}, has a mean error of {error:%}."),
       answer(why_better_refused, "why-better-refused", "reason",
              "{law} has a smaller mean error ({error:%}), but is ruled out."),
@@ -347,6 +348,8 @@ std::span<Row const> rows() {
       doubt(
           average_too_wide, "average-too-wide", caution, one_sentence,
           "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, removes {percent:2} % of the motion at the test's frequency and {third_harmonic_percent:2} % of its third harmonic. This affects only the laws; properties are computed from raw values. A smaller --smooth removes less."),
+      doubt(tests_state_differently, "tests-state-differently", serious, each_alone,
+            "the files of its tests state different values of {fact}: {values}. They may be tests of different devices."),
       doubt(shared_time_short, "shared-time-short", caution, by_words,
             "only {samples} of {of} samples are used: {file} does not cover the time of the others."),
       doubt(

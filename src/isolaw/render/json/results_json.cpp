@@ -74,6 +74,7 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
   write_reasons("reasons", advice.why);
   write_reasons("weak", advice.law ? advice.weak() : std::vector<Finding>());
   write_reasons("surer", advice.surer);
+  write_reasons("reach", advice.reach);
   out.member("valid_mm", advice.valid_mm);
   out.member("programs", advice.programs ? wording::sentence(*advice.programs) : std::string());
   out.key("spread");

@@ -319,7 +319,7 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   std::string line = wording::paragraph(advice.why);
   if (advice.law && !advice.weak().empty())
     line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; "));
-  if (advice.valid_mm) line += fmt::format(" Shown up to {} mm.", number_text(*advice.valid_mm, 3));
+  if (!advice.reach.empty()) line += " " + wording::paragraph(advice.reach);
   if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, "; "));
   text += wrapped("", line, 2, width);
   if (advice.programs) text += wrapped("", wording::sentence(*advice.programs) + ".", 2, width);
@@ -422,6 +422,7 @@ std::string answer(Summary const& summary, std::string_view directory, int width
   if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
   if (!weak.empty()) text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ")), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
+  if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach), margin, width);
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
   // Only --details shows warnings about other laws and warnings that the line "Low confidence" repeats.
   auto concerned = found.warnings;

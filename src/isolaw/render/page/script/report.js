@@ -19,6 +19,9 @@ export const laws = report.laws.map((law, index) => {
   return { ...law, index, devices: fits, fitOn: new Map(fits.map((fit) => [fit.device, fit])) };
 });
 
+// The files of a device's tests, each with its SHA-256. A device with one test has one row.
+export const recordsOf = (device) => (device.tests.length > 0 ? device.tests : [device]).map(({ file, sha256 }) => ({ device, file, sha256 }));
+
 export const usable = devices.filter((device) => device.status === 'ok');
 export const drawable = usable.filter((device) => device.record.drawn > 0);
 export const tested = devices.filter((device) => device.raw?.samples > 0); // devices with a raw record to show

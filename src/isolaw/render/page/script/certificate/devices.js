@@ -1,7 +1,7 @@
 import { reportedBlock, reportedCycle } from '../cycles.js';
 import { element, strong } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
-import { devices, headingOf, report } from '../report.js';
+import { devices, headingOf, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, enumerate, fixed, sentence, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
@@ -102,7 +102,8 @@ function certificateTable() {
           )
         : null,
     );
-  const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, sha256.slice(0, 8));
+  const hash = (device) =>
+    element('span', {}, ...recordsOf(device).map(({ sha256 }, i) => element('span', { class: 'hash', title: sha256 }, (i > 0 ? ' ' : '') + sha256.slice(0, 8))));
   const columns = [
     { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     ...certificateColumns(),
@@ -133,7 +134,7 @@ function certificateData() {
         block?.amplitude_mm ?? null, block?.frequency_Hz ?? null,
         ...properties.map(({ value }) => value(device) ?? null),
         verdict ?? '', device.status === 'ok' ? failed.join('; ') || device.properties_refusal || sameRecord(device) : device.message, open.join('; '), apart(device).join('; '),
-        device.doubts.map(({ quantity, otherwise, unit, condition }) => quantity + ' ' + otherwise + ' ' + unit + ' if ' + condition).join('; '), device.file, device.sha256,
+        device.doubts.map(({ quantity, otherwise, unit, condition }) => quantity + ' ' + otherwise + ' ' + unit + ' if ' + condition).join('; '), device.file, recordsOf(device).map(({ sha256 }) => sha256).join(' '),
       ];
     }),
   };

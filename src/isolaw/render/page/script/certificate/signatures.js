@@ -1,5 +1,5 @@
 import { element, strong } from '../dom.js';
-import { devices, report } from '../report.js';
+import { devices, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count } from '../text.js';
 import { blank } from './blank.js';
@@ -44,7 +44,7 @@ function signatureBlock() {
     element(
       'p',
       { class: 'fine' },
-      'Values computed by isolaw ' + report.isolaw + ' from ' + count(devices.length, 'record') +
+      'Values computed by isolaw ' + report.isolaw + ' from ' + count(devices.flatMap(recordsOf).length, 'record') +
         '. They hold for the devices named here, as they were tested.',
     ),
   );
@@ -53,16 +53,16 @@ function signatureBlock() {
 function recordsTable() {
   const compressed = devices.some((device) => device.vertical?.file);
   const columns = [
-    { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
-    { title: 'File', cell: (device) => device.file },
-    { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.sha256) },
+    { title: 'Device', pinned: true, cell: ({ device }) => strong(device.name) },
+    { title: 'File', cell: ({ file }) => file },
+    { title: 'SHA-256', cell: ({ sha256 }) => element('td', { class: 'hash whole' }, sha256) },
     ...(compressed
       ? [
-          { title: 'Vertical test', cell: (device) => device.vertical?.file ?? '' },
-          { title: 'K_v', cell: (device) => device.vertical?.how ?? '' },
-          { title: 'SHA-256', cell: (device) => element('td', { class: 'hash whole' }, device.vertical?.sha256 ?? '') },
+          { title: 'Vertical test', cell: ({ device }) => device.vertical?.file ?? '' },
+          { title: 'K_v', cell: ({ device }) => device.vertical?.how ?? '' },
+          { title: 'SHA-256', cell: ({ device }) => element('td', { class: 'hash whole' }, device.vertical?.sha256 ?? '') },
         ]
       : []),
   ];
-  return tableOf(columns, devices, 'Records of the certificate');
+  return tableOf(columns, devices.flatMap(recordsOf), 'Records of the certificate');
 }

@@ -15,6 +15,7 @@ function answer() {
   const sure = recommendation?.law
     ? element('span', { class: 'sure ' + TONES[recommendation.sure] }, recommendation.sure)
     : null;
+  const reach = recommendation?.reach.map((one) => one.sentence).join(' ');
   const surer = recommendation?.surer.map((one) => one.sentence).join('; ');
   return element(
     'div',
@@ -22,6 +23,7 @@ function answer() {
     element('p', { class: 'headline' }, ...withBadges(sentence(answerOf(purpose, chosen.view)), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
     element('div', { class: 'numbers' }, ...numbers),
     recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
+    reach ? element('p', { class: 'why' }, sentence(reach)) : null,
     surer ? element('p', { class: 'why' }, 'To be surer: ' + sentence(surer) + '.') : null,
     recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
   );

@@ -22,7 +22,8 @@ function loopCaption() {
     ({ law, fit }) =>
       law.name + ': OF ' + fixed(fit.objective.best, 4) +
       ', effective stiffness ' + signed(fit.K_eff_error_percent, 1) + THIN + '%, energy ' +
-      signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%',
+      signed(fit.energy_error_percent, 1) + THIN + '%, damping ' + signed(fit.damping_error_percent, 1) + THIN + '%' +
+      (fit.tests.length > 0 ? ' (OF of its tests: ' + fit.tests.map(({ test, objective }) => test + ' ' + fixed(objective, 4)).join(', ') + ')' : ''),
   );
   const why = (law) => (law.fitOn.get(device.index)?.message ? ' (' + law.fitOn.get(device.index).message + ')' : '');
   const partly = device.scored ? ' Solid: used for the fit. Dotted: run through, not scored.' : '';

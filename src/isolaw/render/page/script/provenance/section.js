@@ -1,5 +1,5 @@
 import { button, element, strong, termList } from '../dom.js';
-import { devices, inspection, laws, report } from '../report.js';
+import { devices, inspection, laws, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count, isNumber, short } from '../text.js';
 
@@ -22,7 +22,7 @@ const filesFigure = {
   caption: () => 'SHA-256 of each file as it was read. A changed file has another SHA-256.',
   csv: () => ({
     columns: ['device', 'file', 'sha256', 'status', 'message'],
-    rows: devices.map((d) => [d.name, d.file, d.sha256, d.status, d.message]),
+    rows: devices.flatMap(recordsOf).map(({ device: d, file, sha256 }) => [d.name, file, sha256, d.status, d.message]),
   }),
   build: filesTable,
 };
@@ -74,14 +74,14 @@ function settingRows() {
 
 function filesTable() {
   const hash = ({ sha256 }) => element('span', { class: 'hash', title: sha256 }, short(sha256, 17));
-  const status = (device) => (device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'));
+  const status = ({ device }) => (device.status === 'ok' ? 'used' : element('span', { class: 'poor' }, 'refused'));
   const columns = [
-    { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
-    { title: 'File', cell: (device) => device.file },
+    { title: 'Device', pinned: true, cell: ({ device }) => strong(device.name) },
+    { title: 'File', cell: ({ file }) => file },
     { title: 'SHA-256', cell: hash },
     { title: 'Status', cell: status },
   ];
-  return tableOf(columns, devices, 'Input files');
+  return tableOf(columns, devices.flatMap(recordsOf), 'Input files');
 }
 
 function commandLine() {
@@ -118,7 +118,7 @@ function stepsList() {
         'ul',
         {},
         ...sentences.map((text) => element('li', {}, text)),
-        inspection ? null : element('li', {}, 'SHA-256 ', element('code', {}, device.sha256)),
+        ...(inspection ? [] : recordsOf(device).map(({ file, sha256 }) => element('li', {}, 'SHA-256 of ' + file + ' ', element('code', {}, sha256)))),
       ),
     );
   });
