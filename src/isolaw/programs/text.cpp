@@ -200,7 +200,7 @@ std::vector<Fact> measured_facts(Subject const& subject) {
     if (history.measured_kN.empty()) continue;
     auto const found = deviation(history, history.law_kN, history.measured_kN);
     ++compared;
-    cyclic += found.K_eff ? 1 : 0;
+    if (found.K_eff) ++cyclic;
     keep_worst(worst, found);
   }
   if (worst.largest > 0.0)
