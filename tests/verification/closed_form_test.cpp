@@ -322,9 +322,11 @@ TEST(ClosedForm, JankowskiByHand) {
   // -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
-  // At x = +-100 mm, x^2 = 0.01 and x^4 = 1e-4, so the constant part of the stiffness is 100 + 10 + 1 = 111. In motion
-  // the terms with a4 and a6 are 500 * 16/25 = 320 and 2000 * 4/5 * 4/5 = 1280; at rest they are 500 and 2000 * 4/5 =
-  // 1600. The damping force is (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
+  // The law takes x in m and v in m/s. At x = +-0.1, x^2 = 0.01 and x^4 = 1e-4, so the terms of the stiffness with a1, a2
+  // and a3 are 100 + 10 + 1 = 111. 1 / cosh(ln 2) = 4/5. In motion the terms with a4 and a6 are therefore 500 * (4/5)^2 =
+  // 320 and 2000 * 4/5 * 4/5 = 1280, and the elastic force is (111 + 320 + 1280) * 0.1 = 171.1. At rest the terms are 500
+  // and 2000 * 4/5 = 1600, and the force is 221.1. In the damping force v / sqrt(v^2 + a11^2) = 0.4 / 0.5 = 4/5, so it is
+  // (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
   EXPECT_NEAR(force[0], 171.1 + 36.8, 1e-11);
   EXPECT_NEAR(force[1], 221.1, 1e-11);
   EXPECT_NEAR(force[2], 171.1 - 36.8, 1e-11);

@@ -28,7 +28,8 @@ struct StudyProperty {
 // Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
 
-// A store's part of a study (nullopt: all of it), and the paths of the inputs that the answers need after a merge.
+// Which part of a study a store holds (nullopt: all of it), and the paths of the study's input files. A merge is given
+// only the stores of the parts; it reads these files to compute the answers, such as the distribution of a response.
 struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};

@@ -73,8 +73,9 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// Replaces the law's parameters, on each device and on the lot, by those with which springs in several directions fit
-// best. Returns nullopt if an analysis of the law has no springs, or if there is no analysis.
+// A bearing may be modelled by horizontal springs in several directions, each of which follows the law. Replaces the
+// law's parameters, on each device and on the lot, by those with which such springs fit the tests best. Returns nullopt
+// if no device has an analysis of the law, or if one of the law's analyses has no such parameters.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

@@ -3,7 +3,8 @@
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 
-// Returns a function that creates an element. `set` turns a text into nodes, `unset` into the value of an attribute.
+// Returns a function that creates an element. `set` typesets a child that is a text: it returns nodes, such as a symbol
+// with its subscript. `unset` returns the same text without typesetting, for attributes, which cannot hold nodes.
 export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
