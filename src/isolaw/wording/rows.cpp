@@ -119,7 +119,7 @@ std::span<Row const> rows() {
           "its force is not finite in finer integration steps on {devices}: the result comes from the step, not from the law."),
       campaign(
           laws_disagree, "laws-disagree", "other laws", note, "Test to that displacement", one_sentence, taken, none,
-          "At {disp_mm:4} mm the {count} best laws give {K_low_kN_per_mm:3} to {K_high_kN_per_mm:3} kN/mm and {energy_low_kN_mm:3} to {energy_high_kN_mm:3} kN mm a cycle: a range of laws, not an interval."),
+          "Range of the {count} best laws at {disp_mm:4} mm: {K_low_kN_per_mm:3} to {K_high_kN_per_mm:3} kN/mm, {energy_low_kN_mm:3} to {energy_high_kN_mm:3} kN mm a cycle."),
       campaign(prediction_good, "prediction-good", "prediction", note, "", each_alone, anywhere, law,
                "its prediction is good: {objectives}."),
       campaign(prediction_fair, "prediction-fair", "prediction", note, "", each_alone, anywhere, law,

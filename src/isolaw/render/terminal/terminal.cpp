@@ -432,12 +432,17 @@ std::string answer(Summary const& summary, std::string_view directory, int width
   });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
   constexpr std::size_t most = 2;
-  for (std::size_t i = 0; i < std::min(most, groups.size()); ++i)
-    text += wrapped(i == 0 ? "Look at" : "", wording::sentence(groups[i], 3), margin, width);
-  if (every.size() > most)
+  constexpr auto screen = 25, below = 3;  // lines; `below` are those after the warnings
+  std::size_t told = 0;
+  for (; told < std::min(most, groups.size()); ++told) {
+    auto const warning = wrapped(told == 0 ? "Look at" : "", wording::sentence(groups[told], 3), margin, width);
+    if (std::ranges::count(text + warning, '\n') + below > screen) break;
+    text += warning;
+  }
+  if (every.size() > told)
     text +=
-        wrapped(groups.empty() ? "Look at" : "",
-                counted(every.size() - std::min(most, groups.size()), "more warning") + ": --details", margin, width);
+        wrapped(told == 0 ? "Look at" : "",
+                counted(every.size() - told, told == 0 ? "warning" : "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
     text += fmt::format(
