@@ -101,7 +101,7 @@ TEST_F(LotFile, files_with_and_without_time_do_not_make_one_history) {
   auto const o = run_small(std::string(device) + "[[device]]\nname = \"long\"\nfiles = [\"a.csv\", \"notime.csv\"]\n");
   expect_message(o, 1,
                  {"long: refused", "notime.csv: only some of the device's files have a time channel",
-                  "allowed: all of them or none", "--dt SECONDS"});
+                  "allowed: all of them or none", "dt = SECONDS"});
 }
 
 TEST_F(LotFile, reading_is_set_for_all_devices_and_for_one) {
