@@ -231,19 +231,20 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
   EXPECT_FALSE(told(98.0, 99.8));  // the large swings hold less than a twentieth of the time
 }
 
+FitRecord five_cycles(double amplitude_mm) {
+  FitRecord record;
+  for (double t = 0.0; t <= 5.0; t += 0.01) {
+    record.time_s.push_back(t);
+    record.disp_mm.push_back(amplitude_mm * unit_sine(t));
+    record.vel_mm_s.push_back(0.0);
+  }
+  return record;
+}
+
 // The limit lies between 0.68 and 0.72 of the largest displacement.
 TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
-  auto const record_of = [](double amplitude_mm) {
-    FitRecord record;
-    for (double t = 0.0; t <= 5.0; t += 0.01) {
-      record.time_s.push_back(t);
-      record.disp_mm.push_back(amplitude_mm * unit_sine(t));
-      record.vel_mm_s.push_back(0.0);
-    }
-    return record;
-  };
   for (double const amplitude_mm : {68.0, 72.0}) {
-    std::array const tests{record_of(amplitude_mm), record_of(100.0)};
+    std::array const tests{five_cycles(amplitude_mm), five_cycles(100.0)};
     auto const sizes = swing_sizes(tests, Weighting::time);
     EXPECT_EQ(sizes.tests[0].small.empty(), amplitude_mm > 70.0) << amplitude_mm;
     EXPECT_EQ(sizes.tests[0].large.empty(), amplitude_mm < 70.0) << amplitude_mm;
@@ -253,16 +254,7 @@ TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
 // Small and large are relative to the largest displacement over all tests of a device. One test may therefore have only
 // small swings and another only large ones.
 TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
-  auto const record_of = [](double amplitude_mm) {
-    FitRecord record;
-    for (double t = 0.0; t <= 5.0; t += 0.01) {
-      record.time_s.push_back(t);
-      record.disp_mm.push_back(amplitude_mm * unit_sine(t));
-      record.vel_mm_s.push_back(0.0);
-    }
-    return record;
-  };
-  auto const small = record_of(30.0), large = record_of(100.0);
+  auto const small = five_cycles(30.0), large = five_cycles(100.0);
   std::array const tests{small, large};
   auto const sizes = swing_sizes(tests, Weighting::time);
   EXPECT_TRUE(sizes.tell);
