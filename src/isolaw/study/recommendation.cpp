@@ -137,7 +137,7 @@ std::optional<Finding> one_sided(Summary const& summary) {
   for (auto const& device : summary.devices) {
     if (device.record.size() == 0) continue;
     auto const [least, most] = std::ranges::minmax(device.record.disp_mm);
-    auto const [near, far] = std::minmax(std::max(0.0, most), std::max(0.0, -least));
+    auto const [near, far] = std::minmax({std::max(0.0, most), std::max(0.0, -least)});  // copies, not references
     if (near < 0.5 * far)
       return Finding{.kind = FindingKind::weak_one_sided,
                      .devices = {device.name},
