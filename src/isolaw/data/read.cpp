@@ -148,8 +148,9 @@ void refuse_repeated(NamedTest const& test, std::span<NamedTest const> earlier) 
   }
 }
 
-// Warns of facts about the device that the files of its tests state differently.
-void warn_of_facts(std::span<NamedTest const> tests, std::vector<Finding>& warnings) {
+// Finds the facts about the device that the files of its tests state differently.
+std::vector<Finding> disputed_facts(std::span<NamedTest const> tests) {
+  std::vector<Finding> warnings;
   std::map<std::string, std::vector<std::pair<std::string, std::string>>> stated;  // by fact: test and text
   for (auto const& test : tests)
     for (auto const& [fact, text] : test.record.device_facts) stated[fact].emplace_back(test.name, text);
@@ -160,6 +161,7 @@ void warn_of_facts(std::span<NamedTest const> tests, std::vector<Finding>& warni
     warnings.push_back(
         {.kind = FindingKind::tests_state_differently, .words = {{"fact", fact}, {"values", joined(values)}}});
   }
+  return warnings;
 }
 
 }  // namespace
@@ -281,8 +283,7 @@ TestRecord record_of_tests(std::vector<NamedTest> tests) {
       throw Error(
           Complaint{.where = test.name, .found = "a record of several tests", .allowed = "records of one test each"});
   for (std::size_t t = 1; t < tests.size(); ++t) refuse_repeated(tests[t], std::span(tests).first(t));
-  std::vector<Finding> about_facts;
-  warn_of_facts(tests, about_facts);
+  auto const about_facts = disputed_facts(tests);
   bool const some_loads = std::ranges::any_of(tests, [](auto const& test) { return !test.record.load_kN.empty(); });
   TestRecord record = std::move(tests.front().record);
   auto const& first = tests.front().name;
