@@ -56,7 +56,8 @@ format() {
   install_missing clang-format
   mapfile -t sources < <(find src cli python examples tests bench fuzz -name '*.[ch]pp' | sort)
   if [ "${1:-}" = --fix ]; then
-    step clang-format -i "${sources[@]}"
+    printf '+ clang-format -i (%d files)\n' "${#sources[@]}" >&2
+    clang-format -i "${sources[@]}"
   else
     printf '+ clang-format --dry-run --Werror (%d files)\n' "${#sources[@]}" >&2
     clang-format --dry-run --Werror "${sources[@]}" || { echo "isolaw.sh: run ./isolaw.sh format --fix" >&2; exit 1; }

@@ -220,6 +220,8 @@ TEST(Recommendation, NamesEveryDoubt) {
   EXPECT_TRUE(doubt(weak_one_sided, [](auto&, Summary& summary) {
     summary.devices[0].record.disp_mm = {0.0, 100.0, -49.0};
   }));
+  auto const pulled = with([](auto&, Summary& summary) { summary.devices[0].record.disp_mm = {0.0, 100.0, 0.0}; });
+  EXPECT_TRUE(std::ranges::count(pulled.surer, surer_both_sides, &Finding::kind));
   EXPECT_TRUE(doubt(weak_search, [](auto& law, auto&) { law.success_share = 0.1; }));
   EXPECT_TRUE(doubt(weak_incomplete, [](auto&, Summary& summary) { summary.expected_runs = 10; }));
   auto const fair = summary_of({{"a", {0.09}, {}, 0.16}, {"b", {0.3}, {}, 0.29}});

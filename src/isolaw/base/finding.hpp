@@ -27,7 +27,7 @@ enum class FindingKind {
   none_predicts, none_on_every_device, none_for_a_building, none_energy, weak_prediction_fair, weak_error,
   weak_larger_swings, weak_other_blocks, weak_cycle_stiffness, weak_cycle_energy, weak_cycle_damping,
   weak_stiffness_beyond, weak_damping_beyond, weak_one_sided, weak_only_law, weak_incomplete, weak_search,
-  weak_bounds, weak_open, surer_finish, surer_other_laws, surer_fit_blocks, surer_other_amplitude,
+  weak_bounds, weak_open, surer_finish, surer_other_laws, surer_both_sides, surer_fit_blocks, surer_other_amplitude,
   surer_further_test, surer_more_devices, surer_amplitude_between, out_not_identified, out_prediction,
   out_partial, out_runs_away, not_in_opensees, headline_only_law, headline_best_of_both,
   headline_most_accurate, headline_scatter_by_box, headline_choice, headline_nearest, role_best_of_both, role_alone,

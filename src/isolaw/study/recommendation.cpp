@@ -234,6 +234,7 @@ std::vector<Finding> what_would_decide(Summary const& summary, bool predicts, bo
   auto const add = [&](FindingKind kind) { steps.push_back({.kind = kind}); };
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::surer_finish);
   if (open && !compares_laws(summary)) add(FindingKind::surer_other_laws);
+  if (one_sided(summary)) add(FindingKind::surer_both_sides);
   if (!predicts) {
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
       return device.status == "ok" && device.properties.blocks.size() > 1;
