@@ -310,8 +310,9 @@ TEST(Signals, a_channel_that_drops_out_is_found) {
             static_cast<std::size_t>(random.whole(rest + 5, rest + plan.samples * plan.cycles - length - 5));
         auto const to = from + static_cast<std::size_t>(length);
         double const level = to_nought ? 0.0 : amplitude * random.between(-1.5, 1.5);
-        // The dropout must be found only if its value lies clearly off the samples before and after it, and if the
-        // signal itself has no jump there.
+        // The dropout must be found only if its value is clearly above both the sample before it and the one after, or
+        // clearly below both, and if neither of its ends is near a turn, where the force of a device with friction
+        // jumps by itself.
         double const off = std::min(std::abs(level - x[from - 1]), std::abs(level - x[to]));
         bool const one_way = (level - x[from - 1]) * (level - x[to]) > 0.0;
         if (!one_way || off < 0.3 * amplitude ||

@@ -155,11 +155,13 @@ struct KikuchiAiken {
       .formula =
           "F = Q1 + Q2,   Q1 = (1 - U)/2 Fm (X + sgn(X) |X|^n),   X = x/m,   m the largest |x| so far\n"
           "Q2 = U Fm sgn(X) where m grows,   Qb +- A U Fm f(|x - xb|/m) from a turning point (xb, Qb)\n"
-          "f(s) = 2 - 2 exp(-a s) + b s exp(-c s),   from a peak + (2 - f(2)) (s/2)^8;   A = 1 from a peak,\n"
-          "later such that the branch meets the one before where that began; Masing's rules close branches\n"
-          "(1 - exp(-2 a))/a = 1 - pi h/(2 U), a up to amax;   b = c^2 (pi h/U - 2 + 2 (1 - exp(-2 a))/a), 0 below amax\n"
-          "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1,\n"
-          "n = 1 + n1 (m - xn),   both without m - xn below xn",
+          "f(s) = 2 - 2 exp(-a s) + b s exp(-c s), and (2 - f(2)) (s/2)^8 more on a branch from a peak\n"
+          "A = 1 on a branch from a peak; on an inner branch it is such that the branch returns to where the one before it began\n"
+          "Masing's rules close branches\n"
+          "a solves (1 - exp(-2 a))/a = 1 - pi h/(2 U) and is at most amax\n"
+          "b = c^2 (pi h/U - 2 + 2 (1 - exp(-2 a))/a) where a is amax, 0 where a is smaller\n"
+          "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1\n"
+          "n = 1 + n1 (m - xn);   m - xn is taken as 0 in Fm and n where m is below xn",
       .note =
           "Made for high damping rubber. The functions are of millimetres, so that no height of rubber is needed; a published compound's functions of strain have the same p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given ends. At five times the fitted amplitude these lines mean little, and where h has fallen to 0 a new peak may give back more work than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here only the path decides them. A virgin device has no bounded slope at 0 where p is above 0.",
       .step_cost = 272};

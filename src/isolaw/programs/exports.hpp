@@ -31,7 +31,9 @@ struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
 };
-// Throws Error for an unusable prediction or a poor substitute. With `anyway`, the reasons go to `let_through` instead.
+// Throws Error if the law is not fit for use (its prediction is unusable, for example), or if the material that stands
+// for it in the analysis program is far off the law. With `anyway` these reasons go to `let_through` instead. Always
+// throws Error if the target needs a building and `subject` has none.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,

@@ -1,8 +1,9 @@
-// Property modification factors lambda: the largest and smallest value of a property in a lot over its design value,
-// and how the factors of ageing and environment, of the test and of the supply combine (ASCE/SEI 7, chapter 17; other
-// standards combine them by the same formulas with other numbers, which the rule set holds). The scatter of single
-// devices is kept apart from the scatter of the whole isolation system. The system is the sum of its devices and
-// scatters less, so that the devices' spread would make its bounds several times too wide.
+// Property modification factors lambda: the largest and the smallest value of a property, each divided by a reference
+// value. combine() multiplies the factors of ageing and environment, of the test (from cycle to cycle) and of the
+// manufacturer's specification (from device to device) as ASCE/SEI 7, chapter 17, does. Other standards use the same
+// formulas with other numbers, which the rule set holds. The scatter of single devices is kept apart from that of the
+// isolation system. The system is the sum of its devices and scatters less; bounds of the system that are taken from
+// the scatter of single devices would be several times too wide.
 #pragma once
 
 #include <optional>
