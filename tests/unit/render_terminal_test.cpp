@@ -131,7 +131,7 @@ TEST(Findings, NothingIdentified) {
   }
   EXPECT_EQ(wording::paragraph(findings(summary).headline), "No law could be identified.");
   EXPECT_FALSE(ranking(summary).empty());
-  EXPECT_TRUE(contains(answer(summary, "out/lot"), "No law could be identified."));
+  EXPECT_TRUE(contains(answer(summary, "out/lot", "out/lot"), "No law could be identified."));
 }
 
 TEST(Ranking, ByMeanObjectiveWithFrontMarks) {
@@ -176,7 +176,7 @@ TEST(Ranking, FindingsOfOneKindAreOneLine) {
 TEST(Answer, IsOneScreen) {
   for (auto const& summary : {fixture::lot(10, 7), fixture::analysed(fixture::lot(10, 7)), fixture::lot(1, 7),
                               fixture::analysed(fixture::lot(1, 3)), fixture::analysed(fixture::lot(160, 7))}) {
-    auto const text = answer(summary, "out/lot");
+    auto const text = answer(summary, "out/lot", "out/lot");
     EXPECT_LE(times_in(text, "\n"), 25u) << text;
     EXPECT_LE(widest_line(text), 80u) << text;
     EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
@@ -196,7 +196,7 @@ TEST(Answer, LeavesOutWarningsAboutOtherLaws) {
   for (auto& device : summary.devices) device.raw.warnings.clear();
   for (auto& law : summary.laws)
     for (auto& fit : law.devices) fit.integration_shift = law.id == "jankowski" ? 0.004 : 0.2;
-  auto const text = answer(summary, "out/lot");
+  auto const text = answer(summary, "out/lot", "out/lot");
   EXPECT_TRUE(contains(text, "Jankowski")) << text;
   EXPECT_FALSE(contains(text, "Vaiana:")) << text;
   EXPECT_FALSE(contains(text, "Bilinear:")) << text;

@@ -294,7 +294,7 @@ TEST(Recommendation, SaysHowFarTheBestLawsDisagree) {
                                                                    .stiffness_ratio = 1.0,
                                                                    .damping_ratio = 1.0};
   summary.laws[1].runs_away = runs_away("jumps");
-  auto const spread = *spread_of_laws(summary);
+  auto const spread = *recommendation(summary)->spread;
   EXPECT_EQ(spread.count, 5u);
   EXPECT_EQ(spread.disp_mm, 200.0);
   EXPECT_EQ(spread.K_low_kN_per_mm, 1.0);

@@ -30,6 +30,7 @@
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/tables/tables.hpp"
 #include "isolaw/render/write.hpp"
+#include "isolaw/wording/table.hpp"
 #include "isolaw/wording/words.hpp"
 
 namespace isolaw::app {
@@ -154,6 +155,10 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
   make_folder(folder);
   auto const floors = study.file.frame.floors.size();
   building::Layout const layout{floors, study.file.bearings.size()};
+  std::vector<Finding> doubts;
+  for (auto const& law : study.laws) doubts.insert(doubts.end(), law.doubts.begin(), law.doubts.end());
+  for (auto const& sentence : wording::sentences(doubts, wording::with_building))
+    say("warning: From the calibration: {}\n", sentence);
   print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
   bool all = true;
   for (auto const& law : study.laws)

@@ -45,7 +45,8 @@ void print(study::Summary const& summary, std::filesystem::path const& directory
     return;
   }
   int const width = std::min(terminal_width(STDOUT_FILENO), 120);
-  auto text = how.details ? render::ranking(summary, width) : render::answer(summary, shown(directory), width);
+  auto text = how.details ? render::ranking(summary, width)
+                          : render::answer(summary, shown(directory), shown(how.campaign.value_or(directory)), width);
   if (auto const verdicts = study::verdict_summary(summary); !verdicts.empty()) text += "\n" + verdicts;
   app::print(text);
 }
@@ -82,7 +83,8 @@ int report(ReportArguments const& arguments) {
   } catch (Error const& error) {
     not_written = error;
   }
-  print(summary, arguments.out.value_or(directory), {.json = arguments.json, .details = arguments.details});
+  print(summary, arguments.out.value_or(directory),
+        {.json = arguments.json, .details = arguments.details, .campaign = directory});
   if (!contents.complete() || contents.part) say("the campaign is not complete: {}\n", what_is_missing(summary));
   if (not_written) throw *not_written;
   return contents.complete() ? exit_code(summary) : exit_with_refusals;

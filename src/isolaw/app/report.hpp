@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,7 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
 
 struct Printed {
   bool json = false, details = false;
+  std::optional<std::filesystem::path> campaign = {};  // the campaign's directory, if the report is in another one
 };
 // Prints one screen or all details, then the verdicts of a rule set. With `json`, prints summary.json and adds
 // `profile`, the times of the campaign's phases.

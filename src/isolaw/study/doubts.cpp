@@ -56,7 +56,13 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     // A refused device has no part in the law, and devices_not_in_lot_law names it already.
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
-  if (auto const spread = spread_of_laws(summary)) result.findings.push_back(finding_of(*spread));
+  if (auto const advice = recommendation(summary)) {
+    if (!advice->law) result.findings.push_back(advice->answer);
+    for (auto const& standing : advice->standings)
+      if (summary.laws[standing.law].id == law_id)
+        result.findings.insert(result.findings.end(), standing.weak.begin(), standing.weak.end());
+    if (advice->spread) result.findings.push_back(finding_of(*advice->spread));
+  }
   if (law.prediction_unusable()) result.objection = result.prediction;
   return result;
 }

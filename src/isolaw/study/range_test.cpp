@@ -42,6 +42,19 @@ Tested tested_by(Summary const& summary) {
   return tested;
 }
 
+// The same for a device whose own tests end far below those of the lot. Its parameters say nothing about what is far
+// beyond its tests, so they are tried no farther in proportion than those of other devices. nullopt for other devices.
+std::optional<Tested> tested_less(DeviceResult const& device, Summary const& summary, Tested const& lot) {
+  constexpr double as_far = 0.9;  // share of the lot's largest displacement from which a device counts as tested as far
+  auto own = lot;
+  own.disp_mm = 0.0;
+  for (double const x : device.record.disp_mm) own.disp_mm = std::max(own.disp_mm, std::abs(x));
+  if (!(own.disp_mm > 0.0) || own.disp_mm >= as_far * lot.disp_mm) return std::nullopt;
+  auto const& asked = summary.acceptance.design.disp_mm;
+  own.asked_mm = asked ? std::max(*asked, own.disp_mm) : 2.0 * own.disp_mm;
+  return own;
+}
+
 struct Measured {                      // on the device of a fit
   bool viscous = false;                // hardly any of its force is stiffness
   std::optional<double> damping = {};  // of its largest cycles
@@ -169,8 +182,18 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
     devices.push_back(&*device);
   }
   if (parameters.empty()) return;
-  auto const all = cycles_of(laws::find_law(law.id), parameters, tested, contents.settings.integration);
-  auto const& shown = all.front();
+  auto const& entry = laws::find_law(law.id);
+  auto all = cycles_of(entry, parameters, tested, contents.settings.integration);
+  std::vector<Tested> limits(all.size(), tested);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto const own = devices[i] != nullptr ? tested_less(*devices[i], summary, tested) : std::nullopt;
+    if (!own) continue;
+    limits[i] = *own;
+    all[i] = cycles_of(entry, {parameters[i]}, *own, contents.settings.integration).front();
+  }
+  auto const as_far = std::ranges::find(limits, tested.disp_mm, &Tested::disp_mm);
+  if (as_far == limits.end()) return;
+  auto const& shown = all[static_cast<std::size_t>(as_far - limits.begin())];
   law.beyond = BeyondTests{.tested_mm = tested.disp_mm,
                            .asked_mm = tested.asked_mm,
                            .K_kN_per_mm = shown.asked.K_kN_per_mm,
@@ -181,24 +204,29 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
   for (auto const* device : devices)
     if (device != nullptr && measured_on(*device).viscous) any_viscous.viscous = true;
   std::optional<Finding> of_lot, of_devices;
+  std::size_t refused = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    auto found = breach_of(all[i], tested, devices[i] != nullptr ? measured_on(*devices[i]) : any_viscous);
+    auto found = breach_of(all[i], limits[i], devices[i] != nullptr ? measured_on(*devices[i]) : any_viscous);
     if (!found) continue;
     found->law = law.id;
-    found->numbers.push_back({"tested_mm", tested.disp_mm});
-    if (devices[i] == nullptr)
+    found->numbers.push_back({"tested_mm", limits[i].disp_mm});
+    if (devices[i] == nullptr) {
       of_lot = std::move(found);
-    else if (of_devices)
-      of_devices->devices.push_back(devices[i]->name);
-    else
+      continue;
+    }
+    ++refused;
+    // The reason has the numbers of the first device, so it names only devices that were tried at the same displacement.
+    if (!of_devices)
       (of_devices = std::move(found))->devices = {devices[i]->name};
+    else if (of_devices->number("tested_mm") == limits[i].disp_mm)
+      of_devices->devices.push_back(devices[i]->name);
   }
   constexpr std::size_t many = 20;
   constexpr double most_share = 0.05;
   auto const count =
       static_cast<std::size_t>(std::ranges::count_if(devices, [](auto* device) { return device != nullptr; }));
-  bool const decides = of_devices && (count < many || static_cast<double>(of_devices->devices.size()) >
-                                                          most_share * static_cast<double>(count));
+  bool const decides =
+      of_devices && (count < many || static_cast<double>(refused) > most_share * static_cast<double>(count));
   law.runs_away = decides ? std::move(of_devices) : std::move(of_lot);
   if (law.runs_away && count == 1) law.runs_away->devices.clear();  // the only device need not be named
 }

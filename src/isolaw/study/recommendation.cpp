@@ -132,6 +132,19 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
   add_ratio(FindingKind::weak_damping_beyond, beyond.damping_ratio, low_damping_ratio);
 }
 
+// The displacement that the design asks for, if the tests reach less than half of it.
+std::optional<double> asked_far_beyond(LawResult const& law) {
+  constexpr double far = 2.0 * (1.0 + 1e-9);  // without a design, laws are tried at twice the tested displacement
+  if (!law.beyond || law.beyond->asked_mm <= far * law.beyond->tested_mm) return std::nullopt;
+  return law.beyond->asked_mm;
+}
+
+bool identifies_several(Summary const& summary) {
+  return std::ranges::count_if(summary.laws, [&](auto const& law) {
+           return law.objective.mean && identified_on_every_device(summary, law);
+         }) > 1;
+}
+
 // Finds the first device whose tests reach less than half as far to one side as to the other.
 std::optional<Finding> one_sided(Summary const& summary) {
   for (auto const& device : summary.devices) {
@@ -158,14 +171,17 @@ std::vector<Finding> doubts_about(Summary const& summary, Standing const& standi
     if (error && standing.fits && *error > doubtful_times * *standing.fits)
       add(kind, {{"times", *error / *standing.fits}});
   };
-  add_times(FindingKind::weak_larger_swings, law.larger_swings_objective);
+  if (!larger_blocks_are_predicted(summary, law))
+    add_times(FindingKind::weak_larger_swings, law.larger_swings_objective);
   if (law.prediction_grade == PredictionGrade::fair)
     add(FindingKind::weak_prediction_fair);
   else
     add_times(FindingKind::weak_other_blocks, law.predicted_objective);
   add_doubts_about_cycles(summary, law, doubts);
   if (auto found = one_sided(summary)) doubts.push_back(std::move(*found));
-  if (!compares_laws(summary)) add(FindingKind::weak_only_law);
+  if (auto const far = asked_far_beyond(law))
+    add(FindingKind::weak_far_beyond, {{"asked_mm", *far}, {"times", *far / law.beyond->tested_mm}});
+  if (!identifies_several(summary)) add(FindingKind::weak_only_law);
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::weak_incomplete);
   if (law.success_share && *law.success_share < found_share)
     add(FindingKind::weak_search, {{"share", *law.success_share}});
@@ -233,8 +249,13 @@ std::vector<Finding> what_would_decide(Summary const& summary, bool predicts, bo
   std::vector<Finding> steps;
   auto const add = [&](FindingKind kind) { steps.push_back({.kind = kind}); };
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::surer_finish);
-  if (open && !compares_laws(summary)) add(FindingKind::surer_other_laws);
+  if (open && !identifies_several(summary)) add(FindingKind::surer_other_laws);
   if (one_sided(summary)) add(FindingKind::surer_both_sides);
+  for (auto const& law : summary.laws)
+    if (auto const far = asked_far_beyond(law)) {
+      steps.push_back({.kind = FindingKind::surer_design, .numbers = {{"asked_mm", *far}}});
+      break;
+    }
   if (!predicts) {
     bool const several = std::ranges::any_of(summary.devices, [](auto const& device) {
       return device.status == "ok" && device.properties.blocks.size() > 1;
@@ -363,10 +384,6 @@ std::string_view name(Sure sure) {
 
 bool compares_laws(Summary const& summary) {
   return std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); }) > 1;
-}
-
-std::optional<LawSpread> spread_of_laws(Summary const& summary) {
-  return spread_of(summary, standings_of(summary));
 }
 
 Finding finding_of(LawSpread const& spread) {

@@ -56,7 +56,6 @@ struct Recommendation {
 };
 
 bool compares_laws(Summary const& summary);
-std::optional<LawSpread> spread_of_laws(Summary const& summary);
 Finding finding_of(LawSpread const& spread);
 // The program's answer. An inspection has none.
 std::optional<Recommendation> recommendation(Summary const& summary);

@@ -20,6 +20,18 @@ constexpr Row answer(FindingKind kind, std::string_view key, std::string_view to
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
 }
+// A doubt about the law that the answer names. Whatever takes this law from the campaign repeats it.
+constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_view text) {
+  return {kind,
+          key,
+          "confidence",
+          Severity::caution,
+          "Test further before you rely on this law",
+          each_alone,
+          with_law | with_building,
+          Subject::law,
+          text};
+}
 constexpr std::string_view look_at_records = "Look at the records";
 // A doubt about a record that affects all uses of its numbers.
 constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, unsigned grouping, std::string_view text,
@@ -133,7 +145,8 @@ std::span<Row const> rows() {
       answer(
           law_recommended, "law-recommended", "answer",
           "Take {law}{sure}: it gives back {fitted_to} within {fits:%}[, and larger swings that it was not fitted to within {predicts:%}][, and blocks that it was not fitted to within {blocks:%}].[ {laws} {is|are} as good.]{larger}"),
-      answer(no_law_recommended, "no-law-recommended", "answer", "No law can be recommended."),
+      campaign(no_law_recommended, "no-law-recommended", "answer", serious, laws, one_sentence, taken, none,
+               "No law can be recommended."),
       answer(law_shown_up_to, "law-shown-up-to", "answer", "Shown up to {disp_mm:3} mm."),
       answer(why_next, "why-next", "reason", "The next best, {law}, has a mean error of {error:%}."),
       answer(why_better_refused, "why-better-refused", "reason",
@@ -148,24 +161,26 @@ std::span<Row const> rows() {
       answer(none_for_a_building, "none-for-a-building", "reason", "{laws} {is|are} not fit for a building."),
       answer(none_energy, "none-energy", "reason",
              "Every law of least error ({laws}) is more than {most:%} off in the energy of the largest cycles."),
-      answer(weak_prediction_fair, "weak-prediction-fair", "confidence",
+      answer_doubt(weak_prediction_fair, "weak-prediction-fair",
              "its prediction of blocks that it was not fitted to is only fair"),
-      answer(weak_error, "weak-error", "confidence", "its mean error of {error:%} is large"),
-      answer(weak_larger_swings, "weak-larger-swings", "confidence",
+      answer_doubt(weak_error, "weak-error", "its mean error of {error:%} is large"),
+      answer_doubt(weak_larger_swings, "weak-larger-swings",
              "its error on larger swings is {times:.1f} times its error on what it was fitted to"),
-      answer(weak_other_blocks, "weak-other-blocks", "confidence",
+      answer_doubt(weak_other_blocks, "weak-other-blocks",
              "its error on blocks that it was not fitted to is {times:.1f} times its error on what it was fitted to"),
-      answer(weak_cycle_stiffness, "weak-cycle-stiffness", "confidence",
+      answer_doubt(weak_cycle_stiffness, "weak-cycle-stiffness",
              "on the largest cycle its stiffness is {percent:.0f} % off"),
-      answer(weak_cycle_energy, "weak-cycle-energy", "confidence",
+      answer_doubt(weak_cycle_energy, "weak-cycle-energy",
              "on the largest cycle its energy is {percent:.0f} % off"),
-      answer(weak_cycle_damping, "weak-cycle-damping", "confidence",
+      answer_doubt(weak_cycle_damping, "weak-cycle-damping",
              "on the largest cycle its damping is {percent:.0f} % off"),
-      answer(weak_stiffness_beyond, "weak-stiffness-beyond", "confidence",
+      answer_doubt(weak_stiffness_beyond, "weak-stiffness-beyond",
              "its stiffness at {asked_mm:3} mm is {ratio:.2f} times that at {tested_mm:3} mm, where the tests end"),
-      answer(weak_damping_beyond, "weak-damping-beyond", "confidence",
+      answer_doubt(weak_damping_beyond, "weak-damping-beyond",
              "its damping at {asked_mm:3} mm is {ratio:.2f} times that at {tested_mm:3} mm, where the tests end"),
-      answer(weak_one_sided, "weak-one-sided", "confidence",
+      answer_doubt(weak_far_beyond, "weak-far-beyond",
+             "the design asks for {asked_mm:3} mm, {times:.1f} times the largest displacement tested"),
+      answer_doubt(weak_one_sided, "weak-one-sided",
              "the tests reach {far_mm:3} mm to one side and only {near_mm:3} mm to the other"),
       answer(weak_only_law, "weak-only-law", "confidence", "no other law was identified to compare it with"),
       answer(weak_incomplete, "weak-incomplete", "confidence", "the campaign is not complete"),
@@ -176,6 +191,7 @@ std::span<Row const> rows() {
       answer(surer_finish, "surer-finish", "advice", "finish the campaign with the same command"),
       answer(surer_other_laws, "surer-other-laws", "advice", "identify other laws to compare it with (--laws)"),
       answer(surer_both_sides, "surer-both-sides", "advice", "test whole cycles that reach as far to both sides"),
+      answer(surer_design, "surer-design", "advice", "test up to the {asked_mm:3} mm that the design asks for"),
       answer(surer_fit_blocks, "surer-fit-blocks", "advice",
              "leave an amplitude or rate out of the fit (--fit-blocks)"),
       answer(surer_other_amplitude, "surer-other-amplitude", "advice",

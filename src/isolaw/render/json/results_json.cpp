@@ -59,7 +59,7 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
                           std::optional<study::Recommendation> const& recommendation) {
   auto const write_reasons = [&](std::string_view key, std::vector<Finding> const& findings) {
     out.key(key).objects(findings, [&](Finding const& finding) {
-      out.member("kind", wording::row(finding.kind).key).member("sentence", wording::sentence(finding));
+      out.member("kind", wording::row(finding.kind).key).member("sentence", wording::remark(finding));
     });
   };
   out.key("recommendation");

@@ -318,7 +318,7 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   auto text = wrapped("", wording::sentence(advice.answer), 0, width);
   std::string line = wording::paragraph(advice.why);
   if (advice.law && !advice.weak().empty())
-    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; "));
+    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; ", false));
   if (!advice.reach.empty()) line += " " + wording::paragraph(advice.reach);
   if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, "; "));
   text += wrapped("", line, 2, width);
@@ -409,7 +409,7 @@ std::string wrapped(std::string_view bullet, std::string_view text, int indent, 
   return out + line + '\n';
 }
 
-std::string answer(Summary const& summary, std::string_view directory, int width) {
+std::string answer(Summary const& summary, std::string_view directory, std::string_view campaign, int width) {
   width = std::max(width, 60);
   constexpr int margin = 12;
   auto const found = findings(summary);
@@ -420,7 +420,8 @@ std::string answer(Summary const& summary, std::string_view directory, int width
   auto const weak = law != nullptr ? shown.weak() : std::vector<Finding>();
   text += wrapped("", wording::sentence(shown.answer), 0, width);
   if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
-  if (!weak.empty()) text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ")), 2, width);
+  if (!weak.empty())
+    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ", false)), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach), margin, width);
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
@@ -445,11 +446,10 @@ std::string answer(Summary const& summary, std::string_view directory, int width
                 counted(every.size() - told, told == 0 ? "warning" : "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
-    text += fmt::format(
-        "Next        {}\n",
-        shell_quoted(std::vector<std::string>{"isolaw", "export", std::string(directory), "--law", law->id, "--device",
-                                              law->lot ? "lot" : printable(study::device_names(summary).front()),
-                                              "--to", shown.programs ? "opensees-cpp" : "openseespy"}));
+    text += fmt::format("Next        {}\n", shell_quoted(std::vector<std::string>{
+                                                "isolaw", "export", std::string(campaign), "--law", law->id, "--device",
+                                                law->lot ? "lot" : printable(study::device_names(summary).front()),
+                                                "--to", shown.programs ? "opensees-cpp" : "openseespy"}));
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }
