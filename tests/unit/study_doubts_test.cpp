@@ -257,6 +257,20 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
 
+// Whoever takes a law from the campaign must read what the answer doubts about it, and that no law is recommended.
+TEST(Doubts, RepeatThoseOfTheAnswer) {
+  auto summary = fixture::lot();
+  EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "the design asks for"));
+  for (auto& one : summary.laws)
+    one.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = 400.0, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
+  EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D1"),
+                       "Bilinear: the design asks for 400 mm, 4.0 times the largest displacement tested"))
+      << doubts_of(summary, "bilinear", "D1");
+  for (auto& one : summary.laws)
+    one.runs_away = Finding{.kind = FindingKind::law_runs_away, .words = {{"rule", "jumps"}}};
+  EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D1"), "No law can be recommended."));
+}
+
 // A law is adequate or not for all devices together. A poor fit to one device does not change this.
 TEST(Doubts, TakeAdequacyFromTheWhole) {
   auto summary = fixture::lot(10, 3);

@@ -150,5 +150,30 @@ TEST(RangeTest, GoesToTheDisplacementOfTheDesign) {
   }
 }
 
+// One device was tested to 200 mm, the other only to 50 mm. The law of the second softens so much that it must be
+// refused if it is tried at 400 mm, as the law of the first is, but not if it is tried at twice its own 50 mm.
+TEST(RangeTest, TriesADeviceTestedLessNoFartherInProportion) {
+  Summary summary;
+  summary.devices = {tested_device(200.0, 628.0, 0.3), tested_device(50.0, 157.0, 0.3)};
+  summary.devices[1].name = "less";
+  LawResult law;
+  law.id = "bilinear";
+  law.devices.resize(2);
+  law.devices[0].device = "device";
+  law.devices[1].device = "less";
+  summary.laws = {law};
+  campaign::Contents contents;
+  contents.runs = {{.device = 0, .law = "bilinear", .number = 1, .parameters = {10.0, 1.0, 10.0}},
+                   {.device = 1, .law = "bilinear", .number = 1, .parameters = {10.0, 0.3, 10.0}}};
+  add_range_tests(summary, contents);
+  EXPECT_EQ(rule(summary.laws[0]), "sane");
+  EXPECT_NEAR(summary.laws[0].beyond->tested_mm, 200.0, 1e-9);
+  summary.acceptance.design.disp_mm = 400.0;
+  add_range_tests(summary, contents);
+  ASSERT_EQ(rule(summary.laws[0]), "stiffness");
+  EXPECT_EQ(summary.laws[0].runs_away->devices, std::vector<std::string>{"less"});
+  EXPECT_NEAR(summary.laws[0].runs_away->number("tested_mm"), 50.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace isolaw::study

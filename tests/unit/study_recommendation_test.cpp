@@ -217,6 +217,14 @@ TEST(Recommendation, NamesEveryDoubt) {
   EXPECT_TRUE(doubt(weak_damping_beyond, [](auto& law, auto&) {
     law.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .stiffness_ratio = 1.0, .damping_ratio = 0.3};
   }));
+  auto const tried_at = [](double asked_mm) {
+    return [=](auto& law, auto&) {
+      law.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = asked_mm, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
+    };
+  };
+  EXPECT_TRUE(doubt(weak_far_beyond, tried_at(210.0)));
+  EXPECT_EQ(std::ranges::count(with(tried_at(210.0)).surer, surer_design, &Finding::kind), 1);
+  EXPECT_EQ(with(tried_at(200.0)).sure, Sure::clear);
   EXPECT_TRUE(doubt(weak_one_sided, [](auto&, Summary& summary) {
     summary.devices[0].record.disp_mm = {0.0, 100.0, -49.0};
   }));
@@ -257,6 +265,7 @@ TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
   summary.laws[0].devices[1].device = "D1";
   summary.laws[0].devices[1].refusal = "no time channel";
   EXPECT_EQ(law_of(summary, *recommendation(summary)), "whole");
+  EXPECT_TRUE(doubts(*recommendation(summary), FindingKind::weak_only_law));
   // A device that could not be read does not change the choice.
   DeviceResult refused;
   refused.name = "bad";
@@ -275,6 +284,9 @@ TEST(Recommendation, TakesBlocksOfLargerAmplitudeForLargerSwings) {
   summary.devices[0].properties.blocks = {small, large};
   EXPECT_NEAR(*recommendation(summary)->standings.front().predicts, 0.06, 1e-12);
   EXPECT_TRUE(contains(recommendation(summary)->answer, "and blocks that it was not fitted to within 6.0 %"));
+  summary.laws[0].larger_swings_objective = 0.2;
+  EXPECT_FALSE(doubts(*recommendation(summary), FindingKind::weak_larger_swings));
+  summary.laws[0].larger_swings_objective = {};
   summary.devices[0].properties.blocks[0].amplitude_mm = 200.0;
   EXPECT_FALSE(recommendation(summary)->standings.front().predicts);
   EXPECT_NEAR(*recommendation(summary)->standings.front().error, 0.04, 1e-12);
