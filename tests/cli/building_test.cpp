@@ -109,6 +109,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(nominal.code, 0) << nominal;
   EXPECT_EQ(nominal.out.find("law,motion,outcome,isolator_mm"), 0u) << nominal;
   EXPECT_TRUE(contains(nominal.out, "bilinear,motion-7-x,completed,")) << nominal;
+  EXPECT_TRUE(contains(nominal.err, "warning: From the calibration: ")) << nominal;
   EXPECT_TRUE(contains(read_file(directory() / "N/histories/bilinear-7.csv"), "acceleration_5_y [mm/s2]"));
   EXPECT_FALSE(std::filesystem::exists(directory() / "N/building.sqlite"));
   // The building file names a device that the campaign does not have, so no output may be written.

@@ -217,6 +217,8 @@ TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_writte
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_EQ(read("elsewhere/summary.json"), read("O/summary.json"));
   EXPECT_EQ(read("elsewhere/report.html"), read("O/report.html"));
+  EXPECT_TRUE(contains(o.out, "elsewhere/report.html")) << o;
+  EXPECT_FALSE(contains(o.out, "isolaw export elsewhere")) << o;  // only O holds the campaign
   write("taken", "x");
   for (auto const* place : {"taken", "taken/below"}) {
     auto const refused = isolaw({"report", "O", "--json", "--out", place});
