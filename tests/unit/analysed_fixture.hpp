@@ -105,8 +105,9 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// Every law but the second is on the front of `objective_converged` against `beta_converged`. Only the first law is on
-// the front of errors on devices that were left out of the fit. The prediction of the second law is unusable.
+// All laws with a `beta_converged` but the second are put on the front of `objective_converged` against
+// `beta_converged`. The front of errors on devices that were left out of the fit gets the first law alone. The
+// prediction of the second law is unusable, that of the others fair.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

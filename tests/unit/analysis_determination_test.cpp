@@ -1,5 +1,5 @@
-// Sentences about parameters that can replace one another, and verdicts in limiting cases: no free parameter, one free
-// parameter, a parameter tied to another, a start that is no optimum.
+// Tests the sentences about parameters that can replace one another, and whether parameters are called determined in
+// limiting cases: no free parameter, one free parameter, a parameter tied to another, a start that is no optimum.
 #include "isolaw/analysis/determination.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,8 @@ TEST_F(Determine, OneIsFree) {
 }
 
 // The profile of a parameter is the least objective for each of its values. With one free parameter no other parameter
-// can adjust, so the profile is the objective itself.
+// can adjust, so the profile is the objective itself. At both ends of the range that is found, the objective must have
+// risen by about the stated rise.
 TEST_F(Determine, AnOpenRangeEndsWhereTheObjectiveHasRisen) {
   auto const given = twin({"bilinear.K1=4", "bilinear.K2=0.6"});
   auto const on_record = model(given);
@@ -99,8 +100,8 @@ TEST_F(Determine, ATiedParameterGoesWithTheOther) {
   EXPECT_LT(found->objective, 1e-9);
 }
 
-// If a profile reaches a lower objective than the start has, the examination begins again from the point of that lower
-// objective.
+// The start lies 2 % beside the optimum. If a profile reaches a lower objective than that of the start, the examination
+// begins again from the point of the lower objective. In the end it must have found the optimum.
 TEST_F(Determine, AStartBesideTheOptimumEndsAtIt) {
   auto const given = twin();
   auto start = given.truth;

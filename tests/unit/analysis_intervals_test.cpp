@@ -1,5 +1,5 @@
-// Block lengths of the bootstrap for series of known correlation, and intervals in limiting cases: a record without
-// errors, no free parameter, a parameter at a bound, a parameter tied to another.
+// Tests the block lengths of the bootstrap for series of known correlation, and the intervals of parameters in limiting
+// cases: a record without errors, no free parameter, a parameter at a bound, a parameter tied to another.
 #include "isolaw/analysis/intervals.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Laws that are fitted to the small swings of a record and judged on the large ones.
+// Tests how laws that are fitted to the small swings of a record are judged on the large ones.
 #include "isolaw/analysis/larger_swings.hpp"
 
 #include <gtest/gtest.h>
@@ -31,9 +31,8 @@ TEST(LargerSwings, ArePredictedByTheTrueLaw) {
   EXPECT_GT(found->evaluations, 0);
 }
 
-// This device is linear in its small swings and twice as stiff beyond 105 mm, where only its large swings go. A law
-// that is fitted to the small swings cannot know this, as a fit to the whole record would, and must predict the large
-// ones badly.
+// This device is linear in its small swings and twice as stiff beyond 105 mm, where only its large swings go. The small
+// swings do not show this, so a law that is fitted to them alone must predict the large swings badly.
 TEST(LargerSwings, ShowThatALawDoesNotKnowThem) {
   auto record = twins::growing_cycles(6, 80);
   for (std::size_t i = 0; i < record.size(); ++i) {

@@ -1,5 +1,5 @@
-// Fits one parameter vector to several devices: with the least mean objective, with the least worst objective, with
-// each device left out in turn, and in a box that all devices share.
+// Tests the fit of one set of parameters to several devices: with the least mean objective, with the least worst
+// objective, with each device left out in turn, and in a box that all devices share.
 #include "isolaw/analysis/one_law.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 namespace isolaw::analysis {
 namespace {
 
-// The lot has bilinear devices, tested with a little noise, and the optimum of each device. The strength of a device is
-// a factor on all its free parameters.
+// A lot of bilinear devices whose records have a little noise. The fixture also holds the optimum of each device. The
+// strength of a device is a factor on all its free parameters.
 class Lot : public testing::Test {
  protected:
   void take(std::vector<double> const& strengths, std::vector<std::string> const& set = {}) {

@@ -1,5 +1,5 @@
-// Search problems made from other search problems: with other weights, with one coordinate fixed, and over several
-// records at once.
+// Tests search problems that are made from other search problems: with other weights, with one coordinate fixed, and
+// over several records at once.
 #include "isolaw/analysis/problems.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Threads that work ahead on items of a task: each item is done once and before it is needed, and a failure reaches the
-// thread that needs the item.
+// Tests threads that work ahead on the items of a task. Each item must be done once and before it is needed, and a
+// failure must reach the thread that needs the item.
 #include "isolaw/base/work_ahead.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The file of the best objectives known: what makes two problems different, how the file is read and written, and that
-// a stored objective never rises.
+// Tests the file of the best objectives known: what makes two problems different, how the file is read and written, and
+// that a stored objective never rises while the problem stays the same.
 #include "bench/best_known.hpp"
 
 #include <fmt/format.h>

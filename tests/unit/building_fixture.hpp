@@ -1,4 +1,4 @@
-// Structures, plans of bearings and ground motions that the tests of buildings share.
+// Makes the structures, plans of bearings and ground motions that the tests of buildings share.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Implicit integration of a building. Its results must not depend on how the building is described; the tests also
-// check the balance of energy, convergence and failures.
+// Tests the implicit integration of a building. The results must not depend on how the building is described. The tests
+// also check the balance of energy, convergence and failures.
 #include "isolaw/building/integrate.hpp"
 
 #include <gtest/gtest.h>
@@ -220,9 +220,9 @@ TEST(BuildingIntegrate, refuses_what_is_no_building) {
   EXPECT_THROW(Model(Structure(three_floors()), {.bearings = {}}), Error);
 }
 
-// The force of these laws rises from rest with a power of the displacement, and their bearings are springs around the
-// circle. A spring across the motion moves no farther than rounding, where the force of such a law is noise. Every step
-// must find its equilibrium all the same.
+// The force of these laws rises from rest with a power of the displacement. Each bearing is a set of springs in
+// directions all around the circle. A spring at right angles to the motion moves by rounding errors only, and the force
+// of such a law is noise there. Every step must find its equilibrium all the same.
 TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
   std::pair<char const*, Values> const laws[]{
       {"power-masing", {87.86, 0.371, 46.69, 9.1, 62.65, 0.2578}},
@@ -242,8 +242,9 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
     }
 }
 
-// A bearing of springs takes them from laws::Springs if its law has a slope at rest. This law has none, so each spring
-// is a straight line until it first moves by more than 1e-6 mm. From then on the forces must be those of laws::Springs.
+// If a law has a slope at rest, the springs of its bearing are those of laws::Springs. This law has none, so each
+// spring is a straight line until it first moves by more than 1e-6 mm. From then on the forces must be those of
+// laws::Springs.
 TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
   Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};
   auto const bearing = make_bearing("power-masing", values, Coupling::springs);

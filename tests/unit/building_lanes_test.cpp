@@ -1,5 +1,6 @@
-// Explicit integration of many draws at once. It is compared with the implicit integration, and its vectorised code
-// with its scalar code.
+// Tests the explicit integration of many draws at once; a draw is the building with randomly drawn bearings. The
+// results are compared with those of the implicit integration, and those of the vectorised code with those of the
+// scalar code.
 #include "isolaw/building/lanes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// A study of a building: the file that describes it, the draws of its bearings, the runs, and the answers.
+// Tests a study of a building: the file that describes the study, the random draws of the bearings, the runs, and the
+// answers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -350,7 +351,8 @@ TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   EXPECT_FALSE(answers.bounds_are_enough.has_value());
 }
 
-// All three buildings lie within the bounds, but three draws cannot show that 95 % of all buildings do.
+// All three buildings lie within the bounds, but three draws cannot show that 95 % of all buildings do. The study must
+// say that there is no answer yet.
 TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   auto study = usual_study(0.001, 3);
   RunStore store(file_, properties_of(study), false);
@@ -365,7 +367,8 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
       << answers.warnings;
 }
 
-// The second law is twice as stiff, so the bounds computed with the first law do not cover its draws.
+// The second law is twice as stiff, so the bounds computed with the first law do not cover the draws of the second. The
+// study must answer that the bounds are not enough.
 TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   auto study = usual_study(0.001, 80);
   auto other = study.laws.front();
@@ -554,8 +557,8 @@ TEST(BuildingAnswers, arrangement) {
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
 
-// Beyond its yield displacement this law pushes the building away, so that no analysis reaches the end of the motion. A
-// study of this law alone must be refused. A study that also has a sound law must answer for the sound law.
+// Beyond its yield displacement this law pushes the building away, and no analysis with it reaches the end of the
+// motion. A study of this law alone must be refused. A study that also has a sound law must answer for the sound law.
 TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered) {
   auto failing = usual_study(0.07, 3);
   failing.file.motions.resize(1);

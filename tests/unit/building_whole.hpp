@@ -1,4 +1,4 @@
-// The equations of a building as whole matrices. They are assembled here without the code by which the program does so.
+// Assembles the equations of a building as whole matrices, without the code by which the program does so.
 #pragma once
 
 #include <Eigen/Core>

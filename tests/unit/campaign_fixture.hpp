@@ -1,5 +1,5 @@
-// Small campaigns for the tests: records in a temporary folder of each test, and exact comparison of campaign contents
-// (settings, devices, boxes, runs).
+// Helps tests that need a small campaign. Writes records to a temporary folder of each test, and compares the contents
+// of campaigns (settings, devices, boxes, runs) exactly.
 #pragma once
 
 #include <fmt/format.h>
@@ -143,7 +143,7 @@ inline void expect_same(fit::SearchBox const& a, fit::SearchBox const& b, std::s
   }
 }
 
-// Compares everything but the layout of the raw record, which only `isolaw init` writes and no report needs.
+// Compares all members but the layout of the raw record. Only `isolaw init` writes the layout, and no report needs it.
 inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.file, b.file);

@@ -1,4 +1,4 @@
-// Lot files: every key, the message about every mistake with its line, and how isolaw writes such a file.
+// Tests lot files: every key, the message about every mistake with its line, and how isolaw writes such a file.
 #include "isolaw/campaign/lot_file.hpp"
 
 #include <gtest/gtest.h>
@@ -350,7 +350,8 @@ TEST_F(LotFileTest, NamesHaveALongestLength) {
                {"lot.toml:4: serial: ", "is 513 bytes long", "512 or fewer"});
 }
 
-// toml++ reads nested tables by recursion, so a hundred thousand levels would overflow its stack.
+// toml++ reads nested tables by recursion, so a hundred thousand levels would overflow its stack. isolaw must refuse
+// such a file before toml++ reads it.
 TEST_F(LotFileTest, DeepNestingIsRefused) {
   std::string const found = "nested deeper than any lot file needs";
   auto const repeated = [](std::string_view part, std::size_t times) {

@@ -1,5 +1,5 @@
-// Campaigns computed in parts: how runs are assigned to the parts. Merging a thousand parts must take time in
-// proportion to the rows, and no more memory than merging a hundred.
+// Tests campaigns that are computed in parts: how runs are assigned to the parts, and how the parts are merged. Merging
+// a thousand parts must take time in proportion to the rows, and no more memory than merging a hundred.
 #include "isolaw/campaign/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,8 @@ TEST_F(MergeTest, AStoreInOrderIsTheSameFileHoweverItCameAbout) {
 
 #ifdef __linux__
 
-// Counters of /proc/self for this process: "rchar" and "wchar" in io, "VmHWM" in status.
+// Reads a counter that the system keeps for this process in /proc/self: "rchar" or "wchar" in the file io, "VmRSS" or
+// "VmHWM" in the file status.
 std::uint64_t counted_by_system(std::string const& file, std::string const& key) {
   std::ifstream in("/proc/self/" + file);
   for (std::string word; in >> word;)

@@ -1,5 +1,5 @@
-// Prepares and runs campaigns: which input is refused, and that the result of a run depends on seed, device, law and
-// run number alone, not on threads, order, other runs or interruptions.
+// Tests how campaigns are prepared and run: which input is refused, and that the result of a run depends on seed,
+// device, law and run number alone, not on threads, order, other runs or interruptions.
 #include "isolaw/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -420,8 +420,9 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
 
 // --- integration in finer steps ---
 
-// With a dozen samples per cycle, one step of hwang-wu is far too long in a corner of the box. A search that does not
-// refine its steps ends there at an objective that only the step error makes so low.
+// With a dozen samples per cycle, one integration step per sample is far too long for hwang-wu in a corner of the box.
+// A search with such steps ends there at an objective that only the step error makes so low. isolaw must then search
+// again in finer steps, until still finer ones hardly change the objective.
 TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   Lot coarse;
   coarse.settings.laws = {"hwang-wu", "bilinear"};
@@ -513,7 +514,8 @@ TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
   EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
 }
 
-// `calibrate` returns what the terminal prints about a campaign that it continues.
+// If `calibrate` continues a campaign, its result says what the terminal would print about this: here the device that
+// was added and the rule set that the new call no longer names.
 TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));

@@ -1,5 +1,5 @@
-// Settings that decide a campaign's numbers: written as pairs of key and value, read from pairs, and given on the
-// command line.
+// Tests the settings that decide a campaign's numbers: how they are written as pairs of key and value, read from pairs,
+// and given on the command line.
 #include "isolaw/campaign/settings.hpp"
 
 #include <fmt/format.h>
@@ -192,11 +192,11 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   EXPECT_EQ(best.runs, 2);
   EXPECT_FALSE(best.clean.weights);  // chosen for each record
   EXPECT_EQ(genetic.clean.weights, data::Weighting::time);
-  EXPECT_EQ(genetic.runs, 20);  // the number in the paper
+  EXPECT_EQ(genetic.runs, 20);  // as in the published study
   EXPECT_EQ(given.runs, 7);
 }
 
-TEST(Settings, Defaults) {  // those of the genetic algorithm are the paper's
+TEST(Settings, Defaults) {  // the genetic algorithm has the settings of the published study
   Settings const s;
   EXPECT_EQ(s.method, Method::best);
   EXPECT_EQ(s.integration, laws::Integration::converged);

@@ -1,5 +1,5 @@
-// The campaign's store: everything written can be read, a run is stored whole or not at all, and files that are not
-// stores are refused.
+// Tests the store, the file in which a campaign is kept: everything written can be read, a run is stored whole or not
+// at all, and files that are not stores are refused.
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/data/files/table.hpp"
 
@@ -159,7 +159,7 @@ Run failed(std::size_t device, std::string law, int number) {
   return testing::failed_run(device, std::move(law), number, attack);
 }
 
-// Sorted by device, law (alphabetically) and number, as Contents holds them.
+// The runs are sorted by device, law (alphabetically) and number, as they are in Contents.
 std::vector<Run> runs() {
   auto plain = good(2, "bilinear", 1);
   plain.outcome = Outcome::all_generations;
@@ -365,7 +365,8 @@ TEST_F(StoreTest, FinishingLeavesOnePlainFile) {
   EXPECT_EQ(names(), std::vector<std::string>{"campaign.sqlite"});
   auto const bytes = bytes_of(file());
   ASSERT_GT(bytes.size(), 100u);
-  // Byte 18 is the format version in the header: 1 for a rollback journal, 2 for a write-ahead log.
+  // Bytes 18 and 19 of the header give the format for writing and for reading: 1 for a rollback journal, 2 for a
+  // write-ahead log.
   EXPECT_EQ(bytes[18], 1);
   EXPECT_EQ(bytes[19], 1);
 }

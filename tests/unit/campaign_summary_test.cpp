@@ -1,4 +1,4 @@
-// Numbers of the report from made-up runs of a campaign, whose statistics are worked out by hand.
+// Tests the numbers of the report on made-up runs of a campaign, whose statistics are worked out by hand.
 #include "finding_text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
@@ -313,8 +313,9 @@ TEST(Summary, RefusedDevicesAndLawsAreThereWithTheirReason) {
   EXPECT_TRUE(summary.laws[0].on_front);
 }
 
-// Four laws with known beta and mean objective: bilinear (0.1, 0.30), jankowski (0.2, 0.20), bouc-wen (0.3, 0.25) and
-// vaiana (0.4, 0.10). Jankowski dominates bouc-wen.
+// The four laws have these values of the robustness index beta and of the mean objective: bilinear (0.1, 0.30),
+// jankowski (0.2, 0.20), bouc-wen (0.3, 0.25) and vaiana (0.4, 0.10). Jankowski is better than bouc-wen in both, so
+// bouc-wen alone must not be on the front.
 TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   Contents c;
   c.settings.laws = {"vaiana", "bouc-wen", "bilinear", "jankowski"};

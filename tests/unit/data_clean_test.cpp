@@ -1,4 +1,4 @@
-// Cleaning of records: moving average, velocity, thinning, centring.
+// Tests the cleaning of records: moving average, velocity, thinning, centring.
 #include <gtest/gtest.h>
 
 #include <algorithm>

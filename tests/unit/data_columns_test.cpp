@@ -1,5 +1,5 @@
-// Channels and units, recognised in the names that laboratories write or given by options. If a channel or unit cannot
-// be known, isolaw asks for it and does not guess.
+// Tests how channels and units are recognised in the names that laboratories write, or given by options. If a channel
+// or unit cannot be known, isolaw must ask for it and not guess.
 #include "data_fixture.hpp"
 #include "isolaw/data/channels/columns.hpp"
 #include "isolaw/data/files/column_names.hpp"

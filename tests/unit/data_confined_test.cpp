@@ -1,5 +1,5 @@
-// Runs a function in a process of its own. Its results come back, and every way in which the process can end gives an
-// outcome.
+// Tests functions that run in a process of their own. The results of the function must come back, and every way in
+// which the process can end must give an outcome.
 #include "isolaw/data/files/confined.hpp"
 
 #include <gtest/gtest.h>

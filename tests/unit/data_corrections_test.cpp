@@ -1,4 +1,5 @@
-// Corrections remove effects of the rig from a record, describe what they did, and refuse impossible values.
+// Tests corrections, which remove effects of the rig from a record, describe what they did, and refuse impossible
+// values.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Segmentation of records into cycles and blocks: where cycles are cut, how they are numbered and grouped, and which
-// records are not cyclic.
+// Tests how records are cut into cycles, which are grouped into blocks of about one amplitude and frequency: where
+// cycles begin, how they are numbered, which cycles are left out of the count, and which records are not cyclic.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -175,8 +175,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
       EXPECT_EQ(counted_per_block(cut), (Counts{3, 3})) << pause << " s, noise " << noise;
       EXPECT_EQ(cut.cycles.size(), 6u);
     }
-  // After two and a half cycles the test starts anew in the other direction. The half cycle is listed with its block
-  // but does not count.
+  // After two and a half cycles the test starts anew in the other direction. The half cycle must be listed with the
+  // first block, but not be counted among the cycles of this block.
   auto const cut = Motion().sine(100.0, 0.5, 2.5).sine(-150.0, 0.5, 3).end().cut();
   EXPECT_EQ(counted_per_block(cut), (Counts{2, 3}));
   ASSERT_EQ(cut.cycles.size(), 6u);
@@ -199,7 +199,7 @@ TEST(Segment, ASlowStartDoesNotCount) {
   EXPECT_EQ(counted_per_block(cut), Counts{3});
   EXPECT_EQ(cut.cycles[0].not_counted, "its period of 3.5 s is 1.75 times as long as the block's 2 s, more than 1.4");
   EXPECT_TRUE(cut.cycles.back().partial);
-  // A first cycle that is only a little slower than the others counts, since rigs start gently.
+  // Rigs start gently, so a first cycle that is only a little slower than the others must be counted.
   Motion gentle;
   gentle.ramp(0.0, 150.0, 0.9);
   for (int i = 0; i <= 750; ++i) gentle.add(150.0 * std::cos(pi * 0.01 * i));
@@ -215,7 +215,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
       EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.005);
       EXPECT_NEAR(*properties.blocks[1].frequency_Hz, frequency, 0.005);
     }
-  // Neither one cycle of another frequency nor periods that scatter by about 10 % start a new block.
+  // No new block may start at a single cycle of another frequency, where periods scatter over about 10 %, or by noise.
   auto const odd = Motion().sine(150.0, 0.5, 3).sine(150.0, 0.45, 1).sine(150.0, 0.5, 3).end();
   EXPECT_EQ(counted_per_block(odd.cut()), Counts{7});
   Motion uneven;
@@ -395,7 +395,8 @@ TEST(Segment, HistoriesThatDoNotMoveAreRefused) {
 
 class Draw : public ::testing::TestWithParam<unsigned> {
  protected:
-  // A cyclic test with random stages, holds, noise and offset.
+  // A cyclic test with stages of growing amplitude. The sampling interval, the direction, the stages, the rests
+  // between them and the noise are random.
   Motion random() {
     std::mt19937 generator(GetParam());
     auto const uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(generator); };
@@ -452,7 +453,7 @@ TEST_P(Draw, UnitsSignAndTimeOriginDoNotMatter) {
 
 TEST_P(Draw, ThePhysicsSurviveRescalingShiftResamplingAndReversal) {
   auto motion = random();
-  // The number of samples is odd, so that the last one stays when every second sample is dropped.
+  // Make the number of samples odd. The last sample then stays when every second one is dropped.
   if (motion.disp_mm.size() % 2 == 0) motion.end();
   motion.loop();
   auto const reference = motion.properties();

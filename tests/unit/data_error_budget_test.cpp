@@ -1,5 +1,5 @@
-// The error budget of a record. Each warning and note must appear, with its numbers, if the record has the error, and
-// must not appear otherwise.
+// Tests the error budget of a record, the list of its measurement errors and their effects. Each warning and note must
+// appear, with its numbers, if the record has the error, and must not appear otherwise.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,8 @@ TEST(ErrorBudget, ACleanRecordHasNotesAndNoWarnings) {
   for (auto const& effect : budget.effects) EXPECT_FALSE(effect.exceeds) << effect.effect;
 }
 
-// Two samples at a peak lose their force, which halves the stiffness of that cycle.
+// The force is zero in two samples at one peak of cycle 3, which halves the stiffness of that cycle. A warning must
+// name the cycle.
 TEST(ErrorBudget, ACycleUnlikeItsNeighboursIsNamed) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   EXPECT_FALSE(says(budget_of(motion).warnings, "beside it"));
@@ -197,8 +198,8 @@ TEST(ErrorBudget, NoiseMovesTheExtremes) {
   // Each extreme has a standard deviation of 0.6 times the 3 mm of the noise. The mean amplitude of 200 cycles, with
   // two extremes each, then has a standard deviation of 0.09 mm. The tolerance is about three times this.
   EXPECT_NEAR(beyond, peak_gain_mm(3.0, 150.0, 200.0), 0.3);
-  // Noise moves the extreme of displacement away from the peak of the force. The stiffness therefore falls by more than
-  // the amplitude rises.
+  // Noise moves the extreme of displacement away from the peak of the force. The stiffness therefore falls by a larger
+  // share than that by which the amplitude rises.
   EXPECT_GT(softer, peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_LT(softer, 2.0 * peak_gain_mm(3.0, 150.0, 200.0) / 150.0);
   EXPECT_DOUBLE_EQ(peak_gain_mm(0.0, 150.0, 200.0), 0.0);

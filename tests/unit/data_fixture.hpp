@@ -1,4 +1,4 @@
-// Files as a laboratory could have written them. Each is made for one test and removed after it.
+// Writes files as a laboratory could have written them. Each file is made for one test and removed after this test.
 #pragma once
 
 #include <fmt/format.h>

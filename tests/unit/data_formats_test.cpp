@@ -1,4 +1,4 @@
-// The same test must give the same record from every format. Measured files of each format are read as well.
+// Tests that one and the same test gives the same record from every format. Measured files of each format are read too.
 #include <algorithm>
 #include <cstdlib>
 

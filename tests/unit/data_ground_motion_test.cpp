@@ -1,5 +1,5 @@
-// Ground accelerations as databases and programs write them, and files that isolaw refuses because it would have to
-// guess.
+// Tests the reading of ground accelerations as databases and programs write them, and files that isolaw refuses because
+// it would have to guess.
 #include "isolaw/data/channels/ground_motion.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Records as JSON: the shapes of a table, names and units, and what is refused.
+// Tests the reading of records in JSON: the shapes of a table, names and units, and what is refused.
 #include <fmt/ranges.h>
 
 #include "data_writers.hpp"
@@ -257,7 +257,7 @@ TEST_F(Json, HostileTexts) {
   says_of(arrays + "\"x\":[1]}", "more than 1000 arrays");
 }
 
-// A line of text in brackets is not JSON.
+// A line of text in brackets is not JSON. The file below such a line must be read as delimited text.
 TEST_F(Json, IsToldFromText) {
   std::string const data = "Time [s];Disp [mm];Force [kN]\n0;0;1\n1;1;2\n2;2;1\n";
   for (auto const* line : {"[Header]\n", "[ test D07 ]\n", "{D07}\n", "[]\n"})

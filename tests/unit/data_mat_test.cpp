@@ -1,4 +1,5 @@
-// Records in MATLAB files of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and what is refused.
+// Tests the reading of records in MATLAB files of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and
+// what is refused.
 #include <hdf5.h>
 #include <zlib.h>
 
@@ -410,7 +411,8 @@ TEST_F(Mat73, LinksAndDataElsewhereLeadNowhere) {
       << refusal(kept_elsewhere);
 }
 
-// A data set of a thousand million values that were never written takes no space in an HDF5 file.
+// A data set of a thousand million values that were never written takes no space in an HDF5 file. isolaw must refuse
+// the file.
 TEST_F(Mat73, ValuesThatAreNotThere) {
   auto const text = mat_of([&](hid_t file) {
     add(file, "force_kN", four_force);

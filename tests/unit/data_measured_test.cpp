@@ -1,4 +1,4 @@
-// Measured records, which are not part of the project. A test is skipped if its file is absent.
+// Tests with measured records. Their files are not part of the project, and a test is skipped if its file is absent.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -121,7 +121,7 @@ TEST(Measured, MrDampersAreReadAndCutIntoTheirCycles) {
     int number;
     // `frequency_Hz` is the peak of the spectrum, `amplitude_mm` half the third rise (in test 3, half the third fall).
     double frequency_Hz, amplitude_mm;
-    std::size_t complete, counted;  // in test 1, one cycle does not count as it is 5.1 % larger than the others
+    std::size_t complete, counted;  // one cycle of test 1 is not counted: it is 5.1 % larger than the others
   };
   // These numbers were counted by turning points in the files, which Octave had read.
   constexpr Damper tests[] = {{1, 0.84, 8.65, 10, 9},

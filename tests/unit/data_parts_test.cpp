@@ -1,5 +1,5 @@
-// Time stamps, and records that use only part of a file or two files: rows, spans of time, text below the rows,
-// channels in two files.
+// Tests time stamps, and records that are read from a part of a file or from two files: rows, spans of time, text below
+// the rows, channels in two files.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/data/files/time_stamp.hpp"

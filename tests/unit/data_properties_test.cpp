@@ -1,4 +1,4 @@
-// Cycles and their properties, compared with closed forms.
+// Tests cycles and their properties against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ double trapezoid_factor(double samples) {
 class Ellipses : public ::testing::TestWithParam<int> {};
 
 TEST_P(Ellipses, HaveTheirClosedForm) {
-  int const samples = GetParam();  // a multiple of 4, so that the extremes are sampled
+  int const samples = GetParam();  // a multiple of 4, so the extremes are sampled
   double const Xa = 208.0, Fa = 250.0, phi = 0.3;
   for (double const sign : {1.0, -1.0}) {
     auto const properties = ellipse(samples, 3, Xa, Fa, phi, sign).properties();

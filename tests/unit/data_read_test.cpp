@@ -1,4 +1,5 @@
-// Text files in every dialect: delimiter and decimal sign, line ends, encodings, text above the data.
+// Tests the reading of text files in every dialect: delimiter and decimal sign, line ends, encodings, text above the
+// data.
 #include "data_fixture.hpp"
 #include "isolaw/base/hash.hpp"
 

@@ -1,4 +1,4 @@
-// Files that isolaw refuses, and the message about each.
+// Tests which files isolaw refuses, and the message about each.
 #include <sys/stat.h>
 
 #include <algorithm>

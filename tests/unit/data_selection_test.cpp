@@ -1,4 +1,4 @@
-// The choice of blocks and cycles by which laws are scored.
+// Tests the choice of the blocks and cycles whose samples are scored, which means that they count in a law's objective.
 #include "isolaw/data/cycles/selection.hpp"
 
 #include <gtest/gtest.h>

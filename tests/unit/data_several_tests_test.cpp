@@ -1,4 +1,5 @@
-// Several tests of one device in one record: each is read, cut into cycles, cleaned and weighed as if it were alone.
+// Tests records that hold several tests of one device. Each test is cut into cycles and cleaned as if it were alone.
+// All tests together decide whether samples are weighed by time or by swing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -158,8 +159,9 @@ TEST(TestsOfADevice, AreCleanedEachByItself) {
   EXPECT_EQ(both.dead_band_mm, std::max(one.dead_band_mm, two.dead_band_mm));
 }
 
-// Each test has one amplitude, so its samples alone count by time. The device has two amplitudes, so its samples count
-// by swing.
+// If all swings of a device are alike, the cleaned record states no weights, and its samples count by time. This is so
+// for each of the two tests alone. Together they have two amplitudes, so the samples must be weighed by the size and
+// duration of their swings (Weighting::swing).
 TEST(TestsOfADevice, DecideTogetherHowSamplesCount) {
   auto const small = cyclic(50.0), large = cyclic(100.0);
   EXPECT_TRUE(clean(small, {}).weights.empty());

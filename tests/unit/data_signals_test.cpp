@@ -1,5 +1,6 @@
-// Faults of signals, counted on random records of fixed seeds: how often a fault is found, and how often one is
-// reported where there is none. docs/properties.md describes the records and states the bounds checked here.
+// Tests the search for faults of signals on random records of fixed seeds, and counts how often a fault is found and
+// how often one is reported where there is none. docs/properties.md describes the records and states the bounds checked
+// here.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,8 +61,8 @@ bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, s
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
-// Makes one record per seed and counts the faults that are missed. `of` puts a fault into the record and returns
-// whether it was found, or that the record is left out.
+// Draws the plan of one record per seed. `of` makes the record, in most tests with a fault, and returns whether isolaw
+// judges it rightly, or that the record is left out. The records that are judged wrongly are counted as missed.
 enum class Found { left_out, no, yes };
 struct Rate {
   int drawn = 0, missed = 0;
@@ -149,7 +150,8 @@ TEST(Signals, clipped_force_is_found_from_three_percent) {
   EXPECT_LE(200 * rate.missed, rate.drawn);
 }
 
-// A saturated amplifier clips the force before noise is added, so the plateau is noisy.
+// A saturated amplifier clips the force before noise is added, so the plateau is noisy. The clipping must still be
+// found in at least the stated share of the records.
 TEST(Signals, force_clipped_before_its_noise_is_found) {
   struct Case {
     double least_noise, most_noise, least_depth, most_depth;
@@ -478,7 +480,8 @@ TEST(Signals, a_slow_part_with_as_many_samples_a_cycle_has_its_own_frequency) {
   EXPECT_TRUE(time_gaps(motion.disp_mm, motion.time_s).empty());
 }
 
-// The clock jumps at a peak. The rest of that cycle must not count as a pre-load or a build-up.
+// 55 samples at a peak are missing, so the time jumps there. This cycle is not counted, but it must keep its number:
+// the rest of it must not be taken for a pre-load or for cycles of growing amplitude.
 TEST(Signals, a_time_gap_over_a_peak_leaves_the_cycles_their_numbers) {
   for (std::size_t const first : {25u, 225u, 325u}) {
     auto motion = Motion().sine(100.0, 0.5, 5).end().loop();

@@ -92,7 +92,7 @@ TEST(Swings, OfARecordWithoutTimeAreMeasuredInSamples) {
 }
 
 TEST(Swings, LeaveOutReturnsOfLessThanAFortiethOfTheRange) {
-  std::vector<double> const disp{0, 10, 9.6, 10, -10, -9.4, -10, 10, 0};  // a return of 20 / 40 = 0.5 or more counts
+  std::vector<double> const disp{0, 10, 9.6, 10, -10, -9.4, -10, 10, 0};  // returns below 20 / 40 = 0.5 are left out
   auto const found = swings(disp, {});
   ASSERT_EQ(found.size(), 4u);
   EXPECT_EQ(found[0].first, 1u);  // the first of two equal extremes
@@ -163,7 +163,7 @@ TEST(SwingProperties, OfAnEllipse) {
   EXPECT_TRUE(std::isfinite(swing_properties(uneven, force, h.time_s)->damping_percent));
 }
 
-// The cycles of 100 mm are softer than those of 10 mm. Only the cycles of 100 mm count.
+// The cycles of 100 mm are softer than those of 10 mm. The properties must be those of the cycles of 100 mm.
 TEST(SwingProperties, AreThoseOfTheLargestSwings) {
   auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   std::vector<double> force;
@@ -241,7 +241,8 @@ FitRecord five_cycles(double amplitude_mm) {
   return record;
 }
 
-// The limit lies between 0.68 and 0.72 of the largest displacement.
+// Swings of up to 0.7 of the largest displacement are small, the others large. The first test has an amplitude of
+// 0.68 and then of 0.72 of that of the second test. Its swings must be small and then large.
 TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
   for (double const amplitude_mm : {68.0, 72.0}) {
     std::array const tests{five_cycles(amplitude_mm), five_cycles(100.0)};

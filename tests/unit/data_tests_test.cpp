@@ -1,4 +1,4 @@
-// Several tests in one file: how they are told apart by repeated headers, chosen, joined and listed.
+// Tests files that hold several tests: how these are told apart by repeated headers, chosen, joined and listed.
 #include <algorithm>
 
 #include "data_writers.hpp"

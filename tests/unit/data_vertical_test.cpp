@@ -1,5 +1,5 @@
-// Vertical stiffness of compression tests made by formulas, and tests that are refused because isolaw would have to
-// guess.
+// Tests the vertical stiffness from compression tests that are made by formulas, and which compression tests are
+// refused because isolaw would have to guess.
 #include "isolaw/data/properties/vertical.hpp"
 
 #include <cmath>
@@ -133,7 +133,7 @@ TEST(Vertical, NeitherNoiseNorAHeldLoadMovesIt) {
 }
 
 // The largest noisy load lies above the true largest load, and noisy samples cross a load too early. Without averaging,
-// noise of 1 % would make K_v 2 to 7 % too large.
+// noise of 1 % would make K_v 2 to 7 % too large. The mean error must stay below 0.6 %.
 TEST(Vertical, NoiseMakesNoDeviceStiffer) {
   Drawn drawn(7);
   for (int const samples : {200, 1000, 6000})
@@ -150,7 +150,8 @@ TEST(Vertical, NoiseMakesNoDeviceStiffer) {
     }
 }
 
-// A random compression test: loadings of many shapes, held or not, on a device that stiffens, settles and creeps.
+// A random compression test of a device that stiffens, settles and creeps. The loadings rise and fall as triangles or
+// cosines and may be held at their ends. Friction, noise and a coarse converter are drawn too.
 VerticalTest drawn_test(Drawn& drawn) {
   int const samples = static_cast<int>(drawn.on_logs(20.0, 2000.0)), loadings = drawn.whole(1, 5);
   bool const triangle = drawn.chance(0.5), lifts_off = drawn.chance(0.2), friction = drawn.chance(0.3);

@@ -1,4 +1,4 @@
-// Records in Excel workbooks: every kind of cell, sheets, gaps, dates, and what is refused.
+// Tests the reading of records in Excel workbooks: every kind of cell, sheets, gaps, dates, and what is refused.
 #include "data_writers.hpp"
 
 namespace isolaw::data::testing {

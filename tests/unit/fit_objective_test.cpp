@@ -82,7 +82,7 @@ TEST(Objective, WeighsByTheTrueTimeStamps) {
   EXPECT_NEAR(objective_of(model, {1.0, 1.0, 5.0}), integral / 3.5 / std::sqrt(2.5), 1e-15);
 }
 
-// --- a part of the record is scored ---
+// --- only a part of the record is scored, which means that it counts in the objective ---
 
 TEST(Objective, OfThePartThatIsScoredWorkedOutByHand) {
   // One interval of 2 s is scored. The force of the law, F = x, misses the measured forces at the two ends of this
@@ -237,7 +237,8 @@ TEST(Objective, IsInfiniteWhereAForceIsNotFinite) {
   EXPECT_EQ(objective("bilinear", {1.5, std::nan(""), 30.0}, converged), infinity);
 }
 
-// One elastic spring of 0.9 kN/mm in the units of three laws: kN and mm, N and m, N and cm.
+// Three laws with different units (kN and mm, N and m, N and cm) are reduced to one elastic spring of 0.9 kN/mm. Their
+// objectives must be equal.
 TEST(Objective, DoesNotDependOnTheUnitsOfTheLaw) {
   auto const record = sine();
   auto const of = [&](char const* id, Values const& parameters) {

@@ -61,8 +61,8 @@ TEST(FitSprings, find_the_knee_that_they_lose) {
   }
 }
 
-// The springs of a lot have one set of parameters. It must equal that of a single record if all records are equal, and
-// be a compromise if they differ.
+// The springs of a lot have one set of parameters for all its records. If the records are equal, the springs must fit
+// as well as those of a single record. If the records differ, the parameters must be a compromise between them.
 TEST(FitSprings, of_a_lot_are_fitted_to_all_its_records) {
   auto const& law = laws::find_law("bouc-wen");
   std::vector<double> const parameters{0.15, 6.0, 1.0, 0.08, 1.2, 0.08}, stiffer{0.15, 6.6, 1.0, 0.08, 1.2, 0.08};

@@ -248,9 +248,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- problems with known optima ---
 
-// Each tolerance was chosen from searches with 60 random streams. Nine out of ten of them end within some excess over
-// the minimum, and the tolerance is two to three times this excess. At the paper's mutation rate the search hardly ever
-// finds a better value of a gene than the best of its 100 initial values, so sphere() in six dimensions ends near 1e-3.
+// Each tolerance was chosen from searches with 60 random streams. It is two to three times the excess over the minimum
+// within which nine out of ten of these searches end. At the paper's mutation rate of 1 % a search hardly ever finds a
+// better value of a gene than the best of its 100 initial values, so sphere() in six dimensions ends near 1e-3.
 // Curved valleys and functions with many local minima need the wide search.
 struct KnownOptimum {
   char const* name;

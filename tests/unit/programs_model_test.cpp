@@ -66,7 +66,7 @@ Subject with_model(std::string_view law, std::vector<double> const& parameters, 
   return subject;
 }
 
-// The numbers of one building in three systems of units must differ by the factors of the units.
+// The numbers of one building, once in kN and mm and once in N and m, must differ by the factors of the units.
 TEST(ModelNumbers, follow_the_units_of_the_file) {
   auto const subject = with_model("bilinear", bilinear_parameters, four(900.0));
   auto const realisation = realise(subject);

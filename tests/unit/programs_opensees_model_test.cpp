@@ -201,9 +201,9 @@ TEST_F(ModelInOpenSees, two_components_meet_in_coupled_bearings_alone) {
     EXPECT_GT(peak_of(slab("xy").at("uy")), 10.0) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 0.05 * peak_of(x), b.coupled) << b.name;
     EXPECT_EQ(largest_difference(x, xy) > 1e-7 * peak_of(x), b.coupled) << b.name;
-    // Each bearing has a spring along its own x and one along its own y. If bearings are turned by 90 degrees, the
-    // second spring acts along -x of the building. It is stiffer for one sign of its displacement than for the other,
-    // so the test reverses the ground motion as well.
+    // A bearing that is not coupled has a spring along its own x and one along its own y. If it is turned by 90
+    // degrees, the second spring acts along -x of the building. This spring is stiffer for one sign of its displacement
+    // than for the other, so the test reverses the ground motion as well.
     for (auto& bearing : model.bearings) bearing.angle_deg = 90.0;
     for (double& a : model.motions[0].acceleration_mm_s2) a = -a;
     auto const realisation = shaken(b, model, "turned", unit_systems[0], "nominal");

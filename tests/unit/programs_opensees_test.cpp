@@ -59,7 +59,7 @@ TEST_F(OpenSees, a_wrong_script_ends_with_another_exit_code) {
   EXPECT_EQ(run_tcl("bearing.tcl check"), 1) << read("printed");
 }
 
-// isolaw must refuse the arguments that OpenSees refuses, and OpenSees must accept those that isolaw accepts.
+// isolaw must refuse exactly those of the listed arguments for HystereticAsym that OpenSees refuses.
 TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   for (auto const& [a, taken] : {std::pair(std::vector<double>{2, 1, 3, 0, 0, 0}, true),
                                  {{-2, -3, 3, 0, 0, 0}, false},

@@ -49,8 +49,8 @@ TEST_F(Folder, headers_are_the_laws) {
     }
   }
   // At each point the program first tries displacements and velocities on both sides, which must change no state. Then
-  // it computes the point in the material and in a copy. Last it loads the committed state into another material, and
-  // goes on with that one after trials from rest.
+  // it computes the point in the material and in a copy. Last it loads the committed state into another material and
+  // makes trials with that material at rest. The next point is computed in the other material.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);

@@ -422,6 +422,7 @@ int main() {
 }
 
 // In a free vibration each turning point lies within the previous ones, and the element has to remember all of them.
+// It must have room for at least 200. When its variables are full, it must stop with a message that says what to raise.
 TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_no_room) {
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);

@@ -53,7 +53,8 @@ TEST(Findings, PublishedLotHasThePublishedFront) {
       "4 of 6 laws are worth considering: choose between accuracy (Jankowski) and robustness (Bilinear). The best compromise is Vaiana.");
 }
 
-// A law that is on the front only because of the optimiser's noise must not be named as the best compromise.
+// Some laws are on the front of accuracy and robustness only because of the optimiser's noise. Such a law must not be
+// named as the best compromise.
 TEST(Findings, CompromiseStaysOnTheFrontWithoutNoise) {
   auto summary = fixture::lot(10, 6);
   auto const mark = [&](std::string const& id) {

@@ -115,12 +115,12 @@ inline double shape_of(Plan const& plan, double phase) {
   }
 }
 
-// The force in kN along a finely sampled history. Distances scale with the amplitude and stiffnesses with its inverse,
-// so that the force does not depend on the amplitude.
+// The force in kN along a finely sampled history. Distances are in proportion to the amplitude and stiffnesses to its
+// inverse. The force therefore does not depend on the amplitude.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. What the plastic
-  // part lacks to its strength Q falls by a factor e per travel of `way` times the amplitude.
+  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. The difference
+  // between the plastic part and its strength Q falls by a factor e over each travel of `way` times the amplitude.
   double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;

@@ -1,4 +1,5 @@
-// Tests which laws stay sane in the cycles of a building, and which do not.
+// Tests the range test, which tries each law in the cycles of a building. These may be larger and faster than the
+// cycles of the tests. A law whose force is implausible there is refused; a law that passes is called sane.
 #include "isolaw/study/range_test.hpp"
 
 #include <gtest/gtest.h>
@@ -89,7 +90,7 @@ TEST(RangeTest, RefusesALawThatSoftensOrHardensBeyondTheTests) {
   EXPECT_EQ(rule(range_test("hwang-wu", hardening, {.damping = 0.5})), "sane");
 }
 
-// A dashpot that was fitted to a slow test dominates at the speed of a building.
+// A dashpot that was fitted to a slow test may dominate at the speed of a building. The law must then be refused.
 TEST(RangeTest, RefusesADashpotFittedToASlowTest) {
   NamedValues values{{"Y", 40.0}, {"g", 0.7}, {"K", 60.0}, {"U", 1.0}, {"c", 0.005}};
   Tested const tested{.damping = 0.2};

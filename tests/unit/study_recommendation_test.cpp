@@ -146,7 +146,7 @@ TEST(Recommendation, AnswersForADeviceNobodyTested) {
   EXPECT_NEAR(*recommendation(pair)->standings.front().error, 0.0205, 1e-12);
 }
 
-// A law may be closest to the tests used for its fit and still predict other tests badly.
+// A law may be closest to the tests used for its fit and still predict other tests badly. It must not be recommended.
 TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});

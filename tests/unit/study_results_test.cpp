@@ -1,4 +1,4 @@
-// The descriptions of results in the code must be those of docs/summary-json.md.
+// Tests that the descriptions of results in the code are those of docs/summary-json.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,8 +123,8 @@ TEST(Results, HaveAHeadingForEachCell) {
   EXPECT_EQ(texts(columns(cycle_results, {"D_y_mm"})[0]), std::vector<std::string>{"D_y [mm]"});
 }
 
-// The page finds a lot's property in the devices by the heading of the property, so lot and cycles must use the same
-// names.
+// The page looks up a property of the lot among the properties of the devices' cycles by its heading. The lot and the
+// cycles must therefore use the same headings.
 TEST(Results, OfALotsPropertiesAreNamedAsThoseOfCycles) {
   for (auto const quantity : rules::measured_quantities())
     EXPECT_EQ(std::ranges::count(cycle_results, rules::name(quantity), &Result<CycleOf>::heading), 1)

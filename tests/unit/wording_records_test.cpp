@@ -31,7 +31,8 @@ TEST(RecordSentences, OfOneDeviceNameThePlace) {
       "properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.");
 }
 
-// Three devices have a spike of +60 kN, each at another sample.
+// Three devices have a spike of +60 kN, each at another sample. The one sentence about them must state the sample and
+// the value for each device, and no range of samples.
 TEST(RecordSentences, SpikesOfSeveralDevicesKeepTheirSamplesAndValues) {
   auto const said = sentences({spike("device-01", 151, 1.5, -11.0, -71.0), spike("device-02", 421, 4.2, 742.0, 682.0),
                                spike("device-03", 301, 3.0, 120.0, 60.0)});
@@ -121,7 +122,7 @@ TEST(RecordSentences, NoKindMakesARangeOfPositions) {
   }
 }
 
-// A sentence about several devices has a part for each device, and each part can be read alone.
+// A sentence about several devices must have a part for each device, and each part must be complete when read alone.
 TEST(RecordSentences, PartsOfSeveralDevicesStandForThemselves) {
   auto const odd = [](std::string device, int block, double percent) {
     return Finding{.kind = FindingKind::cycle_unlike_neighbours,

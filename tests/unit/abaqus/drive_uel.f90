@@ -1,6 +1,7 @@
-! Calls the user element UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the number of
-! laws. For each law it gives the type, the number of variables, the time step, and the displacement and velocity at
-! each point. The output for each point is the force from RHS, AMATRX (1, 1), stiffness and damping, and the work.
+! Calls the user element UEL as Abaqus/Standard does, increment by increment. The file motion.txt gives the numbers of
+! laws and of points. For each law it gives the type of the element, the number of variables, the time step, and the
+! displacement and velocity at each point. The program prints a line for each point: the force from RHS, the element
+! (1, 1) of AMATRX, of the stiffness matrix and of the damping matrix, and the work.
 program drive_uel
   implicit none
   integer, parameter :: most = 4096
@@ -35,8 +36,8 @@ program drive_uel
           call asked(kind, 11, 1, off * x(i), v(i), off * x(i) - x(i - 1), step, tried, variables, tried_energy, rhs, matrix)
         end if
       end do
-      ! A call that asks for stiffness, damping or a residual alone must not change the element's variables and
-      ! energies.
+      ! Calls that ask for the stiffness, damping or mass matrix or for a residual alone must not change the element's
+      ! variables and energies. The element has no mass.
       tried = svars
       tried_energy = energy
       call asked(kind, 11, 2, x(i), v(i), x(i) - x(i - 1), step, svars, variables, energy, rhs, k)
