@@ -185,10 +185,10 @@ TEST(Answer, IsOneScreen) {
 }
 
 TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
-  auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "out/lot");
+  auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "elsewhere", "out/lot");
   EXPECT_TRUE(contains(text, "Take Abe")) << text;
   EXPECT_TRUE(contains(text, "isolaw export out/lot --law abe --device lot --to opensees-cpp")) << text;
-  EXPECT_TRUE(contains(text, "out/lot/report.html")) << text;
+  EXPECT_TRUE(contains(text, "elsewhere/report.html")) << text;
 }
 
 // Findings about the recommended law and about the records are printed. Findings about other laws are only counted.
