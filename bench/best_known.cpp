@@ -32,9 +32,10 @@ int decade(double value) {
   return exponent;
 }
 
-// Divides the values by a step of one unit in the ninth digit of the largest value, and writes them rounded down.
-// Values in a file are often short decimal numbers or means of a few such numbers, so without a shift many would lie
-// exactly on the edge of a step. With the shift, rounding errors do not move a value into the next step.
+// Writes each value as a whole number of steps, rounded down; a step is one unit in the ninth digit of the largest
+// value. Values in a file are often short decimal numbers or means of a few such numbers, so many would lie exactly on
+// the edge of a step. The function therefore first adds 0.318 (1 / pi) of a step to each value. Rounding errors then do
+// not move a value into the next step.
 void add_channel(std::string& text, std::string_view name, std::vector<double> const& values) {
   constexpr double shift = 0.318309886;
   double largest = 0.0;

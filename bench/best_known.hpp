@@ -25,10 +25,10 @@ struct BestKnown {
 };
 
 // SHA-256 of everything that decides the smallest objective: law, integration, turning points, cleaned record with its
-// weights, and the limits between which each parameter is searched. The key does not depend on the kind of search, nor
-// on whether the search works with a parameter or its logarithm. All numbers are rounded before they are hashed: the
-// channels of the record to nine digits of their largest value, other numbers to nine digits. Programs of different
-// compilers thus get the same key for the same record.
+// weights, and for each parameter the limits of its search or its fixed value. The key does not depend on the kind of
+// search, nor on whether the search works with a parameter or its logarithm. All numbers are rounded before they are
+// hashed: the channels of the record to nine digits of their largest value, other numbers to nine digits. Programs of
+// different compilers thus get the same key for the same record.
 std::string problem_key(laws::LawEntry const& law, laws::Integration integration, laws::TurningPoints turning_points,
                         data::FitRecord const& record, fit::SearchBox const& box);
 

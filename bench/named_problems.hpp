@@ -89,8 +89,8 @@ struct NamedProblems {
   }
 };
 
-// The smallest known objectives from a file, which write() brings up to date. Without a file name the objectives come
-// from the project's own best_known.toml, and write() does nothing.
+// Holds the smallest known objectives from a file, which write() brings up to date. Without a file name the objectives
+// come from the project's own best_known.toml, and write() does nothing.
 class BestFile {
  public:
   explicit BestFile(std::string file) : file_(std::move(file)) {

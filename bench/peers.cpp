@@ -74,8 +74,8 @@ class PythonPeer {
     std::vector<double> values(points.size() * (wants_residuals ? problem.weights().size() : 1));
     if (wants_residuals) {
       problem.residuals(points, values);
-      // Multiplies each residual by its weight and by the number of residuals, so that the objective is the mean of the
-      // absolute values.
+      // Multiplies each residual by its weight and by the number of residuals. The objective is then the mean of the
+      // absolute values of these products.
       auto const weights = problem.weights();
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] *= weights[i % weights.size()] * static_cast<double>(weights.size());

@@ -1,6 +1,6 @@
 # Writes the C++ source OUTPUT, which defines isolaw::MODULE::sources_hash: a hash of all sources that decide computed
-# numbers. They are given as FOLDERS and FILES, relative to ROOT. Comments, white space and the place of the checkout do
-# not change the hash.
+# numbers. These sources are given as FOLDERS and FILES, relative to ROOT. Comments, white space and the place of the
+# checkout do not change the hash.
 # cmake -DROOT=... -DMODULE=... -DFOLDERS=a,b -DFILES=c,d -DOUTPUT=... -P sources_hash.cmake
 set(names "")
 string(REPLACE "," ";" FOLDERS "${FOLDERS}")

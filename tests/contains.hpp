@@ -1,4 +1,4 @@
-// A function with which tests check that a text contains a part.
+// Offers a function with which tests check that a text contains a part.
 #pragma once
 
 #include <string>

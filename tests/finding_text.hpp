@@ -24,11 +24,12 @@ inline std::string text_of(std::optional<Finding> const& finding) {
 inline std::string text_of(std::vector<Finding> const& findings) {
   return wording::reasons(findings);
 }
-// A finding whose whole sentence is `text`.
+// Returns a finding whose whole sentence is `text`.
 inline Finding stated(std::string text) {
   return {.kind = FindingKind::file_format, .words = {{"text", std::move(text)}}};
 }
-// Whether `part` occurs in the sentence of a finding, or in the paragraph that the sentences of several findings make.
+// Returns whether `part` occurs in the sentence of a finding, or in the paragraph that the sentences of several
+// findings make.
 inline bool contains(Finding const& finding, std::string_view part) {
   return wording::sentence(finding).find(part) != std::string::npos;
 }

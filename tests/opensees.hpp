@@ -1,6 +1,7 @@
-// The tests run exported scripts in OpenSees, here a Python module that tools/opensees.sh installs from PyPI. The
-// module lies in the build folder, or in the folder that the environment variable ISOLAW_OPENSEES names. It also runs
-// Tcl scripts, through opensees/tcl_script.py. `xara` is a fork of OpenSees with its own Tcl interpreter.
+// Tells where OpenSees is installed; the tests run exported scripts in it. tools/opensees.sh installs OpenSees from
+// PyPI as a Python module, in build/opensees. The environment variable ISOLAW_OPENSEES may name another folder. The
+// module also runs Tcl scripts, through opensees/tcl_script.py. `xara` is a fork of OpenSees with its own Tcl
+// interpreter.
 #pragma once
 
 #include <cstdlib>

@@ -7,7 +7,7 @@
 
 namespace isolaw {
 
-// The message of the Error that `call` throws; empty if it throws none.
+// Returns the message of the Error that `call` throws, or an empty text if `call` throws none.
 template <class Call>
 std::string refusal_of(Call&& call) {
   try {

@@ -11,8 +11,8 @@
 
 namespace isolaw::testing {
 
-// A valid value of the setting other than its default. setting_samples.json holds the values for the settings that hold
-// free text and for some that hold numbers.
+// Returns a valid value of the setting other than its default. setting_samples.json holds the values for the settings
+// that hold free text and for some that hold numbers.
 inline Json another(campaign::Setting const& setting) {
   auto const usual = setting.get({});
   for (auto const word : setting.words)
@@ -31,7 +31,7 @@ inline Json another(campaign::Setting const& setting) {
   return setting.get(completed) == next ? next + setting.limits->step : next;
 }
 
-// Values that are not valid for the setting.
+// Returns values that are not valid for the setting.
 inline std::vector<Json> not_allowed(campaign::Setting const& setting) {
   std::vector<Json> values{"?"};
   if (!setting.limits) return values;

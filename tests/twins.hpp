@@ -15,8 +15,8 @@
 
 namespace isolaw::twins {
 
-// `cycles` cycles at 0.5 Hz whose amplitude grows in equal steps to 150 mm. The force is an elliptic loop, from which
-// the search box is scaled; twin_of() replaces it with the force of the law.
+// Returns `cycles` cycles at 0.5 Hz whose amplitude grows in equal steps to 150 mm. The force is an elliptic loop, from
+// which the search box is scaled; twin_of() replaces it with the force of the law.
 inline data::FitRecord growing_cycles(int cycles, int samples_per_cycle) {
   data::FitRecord record;
   constexpr double omega = std::numbers::pi;
@@ -59,16 +59,16 @@ inline std::vector<fit::Override> usual(std::string_view id) {
   return overrides;
 }
 
-// Values at which a test may fix parameters that cycles of a bearing do not determine. Searching these parameters would
-// take minutes.
+// Returns values at which a test may fix parameters that cycles of a bearing do not determine. Searching these
+// parameters would take minutes.
 inline std::vector<std::string> held(std::string_view id) {
   if (id == "bwbn")
     return {"n=1", "gamma=0.01", "zs=0.3", "p=0.001", "psi=10", "dpsi=0", "dnu=0.000001", "deta=0.000001"};
   return {};
 }
 
-// A twin whose true parameters are drawn from the middle of the box that is scaled from the record, between 0.3 and 0.7
-// of each interval. Parameters are drawn up to 100 times, until their objective is finite.
+// Makes a twin whose true parameters are drawn from the middle of the box that is scaled from the record, between 0.3
+// and 0.7 of each interval. Parameters are drawn up to 100 times, until their objective is finite.
 inline Twin twin_in_box(std::string_view id, data::FitRecord motion, std::vector<fit::Override> const& overrides = {}) {
   auto const& law = laws::find_law(id);
   auto box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(motion, law.info), overrides);
@@ -107,7 +107,7 @@ inline data::FitRecord with_noise(data::FitRecord record, Noise const& noise, nu
   return record;
 }
 
-// The error divided by the true value, or by the width of the box if the true value is zero.
+// Returns the error divided by the true value, or by the width of the box if the true value is zero.
 inline double relative_error(fit::SearchParameter const& parameter, double value, double truth) {
   double const size = truth != 0.0 ? std::abs(truth) : parameter.upper - parameter.lower;
   return std::abs(value - truth) / size;

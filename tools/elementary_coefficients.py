@@ -48,7 +48,7 @@ def power_of(base, degree, half, ones):
 def logarithm_of(name, scale, degree, fixed=()):
     """scale * ln(m) = s p(s^2), s = (m - 1) / (m + 1), m in [sqrt(1/2), sqrt(2)]: coefficients of p."""
     largest = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2
-    # Near w = s^2 = 0 the formula with the logarithm would lose all digits, so this sums its power series.
+    # Near w = s^2 = 0 the formula with the logarithm would lose all digits, so its power series is summed instead.
     function = lambda w: 2 * scale * sum(w**k / (2 * k + 1) for k in range(40))
     c = fit(function, mpf(0), largest, degree, fixed)
     report(f"{name} as s p(s^2), degree {degree} in s^2", c, lambda w: mp.polyval(c[::-1], w) / function(w) - 1, mpf(0),

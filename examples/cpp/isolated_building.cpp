@@ -31,7 +31,7 @@ spacing_x_m = 6.0
 spacing_y_m = 6.0
 )toml";
 
-// An artificial motion of the ground, with a different period for each number.
+// Returns an artificial motion of the ground in two directions, whose periods depend on `number`.
 isolaw::GroundMotion swinging(int number) {
   isolaw::GroundMotion motion{.name = "made " + std::to_string(number), .step_s = 0.01, .x_m_s2 = {}};
   for (int i = 0; i <= 1000; ++i) {
@@ -65,7 +65,7 @@ int main(int count, char** words) try {
   auto const building = isolaw::study_building(input, campaign);
   std::printf("%s\n", building.verdict().c_str());
 
-  // Peaks of all draws, [law][draw][motion].
+  // The largest storey drift of every draw under every motion, ordered by law, then by draw, then by motion.
   auto const peaks = building.peaks("drift_mm");
   double mean = 0.0;
   for (double const drift : peaks) mean += drift / static_cast<double>(peaks.size());

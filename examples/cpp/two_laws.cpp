@@ -1,5 +1,5 @@
-// isolaw as a library: reads a record, fits two laws to it and prints the better one. Build it against an installed
-// isolaw with the CMakeLists.txt beside it. docs/python.md shows the same in Python.
+// Uses isolaw as a library: the program reads a record, fits two laws to it and prints which of them fits better. Build
+// it against an installed isolaw with the CMakeLists.txt beside it. docs/python.md shows the same in Python.
 //   two_laws RECORD
 #include <algorithm>
 #include <cstdio>
@@ -24,7 +24,7 @@ int main(int count, char** words) try {
   for (auto const& parameter : better.devices.front().parameters)
     std::printf("  %s = %g %s\n", parameter.name.c_str(), parameter.value.best.value(), parameter.unit.c_str());
 
-  // The force of the better law under another motion: half the displacements of the test.
+  // Computes the force of the better law under another motion, which has half the displacements of the test.
   auto motion = isolaw::data::motion_of(record);
   for (double& x : motion.disp_mm) x *= 0.5;
   for (double& v : motion.vel_mm_s) v *= 0.5;

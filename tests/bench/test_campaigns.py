@@ -37,7 +37,7 @@ class Campaigns(unittest.TestCase):
             lot = ["lot", "left_out"] if devices != "1" else []
             analyses = ["determination", "intervals", *lot] if part != "devices-100" else []
             self.assertEqual([row["phase"] for row in phases], ["read", "search", *analyses, "report"])
-            # The times in the table are rounded to four digits, numbers of evaluations are exact.
+            # The table rounds times to four digits but gives the numbers of evaluations exactly.
             kernels = sum(float(row["kernel_s"]) for row in phases)
             self.assertAlmostEqual(kernels / float(whole["kernel_s"]), 1.0, delta=0.01)
             self.assertEqual(sum(int(row["evaluations"]) for row in phases), int(whole["evaluations"]))

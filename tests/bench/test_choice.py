@@ -30,8 +30,7 @@ def elastoplastic(x, stiffness, strength):
     return forces
 
 
-# Each function returns forces in kN for displacements in mm. The spring of a slider gives way at a fraction of a
-# millimetre.
+# Each function returns forces in kN for displacements in mm. The two sliders start to slide at 50 kN, after 0.5 mm.
 DEVICES = {
     "flat slider": lambda x: elastoplastic(x, 100.0, 50.0),
     "curved slider": lambda x: [f + 0.1 * v for f, v in zip(elastoplastic(x, 100.0, 50.0), x)],

@@ -15,8 +15,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// Returns the record of a bilinear device as CSV: stiffness 0.5 kN/mm, the given strength in kN, cycles of 100 mm at
-// 0.5 Hz.
+// Returns the record of a bilinear device as CSV: 0.5 kN/mm after yielding at 10 mm, the given strength in kN, cycles
+// of 100 mm at 0.5 Hz.
 function record(samples, strength) {
   const rows = ['time [s],displacement [mm],force [kN]'];
   for (let i = 0, z = 0, before = 0; i < samples; ++i) {

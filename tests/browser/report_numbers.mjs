@@ -195,7 +195,7 @@ function compareObjectives(name, seen, expected) {
   }
 }
 
-// Parameters that the paper's tables call by another name.
+// These are the parameters that the paper's tables call by another name.
 const PAPER_NAMES = [
   'Abe Uh, paper: Xh', 'Abe U0, paper: X0', 'Abe Us, paper: Xs', 'Abe (constant yield) Uh, paper: Xh', 'Abe (constant yield) U0, paper: X0',
   'Abe (constant yield) Us, paper: Xs', 'Bilinear xy, paper: Fy', 'Vaiana f0+, paper: F0+', 'Vaiana f0-, paper: F0-',
@@ -273,8 +273,8 @@ try {
 
   execFileSync(makeTableA5, [join(directory, 'a5')], quiet);
   const published = await check(browser, 'Table A.5', join(directory, 'a5'));
-  // The paper's beta of its fifth law includes a parameter p. The law abe-y0 has no p, so its expected beta is not the
-  // paper's.
+  // abe-y0 stands for the paper's fifth law but lacks the parameter p, which the paper's beta includes. The expected
+  // beta of abe-y0 is therefore 0.276, the value without p (tests/verification/table_a5_test.cpp).
   for (const [law, [objective, beta]] of Object.entries({ ...PAPER, 'abe-y0': [0.085, 0.276] })) {
     near(`Table A.5, ${law}, OF`, published[law].mean, objective, 6e-4);
     near(`Table A.5, ${law}, beta`, published[law].beta, beta, 6e-4);

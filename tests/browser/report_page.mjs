@@ -605,7 +605,8 @@ async function look() {
   await wait(300);
   for (const button of document.querySelectorAll('button.csv')) button.click();
   await wait(100);
-  // Tables and the table of contents may be wider than the page, because they scroll by themselves. Nothing else may.
+  // Tables and the table of contents may be wider than the page, because they scroll by themselves. Nothing else may,
+  // except the skip link and what lies inside a figure.
   const width = document.documentElement.clientWidth;
   const wide = [...document.querySelectorAll('body *')].filter(
     (node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1,

@@ -460,8 +460,8 @@ export function extend(report, { tests = {}, verified = true, assessed = true, l
     }
     const t = device.record.time_s;
     if (t) {
-      // The raw record on the page has no times, and its cycles count samples. The record that the laws were fitted to
-      // has times, which are stretched here to the number of samples of the raw record.
+      // The page has the raw record without times and gives its cycles by the numbers of samples. The record that the
+      // laws were fitted to has times, which are stretched here to the number of samples of the raw record.
       const steps = t.d.reduce((sum, difference) => sum + difference, 0);
       device.record.time_s = { o: 0, s: (test.disp.length - 1) / steps, d: t.d };
     }

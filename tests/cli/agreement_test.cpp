@@ -11,7 +11,7 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Displacement, velocity and force from a table that isolaw wrote.
+// Holds displacement, velocity and force from a table that isolaw wrote.
 struct Walk {
   std::vector<double> disp_mm, vel_mm_s, force_kN;
 };

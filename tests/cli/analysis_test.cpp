@@ -11,7 +11,8 @@
 namespace isolaw::cli_test {
 namespace {
 
-// Returns a bilinear loop with a little third harmonic: three cycles at 50 mm and three at 100 mm, 60 samples a cycle.
+// Returns the record of a bilinear device: three cycles at 50 mm and three at 100 mm, 60 samples a cycle. The force has
+// a small third harmonic, so the bilinear law does not fit it exactly. `stiffness` multiplies the whole force.
 std::string two_blocks(double stiffness) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   double hysteretic = 0.0, before = 0.0;
@@ -56,8 +57,9 @@ TEST_F(Analysis, tells_what_tests_determine_and_what_an_engineer_meets) {
     EXPECT_EQ(law["success_share"], 1.0);
     EXPECT_EQ(law["success_reference"], "best of this campaign");
     EXPECT_GT(law["beta_converged"], 0.0);
-    // The devices differ by 5 %. A law that was fitted to the other devices therefore fits a device worse than that
-    // device's own law does. One law for all devices lies between these two.
+    // The forces of the devices differ by 5 and 10 %. A law that was fitted to the other devices therefore fits a
+    // device worse than that device's own law does. The error of one law for all devices lies between the errors of
+    // these two.
     EXPECT_GT(law["loo_objective"], law["objective_converged"]);
     EXPECT_GT(law["lot"]["mean_objective"], law["objective_converged"]);
     EXPECT_GE(law["loo_objective"], law["lot"]["mean_objective"]);
@@ -158,8 +160,8 @@ TEST_F(Analysis, what_one_block_was_fitted_to_predicts_the_other) {
     EXPECT_EQ(blocks[0]["fitted"], true);
     EXPECT_EQ(blocks[1]["fitted"], false);
   }
-  // The record comes from an elastic-plastic device, so the bilinear law also predicts the block that was left out of
-  // the fit.
+  // The record is that of a bilinear device, apart from a small third harmonic. The bilinear law therefore also
+  // predicts the block that was left out of the fit.
   EXPECT_LT(summary["laws"][0]["predicted_objective"], 0.1);
   EXPECT_EQ(summary["laws"][0]["prediction_collapses"], false);
   EXPECT_TRUE(contains(read("O/tables/prediction.csv"), "bilinear,a,\"block 2, predicted\",the device itself,"));
@@ -247,8 +249,8 @@ TEST_F(Analysis, exports_say_what_is_known_against_the_law) {
   EXPECT_TRUE(contains(simulated.out, "# warning: Bilinear: K1 at its upper bound on a"));
 }
 
-// The genetic algorithm of Cucuzza et al. 2025 stops above the smallest possible objective. The analysis must find that
-// smallest objective.
+// The genetic algorithm of Cucuzza et al. 2025 stops above the smallest possible objective. The analysis searches on
+// and must find an objective that is smaller than the mean of the runs and not above the best run.
 TEST_F(Analysis, of_the_genetic_algorithm_compares_with_the_least_objective) {
   auto const o = isolaw(campaign("O", {"--method", "ga", "--population", "10", "--generations", "5"}));
   ASSERT_EQ(o.code, 0) << o;

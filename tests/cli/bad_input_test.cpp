@@ -11,8 +11,8 @@ Words const small_into_O{"--laws", "bilinear", "--runs", "1", "--population", "4
 
 class BadInput : public InFreshDirectory {
  protected:
-  // Expects that inspect and calibrate refuse the file with the same message and leave no output that looks like a
-  // result.
+  // Expects that inspect and calibrate refuse the file with the same message, and that calibrate makes no output
+  // directory.
   void expect_refusal(std::string const& file, std::vector<std::string> const& parts, Words const& options = {}) {
     SCOPED_TRACE(file);
     expect_refused(isolaw(Words{"inspect", file} + options), parts);

@@ -18,7 +18,7 @@ namespace {
 
 class Building : public InFreshDirectory {
  protected:
-  // Calibrates three bilinear devices with a little third harmonic, tested in blocks at 50 and 100 mm.
+  // Calibrates three bilinear devices, tested in blocks at 50 and 100 mm, whose force has a small third harmonic.
   void campaign() {
     double stiffness = 5.0;
     for (auto const* name : {"a.csv", "b.csv", "c.csv"}) {
@@ -90,7 +90,8 @@ TEST_F(Building, from_template_to_verdict) {
   for (auto const* file : {"tables/building.csv", "tables/coverage.csv", "tables/checks.csv", "tables/building.tex",
                            "figures/building_histograms.gp", "figures/building_variance.dat"})
     EXPECT_GT(read_file(directory() / "B" / file).size(), 100u) << file;
-  // The same command, given again, computes nothing and leaves the files as they are.
+  // The same command, given again, must leave the files as they are. The same study in another directory and without
+  // figures must give the same results.
   auto const before = read_file(directory() / "B/building.json");
   EXPECT_EQ(isolaw(command + Words{"--jobs", "3"}).code, 0);
   EXPECT_EQ(isolaw(Words{"building", "case/building.toml", "--from", "lot", "--out", "F", "--figures", "none"}).code,

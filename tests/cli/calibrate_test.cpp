@@ -518,8 +518,8 @@ TEST_F(Calibrate, one_device_has_no_robustness_and_says_so) {
 }
 
 TEST_F(Calibrate, bilinear_device_is_identified_by_the_bilinear_law) {
-  // The record's device has K2 0.5 kN/mm, Qd 20 kN and xy 10 mm, so K1 = 0.5 + 20 / 10 = 2.5 kN/mm. The record is
-  // bilinear except for the corner of its first branch.
+  // The record's device has K2 0.5 kN/mm, Qd 20 kN and xy 10 mm, so K1 = 0.5 + 20 / 10 = 2.5 kN/mm. The bilinear law
+  // with these values fits the record exactly. The tolerances allow for a search that ends near them.
   write("one.csv", csv(record()));
   auto const o = isolaw({"calibrate", "one.csv", "--laws", "bilinear", "--runs", "2", "--population", "100",
                          "--generations", "50", "--out", "O"});

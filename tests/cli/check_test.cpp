@@ -227,8 +227,8 @@ TEST_F(Check, a_report_can_go_elsewhere_and_is_printed_where_it_cannot_be_writte
   }
 }
 
-// A named pipe lies in place of the store or of a file of its log. A program that opened the pipe would wait for ever,
-// so every command must refuse it at once.
+// A named pipe lies in place of the store or of one of the log files that SQLite keeps beside a store. A program that
+// opened the pipe would wait for ever, so every command must refuse it at once.
 TEST_F(Check, a_pipe_in_place_of_the_store_is_refused_at_once) {
   write("taken.csv", csv(record()));
   for (auto const* suffix : {"", "-wal", "-journal"}) {
@@ -292,8 +292,8 @@ TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }
 
-// On this record hwang-wu's force is finite with one step per sample but overflows with finer steps. The campaign must
-// record this and go on.
+// With the parameters that these tests fix, hwang-wu's force on this record is finite with one step per sample but
+// overflows with finer steps. The campaign must record this and go on.
 class Overflow : public InFreshDirectory {
  protected:
   // Returns the command of a campaign with the default search and two fixed parameters of hwang-wu.

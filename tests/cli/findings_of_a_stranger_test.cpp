@@ -1,4 +1,5 @@
-// Small faults that a first-time user found: isolaw accepted wrong input without a message, or quoted it oddly.
+// Tests small things that trouble a first-time user, such as wrong input that is accepted without a message, or that a
+// message quotes oddly.
 #include <sqlite3.h>
 
 #include <algorithm>

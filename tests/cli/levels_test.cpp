@@ -14,8 +14,8 @@ class Levels : public InFreshDirectory {
   static constexpr std::array amplitudes{50.0, 100.0, 150.0};
   static constexpr std::array frequencies{0.1, 0.5};
 
-  // Returns a test of six blocks with three cycles each, at three amplitudes and two frequencies. At 0.1 Hz the
-  // vertical load is 1000 kN and friction is a tenth larger; at 0.5 Hz the load is 1500 kN.
+  // Returns a test of six blocks with three cycles each, at three amplitudes and two frequencies. The vertical load is
+  // 1000 kN at 0.1 Hz and 1500 kN at 0.5 Hz. Friction is a tenth larger at 0.1 Hz than at 0.5 Hz.
   static std::string test_in_steps() {
     std::string text = "time [s],displacement [mm],force [kN],vertical load [kN]\n";
     double t = 0.0, z = 0.0, before = 0.0;

@@ -1,5 +1,5 @@
-// isolaw export of a whole building. The laws of the example lot are exported as an OpenSees script in Tcl and in
-// Python, and OpenSees runs both. Further tests check what the export refuses.
+// Tests `isolaw export` of a whole building. The laws of the example lot are exported as an OpenSees script in Tcl and
+// in Python, and OpenSees runs both. Further tests check what the export refuses.
 #include "cli/models.hpp"
 #include "cli/records.hpp"
 #include "opensees.hpp"

@@ -1,5 +1,5 @@
-// A store with an older schema (tests/stores/README.md). Every command that takes a store must refuse it and leave it
-// unchanged.
+// Gives the commands a store with an older schema (tests/stores/README.md). Every command that takes a store must
+// refuse it and leave it unchanged.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 

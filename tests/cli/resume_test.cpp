@@ -1,4 +1,5 @@
-// A campaign is stopped or killed. The same command, or one with changes, is then given again.
+// A campaign is stopped or killed. The same command, given again, must end as if the campaign had never been stopped.
+// Further tests change the command, the records or the store; isolaw must refuse such a change or take it into account.
 #include <pty.h>
 
 #include "cli/records.hpp"

@@ -1,5 +1,5 @@
-// A device with several tests, which share the parameters of each law: on the command line, in a lot file, in the
-// store, in reports and exports.
+// Tests how isolaw treats a device with several tests: one set of a law's parameters must hold for all of them. The
+// device is given on the command line and in a lot file; the store, the reports and the exports are looked at.
 #include <cmath>
 
 #include "cli/records.hpp"

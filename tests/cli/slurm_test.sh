@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs a campaign on a real Slurm with the script that `isolaw parts --to slurm` writes. The test submits the array of
 # jobs and kills the node midway. Slurm must queue the lost jobs again, and the merged campaign must equal byte by byte
-# one from one machine. The test then deletes parts, which the merge job must submit again, and offers parts with other
-# settings, which must be refused.
+# one from one machine. The test then deletes parts: the script, or its merge job alone, must submit them again. At last
+# the test offers parts with other settings, which must be refused.
 # Usage: slurm_test.sh ISOLAW TOOLS. Exit code 77 means skipped; the reason is printed.
 set -euo pipefail
 isolaw=$1 cluster=$2/slurm_here.sh

@@ -50,8 +50,9 @@ binary() {
     $1 !~ /^[0-9a-f]+:$/ { next }
     {
       zmm = /%zmm/; ymm = /%ymm/; mnemonic = $2
-      # Code that is compiled for an instruction set and called from elsewhere need not use wide registers. AVX encodings
-      # on 128-bit registers and BMI instructions are therefore counted too: not every x86-64 processor has them.
+      # Code that is compiled for an instruction set and called from elsewhere need not use wide registers. AVX
+      # encodings on 128-bit registers and BMI instructions therefore count as beyond the baseline too: not every x86-64
+      # processor has them.
       beyond = zmm || ymm || (mnemonic ~ /^v/ && /%xmm/) || /%k[0-7]/ ||
                mnemonic ~ /^(andn|bextr|bls[ir]|blsmsk|bzhi|mulx|pdep|pext|rorx|sarx|shlx|shrx)[lq]?$/
       if (zmm) wide512++

@@ -1,4 +1,4 @@
-// Parameter sets for the tests of the laws, and the forces that laws::run computes for them in double precision.
+// Makes parameter sets for the tests of the laws, and computes their forces by laws::run in double precision.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ struct LawName {
   }
 };
 
-// The sizes of a device like those of Cucuzza et al. 2025, tested at 0.5 Hz and 208 mm, with a peak force of 140 kN.
+// Returns the sizes of a device like those of Cucuzza et al. 2025, tested at 0.5 Hz and 208 mm, with a peak force of
+// 140 kN.
 template <class Law>
 laws::RecordScales published_device() {
   double const force = 1.0 / Law::info.force.in_record_units, length = 1.0 / Law::info.length.in_record_units;
@@ -62,8 +63,8 @@ laws::RecordScales published_device() {
           .work = 1e5 * force * length};
 }
 
-// The search box of Table 4 in Cucuzza et al. 2025. A parameter without an interval in that table (vaiana's sigmoid)
-// gets the interval that the program chooses for an unknown device of the same size.
+// Returns the search box of Table 4 in Cucuzza et al. 2025. A parameter without an interval in that table (vaiana's
+// sigmoid) gets the interval that the program chooses for an unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
   std::array<laws::Interval, laws::parameter_count<Law>> intervals{};
@@ -74,7 +75,8 @@ std::array<laws::Interval, laws::parameter_count<Law>> box() {
   return intervals;
 }
 
-// Random parameter set number `index`, uniform in the published box. The same index always gives the same set.
+// Returns the random parameter set number `index`, uniform in the published box. The same index always gives the same
+// set.
 template <class Law>
 Values<Law> candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250108), 0, index);
@@ -85,9 +87,9 @@ Values<Law> candidate(std::uint32_t index) {
   return values;
 }
 
-// Random parameter set number `index` from the box that the program chooses for an unknown device of the published
-// size. Each parameter is uniform on the scale that it declares, linear or logarithmic. Parameters that are fixed by
-// default keep their fixed values.
+// Returns the random parameter set number `index` from the box that the program chooses for an unknown device of the
+// published size. Each parameter is uniform on the scale that it declares, linear or logarithmic. Parameters that are
+// fixed by default keep their fixed values.
 template <class Law>
 Values<Law> scaled_candidate(std::uint32_t index) {
   num::Draws draws(num::Stream(20250109), 0, index);
@@ -114,7 +116,7 @@ std::size_t index_of(std::string_view name) {
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-// A parameter set from pairs of name and value. Parameters that are not named are 0.
+// Makes a parameter set from pairs of name and value. Parameters that are not named are 0.
 template <class Law>
 Values<Law> named(std::initializer_list<std::pair<std::string_view, double>> parameters) {
   Values<Law> values{};
@@ -137,7 +139,7 @@ std::vector<double> forces(Values<Law> const& values, Motion const& motion, int 
   return forces<Law>(values, path_of<Law>(motion, refinement), integration);
 }
 
-// The parameters as text for failure messages, such as "K1 = 1.5, K2 = 0.4", with all digits.
+// Returns the parameters as text for failure messages, such as "K1 = 1.5, K2 = 0.4", with all digits.
 template <class Law>
 std::string describe(Values<Law> const& values) {
   std::ostringstream text;

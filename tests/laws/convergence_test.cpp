@@ -17,8 +17,8 @@ namespace {
 
 using laws::Integration;
 
-// The largest error of the force, divided by the peak force. The reference force is computed by the same integration
-// with 128 steps per sample.
+// Returns the largest error of the force, divided by the peak force. The reference force is computed by the same
+// integration with 128 steps per sample.
 template <class Law>
 double error_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   auto const reference = forces<Law>(values, motion, 128, integration);
@@ -26,7 +26,8 @@ double error_at(Values<Law> const& values, Motion const& motion, int refinement,
          largest_magnitude(reference);
 }
 
-// The observed order of convergence: log2 of the error with `refinement` steps per sample over that with twice as many.
+// Returns the observed order of convergence: log2 of the error with `refinement` steps per sample over that with twice
+// as many.
 template <class Law>
 double order_at(Values<Law> const& values, Motion const& motion, int refinement, Integration integration) {
   return std::log2(error_at<Law>(values, motion, refinement, integration) /
@@ -127,8 +128,8 @@ TYPED_TEST(Convergence, RefiningThePathHardlyChangesTheForce) {
     }
 }
 
-// At 200 samples a cycle, as in a laboratory, sampling costs the published devices far less force error than it costs
-// parameter sets at the ends of the search box.
+// At 200 samples a cycle, as in a laboratory, the sampling must cause hardly any force error for the published devices.
+// The parameter sets at the ends of the search box are left out, because their errors are far larger.
 TYPED_TEST(Convergence, TheSamplingOfALaboratoryIsEnough) {
   for (std::size_t number = 0; number < table_a5::devices; ++number) {
     auto const values = device<TypeParam>(number);

@@ -30,9 +30,9 @@ struct Box {
   std::vector<fit::Override> overrides = {};
 };
 
-// The published search box, and the boxes that the program chooses for devices from a small specimen to a large
+// Returns the published search box, and the boxes that the program chooses for devices from a small specimen to a large
 // bearing. The records have twenty samples a cycle, the fewest that the program accepts. For bouc-wen a last box allows
-// negative beta and gamma, for which the law has no bounded force.
+// negative beta and gamma, so many of its parameter sets have no bounded force.
 std::vector<Box> boxes_of(std::string const& law) {
   using fit::BoxKind;
   auto const published = record_of(sine(208.0, 0.5, 3, 20), 0.1, 0.67, 45.0);

@@ -57,7 +57,7 @@ class Faults : public ::testing::TestWithParam<std::string> {
 };
 INSTANTIATE_TEST_SUITE_P(Every, Faults, ::testing::ValuesIn(law_ids()), ByLaw());
 
-// Either all forces and the objective are finite, or the objective is +infinity.
+// Expects that all forces and the objective are finite, or that the objective is +infinity.
 void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Numbers const& parameters,
                     Integration integration) {
   fit::LawOnRecord const model(law, record, integration);
@@ -190,8 +190,8 @@ TEST_P(Faults, TwoSamplesAreTheFirstTwoOfMore) {
   }
 }
 
-// The device is pushed to 300 mm in a straight line. The steps are 0.1 mm long, so short that an explicit Runge-Kutta
-// step is stable for every parameter set of the published boxes.
+// The device is pushed to 300 mm in a straight line, and every force must be finite. The steps are 0.1 mm long, so
+// short that an explicit Runge-Kutta step is stable for every parameter set of the published boxes.
 TEST_P(Faults, AMonotonicRecord) {
   auto const push = polyline(Numbers{0.0, 300.0}, 3000), pull = scaled(push, -1.0, -1.0);
   for (std::uint32_t index = 0; index < 50; ++index)
@@ -223,8 +223,9 @@ TEST_P(Faults, DenormalDisplacements) {
   }
 }
 
-// The device moves by a kilometre. The bounds of the automatic box grow with the displacement. The published bounds do
-// not, so vaiana's exponentials (50 per metre) and the powers of other laws may overflow.
+// The device moves by a kilometre. The bounds of the automatic box grow with the displacement, so the forces of its
+// parameter sets must be finite, except for the sets that single_laws.hpp exempts. The published bounds do not grow, so
+// vaiana's exponentials (50 per metre) and the powers of other laws may overflow; the objective must then be infinite.
 TEST_P(Faults, HugeDisplacements) {
   auto const record = record_of(irregular(6, 1e6, 3, 20), 0.02, 0.67, 45e3);
   auto const scaled_box = fit::make_box(law, fit::BoxKind::scaled, fit::scales_of(record, law.info), {});
@@ -326,9 +327,9 @@ TEST_P(Faults, StepsOfAThousandYieldDisplacements) {
 
 // Very long records -----------------------------------------------------------------------------------------------
 
-// After thousands of equal cycles the last loop must equal the tenth within rounding. The second loop still depends on
-// the first loading of the device, so it may differ more from the last one. The largest such difference, in abe, was
-// 6e-7 of the peak force.
+// The motion has 500 equal cycles, or 5000 if ISOLAW_DRAWS is 100,000 or more. The last loop must equal the tenth
+// within rounding. The second loop still depends on the first loading of the device, so it may differ more from the
+// last one. The largest such difference, in abe, was 6e-7 of the peak force.
 TEST_P(Faults, AMillionSamplesDoNotDrift) {
   constexpr std::size_t per_cycle = 200;
   std::size_t const cycles = draws(2000) >= 100000 ? 5000 : 500;

@@ -208,7 +208,8 @@ TYPED_TEST(Metadata, ScaledIntervalsAreOrderedPhysicalAndSearchable) {
 // The test makes forces 100, lengths 10 and times 4 times as large. The automatic interval of each parameter must then
 // grow by the factor that the parameter's unit implies. The test reads the powers of force, length and time from the
 // printed unit. It skips bouc-wen's beta and gamma, because their unit depends on the parameter n. Some laws define a
-// parameter by its effect at a fixed displacement. Its printed unit lacks a power of length; at_reference() gives it.
+// parameter by its effect at a fixed displacement. The printed unit of such a parameter lacks a power of length, which
+// at_reference() gives.
 TYPED_TEST(Metadata, ScaledIntervalsHaveTheUnitOfTheirParameter) {
   constexpr double force = 100.0, length = 10.0, time = 4.0;
   auto const small = published_device<TypeParam>();

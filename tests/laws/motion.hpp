@@ -1,4 +1,4 @@
-// Displacement histories for the tests of the laws, in mm and mm/s, and their conversion to a law's Path.
+// Makes displacement histories for the tests of the laws, in mm and mm/s, and converts them to a law's Path.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Motion {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// x = A sin(2 pi f t), which starts at x = 0, with its exact velocity.
+// Returns x = A sin(2 pi f t), which starts at x = 0, with its exact velocity.
 inline Motion sine(double amplitude_mm, double frequency_Hz, int cycles, int samples_per_cycle) {
   Motion motion;
   double const omega = 2.0 * std::numbers::pi * frequency_Hz;
@@ -49,7 +49,7 @@ inline Motion polyline(std::span<double const> corners_mm, int steps, double spe
   return motion;
 }
 
-// The displacements of polyline(), for laws that do not depend on velocity.
+// Returns the displacements of polyline(), for laws that do not depend on velocity.
 inline std::vector<double> through(std::span<double const> corners, int steps) {
   return polyline(corners, steps).disp_mm;
 }
@@ -65,9 +65,9 @@ inline double sign(double x) {
   return x < 0.0 ? -1.0 : x > 0.0 ? 1.0 : 0.0;
 }
 
-// Cycles of growing, then shrinking amplitude with noise. The noise reverses the motion at almost every sample near the
-// peaks and so makes small loops inside large ones. New peaks occur throughout the first half. The sampling rate is 50
-// Hz, and the velocity is the difference quotient of the displacements.
+// Returns cycles of growing, then shrinking amplitude with noise. The noise reverses the motion at almost every sample
+// near the peaks and so makes small loops inside large ones. New peaks occur throughout the first half. The sampling
+// rate is 50 Hz, and the velocity is the difference quotient of the displacements.
 inline Motion irregular(std::uint64_t seed, double amplitude_mm, int cycles, int samples_per_cycle,
                         double noise_share = 0.02) {
   num::Draws draws(num::Stream(seed), 0, 0);
@@ -106,7 +106,7 @@ inline double largest_magnitude(std::span<double const> values) {
   return largest;
 }
 
-// Largest |a - b|, or NaN or infinity if any difference is not finite.
+// Returns the largest |a - b|, or NaN or infinity if any difference is not finite.
 inline double largest_difference(std::span<double const> a, std::span<double const> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -44,14 +44,14 @@ inline std::map<std::string_view, PaperFacts> const paper_facts{
     {"abe-y0", {"kN mm", 12, 12, {.rate_independent = true, .odd = true, .path_integrated = true}}},
     {"hwang-wu", {"N cm", 10, 10, {.odd = true, .path_integrated = true}}}};
 
-// The rows of Table A.5 for a law. The laws abe and abe-y0 have the same rows.
+// Returns the rows of Table A.5 for a law. The laws abe and abe-y0 have the same rows.
 template <class Law>
 table_a5::Law const& published() {
   std::string_view const id = Law::info.id == std::string_view("abe") ? "abe-y0" : Law::info.id;
   return *std::ranges::find_if(table_a5::laws, [&](auto const& law) { return law.id == id; });
 }
 
-// The mean parameters that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so the
+// Returns the mean parameters that Table A.5 gives for a device (0 to 9). vaiana's sigmoid is not in the table, so the
 // parameters of the sigmoid are zero. abe-y0 has no parameter p, so the column p is skipped for it.
 template <class Law>
 Values<Law> published_means(std::size_t device) {
@@ -62,8 +62,8 @@ Values<Law> published_means(std::size_t device) {
   return values;
 }
 
-// The parameters of device 0 to 9. A law of the paper has the means of Table A.5; any other law has a random set of its
-// box.
+// Returns the parameters of device 0 to 9. A law of the paper has the means of Table A.5; any other law has a random
+// set of its box.
 template <class Law>
 Values<Law> device(std::size_t number) {
   if constexpr (of_the_paper<Law>)
@@ -72,8 +72,8 @@ Values<Law> device(std::size_t number) {
     return candidate<Law>(static_cast<std::uint32_t>(number));
 }
 
-// The force at the first sample, before any motion: the hysteretic variables z, F2 and the work W are 0, and vaiana's
-// branch starts at zero force. x and v are in the law's unit of length.
+// Returns the force at the first sample, before any motion: the hysteretic variables z, F2 and the work W are 0, and
+// vaiana's branch starts at zero force. x and v are in the law's unit of length.
 template <class Law>
 double virgin_force(Values<Law> const& values, double x, double v) {
   std::string_view const id = Law::info.id;

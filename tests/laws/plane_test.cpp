@@ -19,7 +19,7 @@ namespace {
 using laws::plane::Vector;
 using Walk = std::vector<Vector<double>>;
 
-// A random polygon through points within +-`size`, divided into short steps. It starts at the origin.
+// Returns a random polygon through points within +-`size`, divided into short steps. It starts at the origin.
 Walk wander(double size, unsigned seed, std::size_t count = 400) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);

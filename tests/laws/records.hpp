@@ -16,14 +16,14 @@
 
 namespace isolaw::law_tests {
 
-// The number of parameter sets that a test draws: the environment variable ISOLAW_DRAWS, or else `by_default`.
+// Returns the number of parameter sets that a test draws: the environment variable ISOLAW_DRAWS, or else `by_default`.
 inline std::uint32_t draws(std::uint32_t by_default) {
   char const* const text = std::getenv("ISOLAW_DRAWS");
   return text == nullptr ? by_default : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-// A record whose loop is an ellipse: a linear spring and a viscous damper, which has the force `strength_kN` at the
-// largest velocity.
+// Returns a record whose loop is an ellipse: the device is a linear spring beside a viscous damper, which has the force
+// `strength_kN` at the largest velocity.
 inline data::FitRecord record_of(Motion const& motion, double interval_s, double stiffness_kN_mm, double strength_kN) {
   data::FitRecord record;
   double const fastest = largest_magnitude(motion.velocity_mm_s);
@@ -37,8 +37,8 @@ inline data::FitRecord record_of(Motion const& motion, double interval_s, double
   return record;
 }
 
-// Random parameter set number `index`. Each free parameter is uniform in its interval of the box, on its own scale
-// (linear or logarithmic).
+// Returns the random parameter set number `index`. Each free parameter is uniform in its interval of the box, on its
+// own scale (linear or logarithmic).
 inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t index) {
   num::Draws draws(num::Stream(20250110), 0, index);
   std::vector<double> point(box.free_count()), values(box.parameters.size());
@@ -47,7 +47,7 @@ inline std::vector<double> candidate_in(fit::SearchBox const& box, std::uint32_t
   return values;
 }
 
-// The force that a law gives for a motion in mm and mm/s, in the law's unit of force.
+// Returns the force that a law gives for a motion in mm and mm/s, in the law's unit of force.
 inline std::vector<double> forces(laws::LawEntry const& law, std::span<double const> parameters, Motion const& motion,
                                   laws::Integration integration, int refinement = 1) {
   double const unit = 1.0 / law.info.length.in_record_units;

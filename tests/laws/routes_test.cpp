@@ -213,7 +213,7 @@ TYPED_TEST(Routes, TheCatalogueIsAScalar) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) EXPECT_EQ(entry.index_of(entry.parameters[i].name), i);
 }
 
-// The forces as dual numbers, which carry the derivatives by all parameters.
+// Returns the forces as dual numbers, which carry the derivatives by all parameters.
 template <class Law>
 std::vector<num::Dual<parameter_count<Law>>> dual_forces(Values<Law> const& values, laws::Path const& path,
                                                          Integration integration) {

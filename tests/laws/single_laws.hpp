@@ -73,7 +73,7 @@ inline bool needs_parameters(std::string_view law) {
 
 // Laws whose loops still change after many equal cycles. hwang-wu and bwbn degrade with the work of all cycles,
 // gallardo and the scragging laws with the total travel. In menegotto-pinto, if it yields gradually (low R0), the
-// branches do not reach their asymptotes, so a mean force dies out over tens of cycles.
+// branches do not reach their asymptotes, so the mean force of a cycle takes tens of cycles to die out.
 inline bool changes_over_cycles(std::string_view law) {
   return law == "hwang-wu" || law == "bwbn" || law == "gallardo" || law == "menegotto-pinto" ||
          law.starts_with("power-");

@@ -16,7 +16,7 @@ struct Powers {
   double force = 0.0, length = 0.0, time = 0.0;
 };
 
-// The powers in a printed unit such as "kN s/mm" or "1/(N cm)". The exponent n in "1/mm^n" counts as 1.
+// Returns the powers in a printed unit such as "kN s/mm" or "1/(N cm)". The exponent n in "1/mm^n" counts as 1.
 inline std::optional<Powers> powers_of(std::string_view unit) {
   std::map<std::string_view, double Powers::*> const known{{"N", &Powers::force},   {"kN", &Powers::force},
                                                            {"mm", &Powers::length}, {"cm", &Powers::length},

@@ -562,8 +562,8 @@ const tests = {
     await end(page);
   },
 
-  // Drops the inputs of the fuzz targets, damaged or hostile files. They may end a worker of the engine, but the page
-  // must go on working.
+  // Drops the inputs of the fuzz targets, many of which are damaged or hostile. They may end a worker of the engine,
+  // but the page must go on working.
   'damaged and hostile files': async () => {
     const corpus = join(root, 'fuzz/corpus');
     const folder = join(work, 'corpus');

@@ -30,8 +30,8 @@ data::FitRecord example_record() {
   return record;
 }
 
-// The objectives by the key "law,integration,share". The share says where in its box every parameter lies: 0 is the
-// lower end, 1 the upper end.
+// Returns the objectives by the key "law,integration,share". The share says where in its box every parameter lies: 0 is
+// the lower end, 1 the upper end.
 std::map<std::string, double> objectives() {
   auto const record = example_record();
   std::map<std::string, double> values;

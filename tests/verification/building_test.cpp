@@ -147,8 +147,8 @@ struct Released {
   double half_cycle_s = 0.0, elastic_s = 0.0, speed_mm_s = 0.0;
 };
 
-// Releases a mass from rest at 150 mm. Between two steps the velocity is taken as linear, and a turning point lies
-// where it passes zero.
+// Releases a mass from rest at 150 mm. Between two steps the velocity is taken as linear, and the mass turns where the
+// velocity passes zero.
 Released release(double step_s) {
   std::vector<double> const law{6.0, 0.9, 30.0 / 5.1};
   Bearings bearings;
@@ -185,7 +185,7 @@ TEST(Building, free_vibration_on_a_bilinear_bearing) {
   EXPECT_NEAR(released.elastic_s, 0.124144550, 1e-7);
   EXPECT_NEAR(released.speed_mm_s, -174.696969, 2e-4);
   EXPECT_NEAR(released.half_cycle_s, 1.002422303, 2e-7);
-  // The error falls with the square of the step although the law's corner lies inside a step.
+  // The error must fall with about the square of the step, although the law's corner lies inside a step.
   auto const error = [&](double step_s) { return std::abs(release(step_s).turns_mm[0] - turns[0]); };
   double const coarse = error(8e-3), fine = error(1e-3);
   EXPECT_GT(std::log2(coarse / fine) / 3.0, 1.7);

@@ -193,7 +193,7 @@ TEST(ClosedForm, BoucWenThatHardlyUnloads) {
 
 // The parameter A is redundant: the force stays the same if z becomes c z, A becomes c A, beta and gamma are multiplied
 // by c^(1-n), and alpha Ke and (1 - alpha) Ke z keep their values. The forces then differ only by rounding, which grows
-// over the hundred samples of the path.
+// over the 320 steps of the path.
 TEST(ClosedForm, BoucWenRescaled) {
   constexpr double alpha = 0.2, Ke = 3.0, A = 1.2, beta = 0.05, gamma = 0.03, n = 1.2;
   auto const motion = irregular(4, 200.0, 4, 80);
@@ -243,8 +243,8 @@ void elastic_parts_alone() {
       } else {
         values[index_of<Law>("K1")] = values[index_of<Law>("a")] = 0.0;
       }
-      // A sampling interval of 10 mm is long beside U0 = 4 mm, so the Runge-Kutta steps of Integration::paper are
-      // refined 20 times.
+      // From sample to sample the motion covers about 10 mm, which is long beside the yield displacement U0 = 4 mm.
+      // Each Runge-Kutta step of Integration::paper is therefore divided into 20.
       auto const force = forces<Law>(values, motion, integration == Integration::paper ? 20 : 1, integration);
       double peak = 0.0;
       for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -322,11 +322,11 @@ TEST(ClosedForm, JankowskiByHand) {
   // -400 mm/s.
   auto const force =
       forces<Jankowski>(values, Motion{{100.0, 100.0, 100.0, -100.0, 0.0}, {400.0, 0.0, -400.0, 400.0, -400.0}});
-  // The law takes x in m and v in m/s. At x = +-0.1, x^2 = 0.01 and x^4 = 1e-4, so the terms of the stiffness with a1, a2
-  // and a3 are 100 + 10 + 1 = 111. 1 / cosh(ln 2) = 4/5. In motion the terms with a4 and a6 are therefore 500 * (4/5)^2 =
-  // 320 and 2000 * 4/5 * 4/5 = 1280, and the elastic force is (111 + 320 + 1280) * 0.1 = 171.1. At rest the terms are 500
-  // and 2000 * 4/5 = 1600, and the force is 221.1. In the damping force v / sqrt(v^2 + a11^2) = 0.4 / 0.5 = 4/5, so it is
-  // (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
+  // The law takes x in m and v in m/s. At x = +-0.1, x^2 = 0.01 and x^4 = 1e-4, so the terms of the stiffness with a1,
+  // a2 and a3 are 100 + 10 + 1 = 111. 1 / cosh(ln 2) = 4/5. In motion the terms with a4 and a6 are therefore 500 *
+  // (4/5)^2 = 320 and 2000 * 4/5 * 4/5 = 1280, and the elastic force is (111 + 320 + 1280) * 0.1 = 171.1. At rest the
+  // terms are 500 and 2000 * 4/5 = 1600, and the force is 221.1. In the damping force v / sqrt(v^2 + a11^2) = 0.4 / 0.5
+  // = 4/5, so it is (40 + 6) * 4/5 = 36.8, and 40 * 4/5 = 32 at x = 0.
   EXPECT_NEAR(force[0], 171.1 + 36.8, 1e-11);
   EXPECT_NEAR(force[1], 221.1, 1e-11);
   EXPECT_NEAR(force[2], 171.1 - 36.8, 1e-11);

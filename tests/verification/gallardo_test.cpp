@@ -20,8 +20,8 @@ namespace {
 
 using laws::Gallardo;
 
-// The published algorithm, one step at a time, with g = x/100 mm. The elastic part has states for either side of x = 0;
-// a step across 0 changes and uses only those of the side on which it ends. z follows the implicit midpoint rule,
+// Runs the published algorithm, one step at a time, with g = x/100 mm. The elastic part has states for either side of x
+// = 0; a step across 0 changes and uses only those of the side on which it ends. z follows the implicit midpoint rule,
 // solved by iteration. The hardening phi and the position of the last turn change one step late.
 class Stepwise {
  public:
@@ -76,7 +76,7 @@ class Stepwise {
   double g_ = 0.0, dg_ = 0.0, z_ = 0.0, phi_ = 0.0, uip_ = 0.0;
 };
 
-// The forces that isolaw computes at the corners of the path.
+// Returns the forces that isolaw computes at the corners of the path.
 std::vector<double> exact(Values<Gallardo> const& values, std::vector<double> const& corners, int steps = 1) {
   auto const all = forces<Gallardo>(values, laws::make_path(through(corners, steps), {}));
   std::vector<double> at_corners;

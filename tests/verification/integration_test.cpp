@@ -52,7 +52,7 @@ Values divided(Values values, double unit) {
   return values;
 }
 
-// Computes a law's force in kN on the path of a record, refined by a factor.
+// Computes a law's force in kN on the path of a record, each step of which is divided into `refinement` steps.
 class Refined {
  public:
   Refined(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -76,7 +76,8 @@ class Refined {
 struct Shift {
   double random = 0.0, best = 0.0;  // largest shift at random sets and at the best sets
   double best_objective = 0.0;      // on the record with the largest shift at the best set
-  // How many random sets were drawn, had no finite objective, and shifted by more than the tolerance.
+  // Numbers of random sets: all that were evaluated, those without a finite objective, and those whose objective shifts
+  // by more than the tolerance.
   int sets = 0, not_finite = 0, beyond = 0;
   std::string worst;  // the random set with the largest shift
 };

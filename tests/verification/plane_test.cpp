@@ -62,8 +62,8 @@ TEST(PlaneLaws, a_straight_step_of_bouc_wen_switches_where_the_component_along_i
   EXPECT_NEAR(at_zero.y, 0.440567110531, 1e-12);
 }
 
-// The last of several turns around a polygon with `corners` corners. At the last corner, `size` is the size of the
-// force and `lag` its angle behind the direction of motion. `work` is the work of the whole turn.
+// Results of the last of several rounds along a polygon with `corners` corners. At the last corner, `size` is the size
+// of the force and `lag` its angle behind the direction of motion. `work` is the work of the whole round.
 struct Turn {
   double size, lag, work;
 };

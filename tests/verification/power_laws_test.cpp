@@ -118,7 +118,8 @@ TEST(PowerLaws, MasingLoopsClose) {
   EXPECT_NEAR(looped[15], plain[4], 1e-12);
 }
 
-// No loop of a decaying sine closes, so the law must remember all 3287 turning points.
+// No loop closes if each peak is smaller than the one before, so the law must remember every turning point: all peaks
+// but the last of the 3287, at which the path ends.
 TEST(PowerLaws, MemoryIsAsDeepAsThePath) {
   constexpr int turns = 3287;
   std::vector<double> x{0.0};
@@ -171,10 +172,10 @@ std::vector<double> with_noise(std::vector<double> x, double deviation) {
   return x;
 }
 
-// The noise is 0.1 % of the largest amplitude, and the dead band, which keeps it out of the motion, three of its
-// standard deviations. With the dead band, the motion with or without noise must give forces within 0.5 % of the peak
-// force of the exact ones on average; 0.31 % is the most seen. The change is largest after reversals, where branches
-// are steepest.
+// The standard deviation of the noise is 0.1 % of the largest amplitude. The dead band, which keeps the noise out of
+// the motion, is three standard deviations. With the dead band, the motion with or without noise must give forces that
+// differ from the exact ones by less than 0.5 % of the peak force on average; 0.31 % is the most seen. The difference
+// is largest after reversals, where branches are steepest.
 TEST(PowerLaws, DeadBandKeepsThePath) {
   std::vector<double> x;
   for (double const amplitude : {38.0, 76.0, 152.0})

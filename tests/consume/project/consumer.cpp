@@ -12,7 +12,7 @@ int main() {
   std::vector<double> force_kN(path.samples());
   std::vector<double> const K1_K2_xy{2.0, 0.5, 20.0};
   isolaw::laws::find_law("bilinear").evaluate(K1_K2_xy, path, isolaw::laws::Integration::converged, force_kN);
-  // Force on the branch after yielding, K2 x + (K1 - K2) xy, at the peak of 100 mm.
+  // On the branch after yielding the force is K2 x + (K1 - K2) xy; this is its value at the peak of 100 mm.
   double const expected = 0.5 * 100.0 + (2.0 - 0.5) * 20.0;
   std::printf("force at the first peak: %.3f kN\n", force_kN[50]);
   bool refused = false;
