@@ -7,8 +7,8 @@ import { text } from './text.js';
 
 const addresses = new Set();
 
-// Adds a script to the report, which prints the report when it gets a message. The page cannot print a frame of another
-// origin by itself.
+// Returns an address that shows the report with one script added. This script prints the report when it gets a message,
+// because the page itself cannot print a frame of another origin.
 function addressOf(bytes) {
   const script = document.getElementById('isolaw-frame').textContent;
   const url = URL.createObjectURL(new Blob([bytes, '<script>', script, '</script>'], { type: 'text/html;charset=utf-8' }));

@@ -248,8 +248,8 @@ export const addFiles = async ({ files, title, notes }) => {
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
-    // None of the records that the lot file names is here, so the user wants the new records to be read like those of
-    // an earlier lot.
+    // None of the records that the lot file names is here. So the lot file belongs to an earlier lot, and the new
+    // records are read with its settings.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
       // If the lot file had no title, the program would use the name of its working folder as the title.
       state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);

@@ -1,6 +1,6 @@
-// Reads and writes zip files, in which the page saves campaigns. The format is APPNOTE.TXT 6.3.10 without encryption,
-// spanning or ZIP64. The files in a zip file may together be 30 times as large as the zip file when they are unpacked.
-// This limit is never below 64 MiB and never above 1 GiB. Records that are zip files have the same limit
+// Reads and writes zip files, in which the page saves campaigns. The format is that of APPNOTE.TXT 6.3.10 without
+// encryption, spanning or ZIP64. The files that are read from a zip file may together be at most 30 times as large as
+// the zip file. This limit is never below 64 MiB and never above 1 GiB. Records that are zip files have the same limit
 // (docs/records.md).
 
 const LOCAL = 0x04034b50,

@@ -402,7 +402,8 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 
 // Runs `work` in another thread without Python's global lock. Python delivers signals only to the main thread, so the
 // calling thread waits, checks for signals and passes progress to the Python function `tell`. An exception from a
-// signal or from `tell` stops the work. At the end it is thrown again, and so is an exception from the work itself.
+// signal or from `tell` stops the work and is thrown again when the work has ended. Otherwise an exception from the
+// work itself is thrown again.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;

@@ -21,8 +21,8 @@ const dealtInto = (parts, kind) => {
   return found ? Number(found[2]) : null;
 };
 
-// Runs all functions in `works`, at most `workers` at a time, and returns their results. It rejects as soon as one of
-// them rejects.
+// Runs all functions in `works`, at most `workers` at a time, and returns a promise of their results. The promise
+// rejects as soon as one of the functions rejects.
 const inTurn = async (works, workers) => {
   const results = Array(works.length);
   let next = 0;

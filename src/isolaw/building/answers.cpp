@@ -166,7 +166,7 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
 }
 
 // Adds the distribution of every quantity, and the coverage of those that bound analyses can cover. `first` is the
-// answer of the study's first law with a result, or null for that law.
+// answer of the study's first law with a result. It is null if `out` is the answer of that law or no law has a result.
 void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& places, Settings const& settings,
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
@@ -184,8 +184,8 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
   }
 }
 
-// Integrates the nominal building implicitly under every motion, and finds how far off the other methods of Checked
-// are.
+// Integrates the nominal building implicitly under every motion. Compares the results with those of two other methods,
+// the integrator of the draws and the equivalent linear analysis.
 void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& source, Model const& model,
                           Kept const& kept) {
   auto const& motions = study.file.motions;

@@ -1,5 +1,6 @@
-// Computes the answers of a building study from its stored runs. The response of a drawn building is its mean over the
-// motions, as in design. The distributions under each single motion are kept too.
+// Computes the answers of a building study from its stored runs. A draw is a building with bearings drawn at random
+// from the lot. Its response is the mean over the motions, as in design. The distributions under each motion are kept
+// too.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,8 @@ namespace isolaw::building {
 // Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
 // 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
-// The nominal building under one motion by implicit integration, and the errors of the two other methods below.
+// The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
+// it: the integrator that is used for the draws, and equivalent linear analysis.
 struct Checked {
   std::string outcome;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
@@ -40,7 +42,8 @@ struct LawAnswer {
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
   std::vector<Finding> doubts;              // about the law's calibration
-  // For all laws but the first: share of the draws whose bearing displacement lies between the first law's bounds.
+  // Share of the draws whose bearing displacement lies between the bounds of the study's first law with a result. Empty
+  // for that law itself, and without draws.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // [motion]
@@ -50,10 +53,11 @@ struct LawAnswer {
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
 };
 
-// How the law acts in the plane, in a word or three: "coupled", "separate", "springs" or "springs as given". The last
-// stands for springs that have the parameters of the law in one direction, because none were fitted for the springs.
+// Names how the law acts in the plane: "coupled", "separate", "springs" or "springs as given". In the last case no
+// parameters were fitted for the springs, and they have the parameters of the law in one direction.
 std::string_view form(LawAnswer const& law);
-// Whether any run of the law was completed, and if not, a clause that says so: "none of its 364 analyses ...".
+// Whether any run of the law gave finite numbers, and the clause that says so if none did: "none of its 364 analysis
+// runs gave finite numbers".
 bool has_result(LawAnswer const& law);
 std::string why_without_result(LawAnswer const& law);
 

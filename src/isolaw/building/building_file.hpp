@@ -114,7 +114,8 @@ std::vector<Motion> read_motions(std::vector<std::string> const& files);
 // Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
 // different length.
 void require_sound(Motion const& motion);
-// Throws one Error with all complaints and their lines. Paths of motions start at the file's folder, or `folder`.
+// Both functions throw one Error with all complaints and their lines. Paths of motions are relative to the folder of
+// `file`, or to `folder`.
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place = {});

@@ -1,4 +1,5 @@
-// Judges whether the bound analyses of a building cover the responses of its draws.
+// Judges whether the two bound analyses of a building, which scale all forces of its bearings by a lower and an upper
+// factor, cover the responses of its draws, the buildings with bearings drawn at random from the lot.
 #pragma once
 
 #include <array>

@@ -22,7 +22,8 @@ std::array<double, 4> fractiles(std::vector<double> values) {
   return at_shares;
 }
 
-// Splits the variance of ln(response): Var = variance over motions of the means + mean over motions of the variances.
+// Splits the variance of ln(response) over motions and draws into two parts. The motions' part is the variance over the
+// motions of the draws' mean. The lot's part is the mean over the motions of the draws' variance.
 void split_variance(Distribution& d, std::vector<std::vector<double>> const& draws_by_motion) {
   std::vector<double> means;
   double within = 0.0;

@@ -1,4 +1,5 @@
-// Describes the distribution of a response over the draws of a study, and its spread over motions and over the lot.
+// Describes how a response of the building is distributed over the draws of a study, and how much of its spread is due
+// to the motions and how much to the lot.
 #pragma once
 
 #include <array>

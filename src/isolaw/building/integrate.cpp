@@ -120,8 +120,9 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // Finds the share of the vector `way` after which the work of the residual along `way` is at most half of that at the
-  // start. `at(share)` computes the residual, and is called last with the share that is returned.
+  // Finds how far to go along the vector `way`, as a share of its length: far enough that the work of the residual
+  // along `way` is at most half as large as at the start. Gives up after some 40 trials. `at(share)` computes the
+  // residual, and is called last with the share that is returned.
   template <class At>
   static double share_along(Vector3 const& way, Vector3 const& start, At const& at) {
     double const enough = 0.5 * std::abs(way.dot(start));
@@ -149,8 +150,9 @@ class ImplicitRun {
     }
     modes_freely(run_, arrays_, modes, on_base);
     Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
-    // The unknown is the part of the displacement that the acceleration at the end adds. The whole displacement is ten
-    // thousand times as large, so its rounding would spoil the inertial force.
+    // The unknown is the part of the displacement that the acceleration at the end adds. The inertial force follows
+    // from this part. The whole displacement can be ten thousand times as large, so its rounding would spoil that
+    // force.
     Vector3 const steady = dt * speed + 0.25 * dt * dt * before;
     Vector3 const load = condensed_ * ground + as_vector(on_base);
     Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
@@ -177,8 +179,8 @@ class ImplicitRun {
     auto const is_balanced = [&](Vector3 const& residual) {
       Vector3 const inertial = inertia * unknown;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // A residual balances if its share of the largest force is below `all`, or if this share is below `sufficient`
-      // and the last iteration did not cut the residual to a tenth.
+      // The forces are balanced if the residual's share of the largest force is at most `all`. They are balanced too if
+      // this share is at most `sufficient` and the last iteration did not cut the residual to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       bool const balanced = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
@@ -199,9 +201,10 @@ class ImplicitRun {
       unknown -= change;
     }
     if (!found) {
-      // Where a force rises ever more steeply towards a displacement, as powers of the displacement do, whole steps of
-      // Newton's method leap over the equilibrium. So each step goes only so far that the work of the residual along it
-      // falls to half. The potential of forces that rise with the displacement is convex, so this finds its minimum.
+      // Some forces become ever steeper as they approach a certain displacement, for example powers below 1 near zero.
+      // Whole steps of Newton's method then leap over the equilibrium. So each step goes only so far that the work of
+      // the residual along it falls to half. If the forces rise with the displacement, their potential is convex and
+      // the shortened steps lead to its minimum, the equilibrium.
       unknown = guess;
       last = std::numeric_limits<double>::infinity();
       Vector3 residual = out_of_balance(unknown);

@@ -1,5 +1,5 @@
-// Integrates many drawn buildings at once by explicit_run() of stepping.hpp, one per SIMD lane (lane_kernels.cpp). A
-// result depends neither on the other draws nor on threads.
+// Integrates many drawn buildings at once by explicit_run() of stepping.hpp, one per SIMD lane (lane_kernels.cpp). The
+// result of a draw depends neither on the other draws nor on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@
 
 namespace isolaw::building {
 
-// The explicit integration of a law. nullptr for `scalar`, and for a law without a two-dimensional form.
+// Finds the function that integrates buildings with this law in SIMD lanes. Returns nullptr for `scalar`, and for a law
+// without a two-dimensional form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 // Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], with parameters in the law's order and
 // units. A draw that failed has measures that are not finite. If `coupling` is not `coupled`, each draw is integrated

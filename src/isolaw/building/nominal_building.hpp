@@ -8,16 +8,18 @@
 
 namespace isolaw::building {
 
-// The nominal building by implicit integration, in at most most_of_history samples: displacement of the base's centre
-// of mass relative to the ground, and the sum of the bearings' forces, positive along the displacement.
+// The history of the nominal building under one motion by implicit integration, in at most most_of_history samples. It
+// has the displacement of the base's centre of mass relative to the ground, and the sum of the bearings' forces,
+// positive along the displacement.
 inline constexpr std::size_t most_of_history = 2000;
 struct NominalHistory {
   double step_s = 0.0;
   std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
 };
 
-// Force-displacement loops of every bearing under the motion that moves the nominal building most, by implicit
-// integration, in at most most_of_loops samples. They are those of the first drawn building if bearings are drawn.
+// Force-displacement loops of every bearing by implicit integration, in at most most_of_loops samples. The motion is
+// the one that moves the nominal building most. The building is the first draw if bearings are drawn, else the nominal
+// one.
 inline constexpr std::size_t most_of_loops = 500;
 struct BearingLoops {
   std::size_t motion = 0;

@@ -10,7 +10,7 @@ namespace isolaw::building {
 struct Quantity {
   std::string_view key, title, unit, meaning;
   double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
-  std::string_view uncovered = {};  // why the bound analyses cannot cover the quantity; empty if they can
+  std::string_view uncovered = {};  // why bound analyses (coverage.hpp) cannot cover the quantity; empty if they can
 };
 std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);

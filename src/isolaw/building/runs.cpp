@@ -87,7 +87,7 @@ std::vector<StudyProperty> of_kind(std::vector<StudyProperty> properties, std::s
   return properties;
 }
 
-// A text for each difference, such as "seed: 1 there, 2 now".
+// Returns a text for each difference, such as "seed: 1 there, 2 now".
 std::vector<std::string> differences_of(std::vector<StudyProperty> const& there, std::vector<StudyProperty> const& now,
                                         campaign::Sides const& sides = {}) {
   std::vector<std::string> found;
@@ -123,7 +123,8 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   auto db = building_store().to_write(file);
   StoreKind::as_ours(file, [&] {
     auto const held = campaign::read_part(db);
-    // A merge will read this part, and would not notice that the file was cut off within a page.
+    // If the store holds a part, a merge will read it, and would not notice that the file was cut off within a database
+    // page.
     if (held) campaign::require_sound(file, "--fresh to start over");
     auto different = differences_of(read_properties(db), properties);
     auto const named = [](std::optional<campaign::Part> const& which) {

@@ -46,7 +46,8 @@ class Blocks {
   std::size_t count() const { return laws_ * motions_ * blocks_per_motion(); }
   Block at(std::size_t number) const;
   std::size_t runs() const { return laws_ * motions_ * cases_; }
-  // The part, counted from 1, that computes a block. Dealing in turn is even, since blocks of one law cost the same.
+  // Returns the part, counted from 1, that computes a block. The parts take blocks in turn. Their shares of the work
+  // are about equal, since all blocks of one law take about the same time.
   static int part_of(std::size_t number, int parts) {
     return static_cast<int>(number % static_cast<std::size_t>(parts)) + 1;
   }
@@ -120,7 +121,8 @@ struct RunAllOptions {
   std::optional<campaign::Part> part = {};                // compute this part only
   std::function<bool()> interrupted = {};                 // asked between runs, from any thread
 };
-// Throws Error like the constructor of Runs. Finished runs are stored even so. Returns false if it was interrupted.
+// Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
+// constructor of Runs. If a run throws, the runs that have finished are stored first.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
 // The options of a law's runs. The step is the smaller of the settings' step and longest_explicit_step() for the
 // bearings of the upper bound analysis at rest.

@@ -40,7 +40,7 @@ enum class CaseKind {
   lower,    // as nominal, with all forces times Settings::lower (or upper)
   upper,
   factor,    // as nominal, with all forces times grid_factor(draw)
-  draw,      // each of these bearings is a device of its own from the population
+  draw,      // each bearing that is a draw has parameters of its own, drawn from the population
   uncertain  // as draw, but from a population estimated again (population_again)
 };
 struct Case {
@@ -57,7 +57,8 @@ inline double grid_factor(std::uint32_t i) {
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
-// Coupling::coupled if all parameter sets have a coupled form; else springs, or separate if all motions go along x.
+// Coupling::coupled if the parameters were not fitted as springs and all parameter sets have a coupled form. Otherwise
+// springs, or separate if all motions go along x alone.
 Coupling coupling_in(BuildingFile const& file, LawSource const& source);
 
 // The bearings of one law. A random number depends on (seed, law, population, draw, bearing) only.

@@ -65,7 +65,7 @@ struct Run {
   T f[3];                      // bearings' forces summed at the base's centre of mass, positive along displacement
   T *q, *qv, *qa, *free_part;  // [mode]
   T *d, *force;                // [bearing][2]: displacement and force
-  T* measured;                 // [Layout::count()]; the squares of lengths until finish_run()
+  T* measured;                 // [Layout::count()]; lengths of vectors are squared until finish_run()
   T damped_rate;               // power of the modes' damping at the last instant
 };
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
@@ -116,8 +116,8 @@ inline void modes_reach(Run<T>& run, StructureArrays const& s, ModeStep const& s
   }
 }
 
-// Largest value within a step of a squared length with the rates (derivatives by time) rate0 and rate1 at its ends. It
-// is the value at the end, or a maximum inside the step of the cubic through both ends.
+// Returns the largest value that a squared length has within a step. It is the value at the end or, if larger, the
+// maximum inside the step of the cubic with these values and rates (derivatives by time) at both ends.
 template <class T>
 inline T largest_within(T const& square0, T const& rate0, T const& square1, T const& rate1, double dt) {
   using num::max;
@@ -152,7 +152,8 @@ inline void acceleration_of(Run<T> const& run, StructureArrays const& s, std::si
   add(1, y);
 }
 
-// Adds a step to the measures. Suffixes 0 and 1 mean its start and end; `run` is at the end, momenta are momentum().
+// Adds a step to the measures. Suffixes 0 and 1 mean the step's start and end. `run` must be at the end of the step.
+// The momenta are those that momentum() returns.
 template <class T>
 inline void measure(Run<T>& run, StructureArrays const& s, double dt, T const (&u0)[3], T const (&v0)[3],
                     double const (&ground0)[2], double const (&ground1)[2], T const& momentum0_x, T const& momentum0_y,
@@ -249,8 +250,9 @@ inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
   return sum;
 }
 
-// Turns measured squares into lengths and computes the balance: input energy less kinetic, strain and damped energy and
-// the bearings' work, over the larger of the input and the bearings' work. An exact integration gives 0.
+// Takes the roots of the measures that are kept as squares, and computes the balance: input energy less kinetic, strain
+// and damped energy and the bearings' work, as a share of the larger of the input energy and the bearings' work. An
+// exact integration gives 0.
 template <class T>
 inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;

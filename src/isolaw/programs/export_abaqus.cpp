@@ -15,8 +15,9 @@
 namespace isolaw::programs {
 namespace {
 
-// Numbers of SVARS. The first is enough for the largest state without turning points. A law that remembers turning
-// points gets the second in addition, which is enough for those that a long free vibration leaves.
+// Numbers of state variables (SVARS). The first is enough for the largest state without turning points. A law that
+// remembers turning points gets the second in addition, which is enough for the turning points of a long free
+// vibration.
 constexpr int fixed_variables = 64, turning_variables = 1000;
 
 }  // namespace

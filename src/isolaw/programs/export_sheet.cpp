@@ -69,7 +69,7 @@ std::vector<double> parameters_of(Wen const& v) {
   return p;
 }
 
-constexpr double sharpest = 20.0;  // Plastic (Wen) allows no larger exponent; its corner is nearly sharp
+constexpr double sharpest = 20.0;  // the largest exponent in Plastic (Wen); it makes the loop's corner nearly sharp
 
 // Returns the Bouc-Wen values whose loop is nearly the bilinear loop `v`.
 Wen sharp(Corner const& v) {

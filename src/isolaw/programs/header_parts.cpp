@@ -183,8 +183,9 @@ std::string with_blank_lines(std::vector<std::string> const& parts) {
   return text;
 }
 
-// Some lines of the exported code. If they are a function, or a using declaration of a name from std, `name` is that
-// name and `text` begins with the comment above. For all other lines `name` is empty.
+// Some lines of the exported code. If they are an inline function or a using declaration of a name from std, `name` is
+// the function's name or the name from std, and `text` begins with the comment above the lines. Otherwise `name` is
+// empty.
 struct Block {
   std::string name, text;
 };
@@ -220,7 +221,8 @@ bool calls(std::string_view text, std::string_view name) {
   return false;
 }
 
-// Removes functions that nothing calls, until every function left is called by another one.
+// Removes functions and using declarations that no other block calls. Repeats this until other blocks call all that are
+// left.
 std::string without_unused(std::string_view text) {
   auto blocks = blocks_of(text);
   auto const unused = [&](Block const& block) {

@@ -19,8 +19,8 @@ struct LayoutRow {
 
 inline constexpr std::size_t most_rows = 2000;
 
-// Reads the table. Throws one Error that lists all faults: wrong columns, units or values, loads for only some of the
-// bearings, and bearings that share a name or a position.
+// Reads the table. Throws one Error that lists all wrong columns and units. If these are right, it lists all wrong or
+// missing values, and if these are right too, all bearings that share a name or stand less than 1 mm apart.
 std::vector<LayoutRow> read_layout(std::filesystem::path const& file);
 std::vector<LayoutRow> read_layout_text(std::string_view bytes, std::string const& name);
 

@@ -23,7 +23,8 @@ struct MappedCommand {
   std::vector<Argument> arguments;
 };
 
-// Whether commands give the law's force at every step, or, if OpenSees integrates, only as the steps get smaller.
+// Whether commands give the law's force at steps of any size, or only in the limit of small steps. The latter holds if
+// OpenSees integrates the law.
 enum class Exactness { every_step, small_steps };
 
 // Commands that together make a material or an element. The model uses what the last command makes.

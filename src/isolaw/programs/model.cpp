@@ -21,7 +21,8 @@ Option<ModelOptions> words(std::string_view key, std::string help, std::optional
           [place](ModelOptions& to, Json const& value) { to.*place = text_in(value); }};
 }
 
-// Reads a quantity such as "8.5m" and converts it by `in_ours`. Throws Error for an unknown unit or a number up to 0.
+// Reads a quantity such as "8.5m" and converts it by `in_ours`. Throws Error for an unknown unit or a number that is
+// not above 0.
 double quantity(std::string const& text, std::string_view where, std::string_view allowed,
                 std::optional<double> (*in_ours)(std::string_view)) {
   auto const parts = number_and_unit(text);

@@ -163,7 +163,8 @@ ModelNumbers model_numbers(Subject const& subject, Realisation const& realisatio
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
-  // No caution up to this share outside the tested loads, since laboratories usually keep a test's load within it.
+  // Loads that lie outside the tested loads by up to this share need no caution, since laboratories hold the load of a
+  // test only to about this share.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return {};

@@ -54,7 +54,7 @@ struct Realisation {
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
   std::vector<std::string> refused;         // rejected forms, each with the reason: "form: how its replay failed"
-  std::optional<Deviation> draws_from_law;  // the largest of a form from its drawn law, on the first history
+  std::optional<Deviation> draws_from_law;  // largest deviation of a form from its drawn law, on the first history
 };
 
 // A form counts as exact if it differs from the law by at most this percentage of the peak force: exact_percent at
@@ -72,7 +72,7 @@ bool far_off(Deviation const& from_law);
 bool far_off(std::vector<OtherCycle> const& cycles);
 
 struct Substitute {
-  laws::LawEntry const* law = nullptr;  // null if no law of this kind has a finite force
+  laws::LawEntry const* law = nullptr;  // null if the fit found no parameters with a finite force
   std::vector<double> parameters;
   double objective = 0.0;
 };

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The motion of one of a device's tests: its samples and, if `interpolated`, the turning points between samples.
+// Returns the motion of one of a device's tests: a point at zero displacement if the test begins elsewhere, the samples
+// and, if `interpolated`, the turning points between samples.
 History history_of(std::string const& device, data::FitRecord const& record, laws::TurningPoints turning_points) {
   auto const path = turning_points == laws::TurningPoints::interpolated
                         ? laws::make_path_with_turning_points(record.disp_mm, record.vel_mm_s, record.time_s)

@@ -76,7 +76,7 @@ struct Subject {
   int refinement = 1;
   double dead_band_mm = 0.0;  // from the device's record; for a lot the largest of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
-  double design_disp_mm = 0.0;                             // amplitude of the reported cycle
+  double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
   std::optional<Model> model;  // only for targets that write a whole building

@@ -22,7 +22,7 @@ std::string argument_values(Command const& command, std::string_view separator);
 // Returns the commands of a form with their arguments' names, for users: "Command argument argument; Command ...".
 std::string argument_names(Form const& form);
 
-// Options for more iterations than the 25 that OpenSees allows; "" for elements that do not iterate.
+// Returns options for more iterations than the 25 of OpenSees' default; "" for elements that do not iterate.
 std::string element_options(Command const& command, std::string_view separator, std::string_view quote);
 std::string briefly(double value);
 

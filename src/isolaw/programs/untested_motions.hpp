@@ -24,7 +24,8 @@ struct OtherCycle {
   double largest() const;  // the larger of |energy| and |peak|
 };
 // Compares the cycles of `stand_in` with the law's at a quarter, half, three quarters and all of the tested amplitude.
-// A rate-dependent law is compared at half the tested rate too. A force that is NaN gives an infinite difference.
+// A rate-dependent law is also compared at all of the amplitude and half the tested rate. A force of `stand_in` that is
+// not finite gives an infinite difference.
 std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stand_in);
 std::string text(std::vector<OtherCycle> const& cycles);
 

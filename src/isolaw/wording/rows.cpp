@@ -20,7 +20,8 @@ constexpr Row answer(FindingKind kind, std::string_view key, std::string_view to
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
 }
-// A doubt about the law that the answer names. Whatever takes this law from the campaign repeats it.
+// A doubt about the law that the answer names. Exports and other outputs that take this law from the campaign repeat
+// the doubt.
 constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_view text) {
   return {kind,
           key,

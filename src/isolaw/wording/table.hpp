@@ -18,12 +18,13 @@ enum class Severity {
 };
 std::string_view name(Severity severity);
 
-// Findings of one kind share a sentence if they agree in these fields.
+// Findings of one kind share a sentence if they agree in the fields that are named here. With each_alone they never do.
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
-// The places where a kind of finding may appear. JSON holds every kind.
+// The places where a kind of finding may appear. JSON holds every kind. For a function such as grouped(), the place
+// `anywhere` lets every kind appear. A row with `anywhere` appears in no place unless code asks for its kind.
 enum Appearance : unsigned {
-  anywhere = 0,        // as a place: every kind may appear; in a row: this kind appears only where code asks for it
+  anywhere = 0,
   in_report = 1,       // terminal and page
   on_certificate = 2,  // the certificate to be signed
   with_law = 4,        // wherever a law is taken from the campaign: exports, `simulate`

@@ -142,7 +142,8 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  // Scripts have six digits. The ends of a shorter range could become equal, and gnuplot draws no axis of zero length.
+  // Numbers in scripts have six digits. With these the ends of a shorter range could be equal, and gnuplot draws no
+  // axis of zero length.
   double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};

@@ -24,7 +24,8 @@ MaybeFigure objective_figure(Summary const& summary);
 MaybeFigure objective_by_device_figure(Summary const& summary);
 // A panel for each calibrated parameter, over the devices, as in Figs. 8 to 13.
 MaybeFigure parameters_figure(Summary const& summary, LawResult const& law);
-// The campaign beside the study's results, as in Figs. 6 and 8 to 13. Empty with fewer than two of the study's laws.
+// The campaign's results beside the study's, as in Figs. 6 and 8 to 13. There is no figure if the campaign has fewer
+// than two of the study's laws.
 MaybeFigure published_objective_figure(Summary const& summary);
 MaybeFigure published_parameters_figure(Summary const& summary, LawResult const& law);
 // The best objective after each generation or descent, as median and range over the runs.

@@ -72,7 +72,8 @@ FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> co
   return outcome;
 }
 
-// Removes figures of former results, so that none contradicts the reports beside it. Returns how many.
+// Removes figures of the choice `lot` that show other results than `summary`, so that none of them contradicts the
+// reports beside it. Returns how many it removed.
 std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
   auto const own = own_figures(dir / "figures");
   if (own.empty()) return 0;

@@ -55,7 +55,8 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
   out.end_object();
 }
 
-// Divides about two million points among all curves, so that a page of 160 devices stays small.
+// Divides about two million points among all curves, so that a page of 160 devices stays small. A curve gets from 300
+// to 2400 points.
 std::size_t points_per_curve(Summary const& summary) {
   std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);

@@ -1,4 +1,5 @@
-// The reader's choices on a page, and controls for them. Figures follow them; each figure names the choices that change it.
+// The reader's choices on a page, and controls for them. Each figure names the choices that change it and is drawn
+// again when one of them changes.
 
 import { button, element } from './dom.js';
 import { colourOf, isAgain } from './plotting.js';

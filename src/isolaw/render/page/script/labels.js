@@ -13,8 +13,8 @@ function enters([x0, y0], [x1, y1], box) {
   return false;
 }
 
-// Returns the centre of each point's label. A label is beside its point or, farther away, joined to it by a line.
-// Labels lie inside the plot and cover no point and no other label. If possible, they do not cover the stepped line
+// Returns the centre of each point's label. A label is beside its point or, farther away, joined to it by a line. If
+// there is room, labels lie inside the plot and cover no point and no other label, and they avoid the stepped line
 // through the points whose indices are in `stair`, from left to right. points: [{x, y, width}] in pixels, with the
 // width of the label; `others` are points without a label.
 export function labelPlaces(points, stair, width, height, others = []) {
@@ -76,7 +76,8 @@ export function spread(wanted, gap, low, high) {
 }
 
 // Places the numbers of cycles near the cycles' peaks. The rightmost peaks have their numbers in the right margin. All
-// others have them above and to the left, where a hysteresis loop leaves room.
+// others have them above and to the left, where a hysteresis loop leaves room. Numbers for which there is no room are
+// left out.
 export function peakLabels(labels, pixel, room, height) {
   const gap = 15,
     columns = [];

@@ -36,7 +36,8 @@ export const errorText = (error) =>
 
 const NAMED_AT_FIRST = 3;
 
-// The laws that the page shows at first: the most accurate ones for the first purpose, if they predict.
+// The laws that the page shows at first: up to three most accurate laws for the first purpose or, if no law can be
+// recommended, the law with the least objective. A law that does not predict is left out.
 export const recommended = (() => {
   const purpose = PURPOSES.find(({ id }) => id === FIRST);
   const named = purpose?.recommendation?.law

@@ -30,7 +30,8 @@ export const objectiveRelativeFigure = {
   draw: drawRelative,
 };
 
-// The runs of a converged search differ only by rounding. Smaller standard deviations are drawn at this value.
+// Standard deviations below this value are drawn at this value, because the runs of a converged search differ only by
+// rounding.
 const LEAST_SPREAD = 1e-9;
 
 const spreadEntries = () =>

@@ -94,7 +94,7 @@ function plan(look) {
   const { bearings, corners, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  // The range of colours has a minimum, so that differences of a percent have almost the same colour.
+  // The range of colours has a least width, so that values that differ by a percent get almost the same colour.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const xs = corners.map(({ x_m: x }) => x),

@@ -60,7 +60,7 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  // A fact that all devices share is in the certificate's head, so it needs no column.
+  // A fact that all devices share is in the certificate's head and needs no column. Serial numbers always have one.
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [

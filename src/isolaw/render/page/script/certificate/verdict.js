@@ -10,8 +10,9 @@ export function deviceVerdict(device) {
 
 export const sameRecord = (device) => (device.copy_of ? 'the same record as ' + device.copy_of : '');
 
-// The quantities that could not be assessed on any device. The certificate names them once instead of in every row. The
-// list is empty if no device passes, because only rows of passing devices name such quantities.
+// The quantities that are "not assessed" on every device that was assessed at all. The certificate names them once
+// instead of in every row. The list is empty if no device passes, because only rows of passing devices name such
+// quantities.
 export function commonlyOpen() {
   const judged = devices.filter((device) => device.assessments.length > 0 && !device.copy_of);
   if (judged.length === 0 || judged.every((device) => deviceVerdict(device).verdict !== 'pass')) return [];

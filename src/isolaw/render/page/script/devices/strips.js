@@ -166,7 +166,8 @@ function legendOfLines(look, rows) {
 }
 
 // Labels the outliers and the devices outside their limits. Up to three names are beside their marks. More names are
-// spread in a row above the strip, to the right of its heading.
+// spread in a row above the strip, to the right of its heading. If not all names fit, the row shows those of the
+// largest values.
 function outlierLabels(points, quantity, range, width, height) {
   const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
   const few = 3;

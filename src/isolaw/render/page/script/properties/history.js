@@ -9,7 +9,7 @@ export const cycleHistoryFigure = {
   id: 'cycle-history',
   title: 'Displacement history with blocks and cycles',
   depends: ['tested'],
-  // If an inspection has one block for each device, the loops, coloured by cycle, show as much as the history would.
+  // An inspection whose devices have one block each needs no history: the loops are coloured by cycle and show as much.
   wanted: () => chosen.tested !== null && !(inspection && devices.every((device) => device.blocks.length === 1 || device.status !== 'ok')),
   caption: cycleHistoryCaption,
   csv: rawData,

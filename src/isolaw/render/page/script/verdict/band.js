@@ -3,13 +3,15 @@ import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 
-// The verdict's sentence names the requirements not assessed. The lists name those that failed and those that passed.
+// Shows the overall verdict. Its sentence names the requirements that were not assessed, and the list below names those
+// that failed and those that passed.
 export const verdictFigure = { id: 'verdict', title: '', build: band };
 
 function band() {
   const { word, sentence: said, requirements, failing, not_assessed: without } = report.result;
   const remark = ({ device, remark: what }) => element('li', {}, element('b', {}, device ?? 'The lot'), ' ' + sentence(what));
-  // The sentence names up to ten failing devices. If more fail, the list names all of them.
+  // The sentence names up to ten failing devices. If more fail, the remarks name all of them. The remarks also name the
+  // devices without an assessment.
   const rest = [...(failing.length > 10 ? failing : []), ...without];
   return element(
     'div',
