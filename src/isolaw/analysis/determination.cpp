@@ -102,8 +102,8 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds parameters without effect on the force, and the singular values of the force's derivatives by relative
-  // changes of the other parameters.
+  // Finds parameters without effect on the force, and the singular values of the force's derivatives with respect to
+  // relative changes of the other parameters.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);

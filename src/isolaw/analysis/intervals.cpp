@@ -26,8 +26,8 @@ double quantile(std::vector<double> sorted, double probability) {
   return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
 }
 
-// Mean size of the residuals in an eighth of the record around each sample: in a narrower window, samples that the fit
-// happens to meet would make it too small. It is at least a tenth of the mean over the record.
+// For each sample, the mean |residual| in the eighth of the record around it, but at least a tenth of the mean over the
+// record. In a narrower window, samples that the fit happens to meet would make this mean too small.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -59,8 +59,9 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   return sum / (count * width * std::sqrt(2.0 * std::numbers::pi));
 }
 
-// Computes H (intervals.hpp). The density f of a sample's residual at zero is estimated from the residuals around it.
-// Its own residual tells nothing if few samples decide on a parameter, since the fit then meets them exactly.
+// Computes H (intervals.hpp). The density f of a sample's residual at zero is estimated from the residuals around the
+// sample. The residual of the sample alone tells nothing if few samples decide on a parameter, since the fit then meets
+// these samples exactly.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());
@@ -73,9 +74,9 @@ struct Freedom {
   double share = 1.0;    // 1 - p / n, where n is the number of independent samples that the record is worth
   double degrees = 0.0;  // n - p
 };
-// The residuals of the fit are less correlated than the errors, by about the same share. So the number of independent
-// samples that they seem to be is n / share, and n is the larger root of n^2 - seeming n + p seeming = 0. The share is
-// taken as at least a half, so that the intervals at most double.
+// The residuals of the fit are less correlated than the errors, about by the factor `share`. The number of independent
+// samples that the residuals seem to be worth, `seeming`, is therefore n / share, and n is the larger root of
+// n^2 - seeming n + p seeming = 0. The share is taken as at least a half: dividing by it at most doubles the intervals.
 Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -85,8 +86,9 @@ Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double
   return {.share = share, .degrees = std::max(2.0, share * n)};
 }
 
-// Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of signs at one distance get
-// one correlation: their actual products would add up to zero if few samples decide on a parameter.
+// Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of samples at one distance
+// get the same correlation of their signs, as estimated from the whole record. The actual product of the two signs
+// cannot take its place: if few samples decide on a parameter, such products would add up to zero.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);

@@ -57,7 +57,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
 // Serial correlation of a series: the block length in samples for the bootstrap (at least 1), and the autocorrelation,
-// tapered to zero where it is no longer significant. Less than twelve values are taken as independent.
+// tapered to zero where it is no longer significant. Fewer than twelve values are taken as independent.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // for lags 0, 1, 2, ...

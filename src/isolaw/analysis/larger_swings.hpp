@@ -12,9 +12,10 @@
 
 namespace isolaw::analysis {
 
-// Two models of a law on each test: one counts the small swings, to which the law is fitted, the other the large ones,
-// on which it is judged. In both, the law runs through the whole history before these swings. A test without enough
-// swings of a size, or with a constant force in them, has no model for that size.
+// Two models of a law on each test: the objective of one covers only the small swings, to which the law is fitted, that
+// of the other only the large swings, on which the law is judged. In both, the law runs through the whole history
+// before these swings. A test without enough swings of a size, or with a constant force in them, has no model for that
+// size.
 struct SwingModels {
   std::vector<fit::LawOnRecord> small, large;
 };

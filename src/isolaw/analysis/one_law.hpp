@@ -23,8 +23,9 @@ struct OneLaw {
   int evaluations = 0;             // each evaluation counts once for every device
 };
 
-// The parameters of least mean objective over the devices. Descents start from up to twelve of the devices' own optima
-// and from their median. optima[device] holds all parameters. nullopt if interrupted or if no start has finite forces.
+// The parameters of least mean objective over the devices. Descents start from the median of the devices' own optima
+// and from up to twelve of these optima. optima[device] holds all parameters. nullopt if interrupted or if no start has
+// finite forces.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 

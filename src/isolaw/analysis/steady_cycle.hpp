@@ -1,5 +1,5 @@
-// Computes a law in cycles such as a building imposes on its isolators. They show whether the forces stay sane within
-// and beyond the tested amplitudes.
+// Computes a law in cycles such as a building imposes on its isolators. These cycles show whether the law's forces stay
+// plausible within and beyond the tested amplitudes.
 #pragma once
 
 #include <span>

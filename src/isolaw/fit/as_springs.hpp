@@ -1,6 +1,6 @@
 // Fits a law in its form for motions in two directions: equal springs around a circle that each follow the law (see
-// laws/plane/springs.hpp). Springs with the law's own parameters have its stiffness and strength along a line, but
-// another knee.
+// laws/plane/springs.hpp). Springs with the law's own parameters have the law's stiffness and strength along a line,
+// but the knee of their loop has another shape.
 #pragma once
 
 #include <span>

@@ -74,9 +74,9 @@ class LawOnRecord {
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
-  // The law on the samples of LawOnMotion::outline(). Each of them also takes over weight from the dropped samples
-  // beside it, so that the objective changes little. nullopt if over 3/4 of the samples would remain, or if the law
-  // takes one integration step a sample.
+  // The law on the samples of LawOnMotion::outline(). Each kept sample also takes over weight from the dropped samples
+  // beside it, and the objective therefore changes little. nullopt if over 3/4 of the samples would remain, or if the
+  // law is integrated by the paper's method, whose error depends on the distance between samples.
   std::optional<LawOnRecord> outline() const;
   std::vector<double> on_outline(std::span<double const> shares) const;  // moves all weights to the outline
 
@@ -116,7 +116,7 @@ class LawOnRecord {
   LawOnMotion motion_;
   std::vector<double> measured_;  // in the law's unit of force
   std::vector<double> weight_;    // share_ / standard deviation of the measured force in the test
-  std::vector<double> share_;     // weight by time, swing or travel; sum over a weighted test: 1 / number of those
+  std::vector<double> share_;     // weight by time, swing or travel; sum over each test with a weight: 1 / their number
   std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 

@@ -151,8 +151,8 @@ struct Abe {
     N const travel = abe_parts::travel(p, c.parts, state.softened, length, peak0, peak1);
     auto const moved = c.flow.advance(direction * state.F2 * c.per_Y0 * per_mean, travel);
     N const d = (after - before) * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
-    // relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for short travel. For long travel the product is 6, so
-    // that `first` is d/2.
+    // The product relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for a short travel. For a long travel it is
+    // 6 and moved.ratio is 0, which makes `first` equal to d/2.
     N const fade = one / (one + some + N(2.0) * some * some), fade2 = fade * fade;
     N const first = d * (some + some * some) * fade * (one - moved.ratio);
     N const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (N(0.5) - N(0.25) * (moved.rate0 + moved.rate1));

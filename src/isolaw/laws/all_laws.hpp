@@ -1,5 +1,5 @@
-// The list of laws. To add a law, include its header and add its type to AllLaws, in alphabetical order
-// behind the laws of the paper.
+// The list of laws. To add a law, include its header and add its type to AllLaws. The laws of Cucuzza et al. 2025 come
+// first there, then all others in alphabetical order.
 #pragma once
 
 #include <tuple>

@@ -1,6 +1,6 @@
 // Bilinear: elastic and post-elastic stiffness with kinematic hardening.
-// Source: Cucuzza et al. 2025, Eq. (1), gives the virgin branch. The cyclic branches follow Masing's rules, that is an
-// elastic-perfectly-plastic part in parallel with K2.  Units kN, mm.  Step: exact along a straight path.
+// Source: Cucuzza et al. 2025, Eq. (1), gives the virgin branch. The cyclic branches follow Masing's rules: the law is
+// an elastic-perfectly-plastic part in parallel with a spring K2.  Units kN, mm.  Step: exact along a straight path.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -58,8 +58,8 @@ LawEntry entry() {
   };
   law.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                     std::span<double> force) {
-    // With an infinite parameter a law may still give a finite force: an infinite yield displacement means no yielding,
-    // or this path never uses the parameter. These forces are not valid results.
+    // A law may give finite forces although a parameter is infinite: an infinite yield displacement means no yielding,
+    // and some paths never use a certain parameter. Such forces are not valid results.
     if (!std::ranges::all_of(parameters, [](double value) { return std::isfinite(value); })) {
       std::ranges::fill(force, std::numeric_limits<double>::quiet_NaN());
       return;

@@ -120,7 +120,8 @@ struct Gallardo {
   };
   template <class X>
   using Memory = Remembered<X, Softening<X>>;
-  // In the direction of motion z is `strongest` times the u of `flow` until z passes 0, later State::ahead times u.
+  // z, taken positive in the direction of motion, is `strongest` times the u of `flow` until z passes 0. From there on
+  // it is State::ahead times u.
   template <class T, class X>
   struct Constants {
     T per_uy;
@@ -133,7 +134,8 @@ struct Gallardo {
     Constants<T, X> c;
     c.per_uy = T(1.0) / p.uy;
     c.strongest = strength_at(p, p.phimax);
-    // In unloading u = z / strongest has uy dz/dx = 1 + (2 B - 1) strongest^n |u|^n, strongest^n = 1 / (1 - 2 phimax).
+    // In unloading, uy dz/dx = 1 + (2 B - 1) |z|^n = 1 + (2 B - 1) strongest^n |u|^n, where u = z / strongest and
+    // strongest^n = 1 / (1 - 2 phimax).
     c.flow.fit(p.n, (T(2.0) * p.B - T(1.0)) / (T(1.0) - T(2.0) * p.phimax));
     c.zero = c.flow.time_at(T(0.0));
     return c;

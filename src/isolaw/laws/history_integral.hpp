@@ -88,8 +88,8 @@ struct HistoryIntegral {
     }
     if (memory.peak_grows)
       state.elastic = p.K * T(1.0 / reference_mm) * power(N(memory.peak / reference_mm), p.g - T(1.0));
-    // As the peak grows from 0 the slope of the force has no bound; the tangent is at most the secant from 0 to 0.01
-    // mm.
+    // The slope of the force has no bound as the peak grows from 0. The tangent is therefore limited to the slope of
+    // the secant from 0 to 0.01 mm.
     auto const steepest = [&] { return p.K / T(reference_mm) * power(T(1e-4), p.g - T(1.0)); };
     N const x(step.x1);
     N force = rounded(state.elastic * x) + p.S * (state.slow + p.s * (state.quick - state.slow));

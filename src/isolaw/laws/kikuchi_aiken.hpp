@@ -217,7 +217,8 @@ struct KikuchiAiken {
   static N step(Params<T> const& p, kikuchi_aiken::Constants<T> const& c, kikuchi_aiken::Loops<N>& state,
                 StepOf<X> const& step, PathMemory const& memory) {
     state.make_room(memory);
-    // As the peak grows from 0 the slope has no bound; the tangent is at most the secant from 0 to 0.01 mm.
+    // The slope of the force has no bound as the peak grows from 0. The tangent is therefore limited to the slope of
+    // the secant from 0 to 0.01 mm.
     auto const steepest = [&] { return p.G1 * power(T(1e-4), -p.p) / T(reference_mm); };
     if (!(memory.peak > 0.0)) return slope_alone(step.x1, N(steepest()));
     N force = state.force(c, step.x0, step.x1, memory, [&](X const& m) { return at_peak<N>(p, N(m)); });

@@ -83,9 +83,9 @@ struct RecordScales {      // the size of a record, in the law's units; search b
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
   double stiffness = 0.0;  // effective stiffness, peak to peak
-  double strength = 0.0;   // half the force span at zero displacement (characteristic strength)
+  double strength = 0.0;   // mean |force| where the displacement crosses zero (characteristic strength)
   double velocity = 0.0;   // largest |velocity|; 0 without a time channel
-  double work = 0.0;       // energy dissipated by the whole record
+  double work = 0.0;       // energy dissipated in a whole test; of several tests, the largest
 };
 
 struct ScaledInterval {  // a search interval in multiples of a size of the record (limits.hpp names the sizes)
@@ -126,7 +126,7 @@ struct Row {
 };
 
 // A condition between several parameters. `statement` contains their names as whole words. The condition must be
-// monotonic in each parameter, so that no point of a box meets it if no corner of the box meets it.
+// monotonic in each parameter: if no corner of a box meets it, then no point of the box may meet it.
 template <class Params>
 struct JointLimit {
   std::string_view statement;  // "K1 >= K2"

@@ -95,8 +95,8 @@ struct PowerScragging {
     return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
-  // The growth of the peak M in this step over the length U (M/100)^h of the slow memory, which changes with M: the
-  // integral of dM / (U (M/100)^h).
+  // The integral of dM / (U (M/100)^h) over the growth of the peak M in this step. The divisor is the length of the
+  // slow memory, which changes with M.
   template <class T, class X>
   static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
     using N = NumberOf<T, X>;

@@ -83,8 +83,8 @@ struct RambergOsgood {
   }
 
   // Solves f + a f^r = u. The left side is convex, so Newton's method approaches the root from above. It starts at the
-  // smaller of the two f at which one term alone equals u. This is at most twice the root, and six steps leave only
-  // rounding.
+  // smaller of the two f at which one term alone equals u. This start is at most twice the root, and after six steps
+  // only rounding errors are left.
   template <class T, class X>
   static NumberOf<T, X> skeleton(Params<T> const& p, Constants<T, X> const& c, X const& at) {
     double const x = value_of(at);

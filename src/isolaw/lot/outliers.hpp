@@ -20,8 +20,8 @@ struct Outlier {
 
 // With fewer values the median absolute deviation does not tell how much they scatter.
 inline constexpr std::size_t fewest_for_outliers = 4;
-// The least standard deviation assumed for a property, as a share of |median|, because one record determines a property
-// no better.
+// The least standard deviation assumed for a property, as a share of |median|: one record does not determine a property
+// more exactly than that.
 inline constexpr double least_scatter = 0.005;
 // values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its
 // modified z-score exceeds 3.5 and at least fewest_for_outliers devices have the property. The largest scores come

@@ -215,7 +215,8 @@ void describe(Matrix const& sigma, Population& population) {
   population.note = note_on_rank(population);
 }
 
-// The symmetric square root of the covariance between devices, from correlations, so that units are irrelevant.
+// The symmetric square root of the covariance between devices. It is computed from the correlations, since these do not
+// depend on the units of the parameters.
 Matrix symmetric_root(Population const& population) {
   Matrix const sigma = matrix(population.covariance);
   Vector const spread = sigma.diagonal().cwiseMax(0.0).cwiseSqrt(), scale = or_one(spread);

@@ -1,6 +1,7 @@
-// A batch of W doubles that behaves like one double. Each lane holds one candidate parameter set; lanes never mix. A
-// batch consists of a few native vectors of GCC or Clang (vector_size), so that a law's code uses the target
-// processor's vector registers. The vectors are independent and hide each other's latency. The names of the types
+// A batch of W doubles that behaves like one double. Each lane belongs to one candidate parameter set or, in building/,
+// to one draw of a building's devices; lanes never mix. A batch consists of a few native vectors of GCC or Clang
+// (vector_size). A law's code therefore uses the vector registers of the target processor. The vectors do not depend on
+// one another, so the processor computes some while it waits for the results of others. The names of the types
 // contain the instruction set, so that objects compiled for different instruction sets can be linked into one program
 // (fit/kernels.cpp). A function that several of these objects compile must therefore take one of these types. A lane
 // agrees with the computation on plain doubles within rounding. elementary.hpp provides exp, exp2, log2 and power.

@@ -2,7 +2,7 @@
 // serves all three. Laws call them unqualified: law.hpp makes the double overloads visible, ADL finds the others.
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
-//   any(condition)                        whether it is true in any lane
+//   any(condition)                        whether the condition is true in at least one lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; a and b are always computed
 //   rounded(x)                            x; marks the one product in a sum of two that the compiler must round before
 //                                         the sum, so that it may fuse only the other product

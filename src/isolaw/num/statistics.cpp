@@ -15,7 +15,8 @@ struct Deviations {
   double sum_of_squares = nan;  // sum of (value - mean)^2
 };
 
-// Two-pass algorithm (Chan, Golub and LeVeque 1983): the sum of the deviations corrects errors of mean and squares.
+// Two-pass algorithm (Chan, Golub and LeVeque 1983). Without rounding errors the deviations from the mean would have
+// the sum 0; their actual sum corrects the mean and the sum of squares.
 Deviations deviations(std::span<double const> values) {
   if (values.empty()) return {};
   auto const n = static_cast<double>(values.size());

@@ -26,10 +26,10 @@ double median_over(Items const& items, Property property) {
 }
 
 // Modified z-scores: (x - median) / max(1.4826 MAD, least_scale * |median|), where 1.4826 MAD (median absolute
-// deviation) estimates the standard deviation. Outliers move neither the median nor the MAD. Source: Iglewicz and
+// deviation) estimates the standard deviation. A few outliers hardly move the median and the MAD. Source: Iglewicz and
 // Hoaglin 1993, who call a value beyond outlying_score an outlier. `least_scale` is the relative error of a value: it
 // keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0. The score of a NaN is NaN, and
-// it moves no other score.
+// a NaN has no influence on other scores.
 struct ModifiedScores {
   double median = 0.0;
   std::vector<double> scores;

@@ -1,4 +1,5 @@
-// Tolerance factors k: with a given confidence, mean +- k s of a normal sample contains a given share of all values.
+// Tolerance factors k: with a given confidence, the interval mean +- k s of a sample contains a given share of the
+// normal population that the sample was drawn from; s is the sample's standard deviation.
 #pragma once
 
 #include <cstddef>

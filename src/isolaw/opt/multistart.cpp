@@ -28,9 +28,10 @@ struct Stage {
   double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
   std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Finds the valley. Stops with delta at half the mean residual: the sum is still smooth, and fewer residuals suffice.
+// Finds the valley. Stops with delta at half the mean residual, where the sum is still smooth and iterations are few.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, since its end is only compared with others.
+// Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, because the value at the end is only
+// compared with the values of other descents.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 // Ends a descent on all residuals that starts at the minimum of the outline, which is close to the true minimum.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
@@ -85,7 +86,7 @@ constexpr double near_enough = 2.0;       // in hit tolerances; ends farther fro
 constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
 constexpr int hops_in_vain = 10, most_last_hops = 40;  // largest number of hops in a row without gain, and of all hops
 constexpr double gain_of_last_hop = 0.1;               // in hit tolerances; smaller gains count as none
-constexpr double absolute_tolerance = 1e-9;            // tolerance of a hit if the best value is zero
+constexpr double absolute_tolerance = 1e-9;            // added to relative tolerances, for a best value of zero
 
 }  // namespace tuning
 

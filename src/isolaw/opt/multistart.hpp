@@ -37,9 +37,10 @@ struct MultistartResult : SearchResult {
 };
 
 // Outcomes: confirmed by enough hits; budget_spent after most_evaluations; interrupted; no_finite_value if no scattered
-// start of the first round has a value. Evaluating an outline with a third of the residuals counts a third. The history
-// ends with the value after polishing. `stream` determines the result, however many threads help (base/work_ahead.hpp).
-// `interrupted`, if given, is called before each start. Throws Error if the problem has no dimensions.
+// start of the first round has a value. An outline with a third of the residuals adds a third to the evaluations for
+// each point. The history ends with the value after polishing. `stream` determines the result, however many threads
+// help (base/work_ahead.hpp). `interrupted`, if given, is called before each start. Throws Error if the problem has no
+// dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});

@@ -143,7 +143,7 @@ std::string_view name(Verdict verdict) {
 }
 
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent) {
-  // In binary, (100 + 20)/100 is closer to 1.2 than 1 + 20/100 is. The slack covers the remaining rounding error.
+  // nominal (100 + 20) / 100 has fewer rounding errors than nominal (1 + 20/100). The slack covers those that remain.
   auto const bound = [&](double percent) { return nominal * (100.0 + percent) / 100.0; };
   if (!std::isfinite(value)) return false;
   if (lower_percent && !is_at_least(value, bound(*lower_percent))) return false;

@@ -217,7 +217,8 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
 
-// Two tested devices can forbid an analysis with mean properties. Permitting it takes the sample that the set requires.
+// Two tested devices are enough to forbid an analysis with mean properties. Only a sample as large as the set requires
+// can permit it.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
   if (view.quantity == Quantity::K_v) return;  // the mean analysis is about shear only
   if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;

@@ -33,7 +33,7 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
                                    std::span<std::string const> names, std::span<double const> values);
 inline constexpr std::size_t fewest_for_outliers = 5;
 
-// Bounds apply as the contract says, to a single device, or to the mean of all devices of the system.
+// A bound holds for whatever the contract says, for a single device, or for the mean of all devices of the system.
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 

@@ -137,10 +137,10 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-// The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. A parameter at
-// its bound that the test does not determine gets a quarter of its box's squared width, the largest variance that a box
-// permits. To keep every variance above zero, the square of a millionth of the estimate is added, or of a millionth of
-// a thousandth of the box's width if that is larger.
+// The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. If a parameter
+// is at its bound and the test does not determine it, its variance is a quarter of the squared width of its box: no
+// distribution inside the box has a larger one. To keep every variance above zero, the square of a small length is
+// added: a millionth of the estimate or of a thousandth of the box's width, whichever is larger.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;

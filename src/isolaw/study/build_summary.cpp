@@ -26,8 +26,8 @@
 namespace isolaw::study {
 namespace {
 
-// Whether a record has no cycle to report only because its motion is not cyclic. For the properties of a TestRecord
-// this means that its signals are sound; a CycleView does not have its signals checked.
+// True if a record has no reported cycle and the sole reason is that its motion is not cyclic. For the properties of a
+// TestRecord this also means that its signals are sound; those of a CycleView come without a check of the signals.
 bool is_irregular(data::Properties const& properties) {
   return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
     return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||

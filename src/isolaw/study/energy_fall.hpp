@@ -1,5 +1,6 @@
-// Compares how the energy of a cycle falls through a block on the device (by heat, wear and damage) and in a law. The
-// fall counts from the third counted cycle: the loss before it is scragging, which a law without wear can follow.
+// Compares how much the energy of a cycle falls in the course of a block: on the device, where heat, wear and damage
+// lower it, and in a law. The fall is measured from the third counted cycle (data/cycles) on. The loss before that
+// cycle is scragging, which a law without wear can follow.
 #pragma once
 
 #include <optional>

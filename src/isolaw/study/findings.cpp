@@ -192,8 +192,8 @@ std::vector<Finding> headline(Summary const& summary, std::vector<std::size_t> c
   return {beside_others(summary, FindingKind::headline_nearest, nearest), *inadequacy(nearest)};
 }
 
-// Groups the devices for which counts() is true. A device joins the group with whose first device it is the same().
-// Groups of one device are dropped.
+// Groups the devices for which counts() is true. A device joins a group if same() is true for the group's first device
+// and this one. Groups of one device are dropped.
 template <class Counts, class Same>
 std::vector<std::vector<DeviceResult const*>> groups_of_devices(Summary const& summary, Counts counts, Same same) {
   std::vector<std::vector<DeviceResult const*>> groups;

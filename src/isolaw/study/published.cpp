@@ -137,8 +137,8 @@ bool is_rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) 
          }) == numbers.end();
 }
 
-// Judges whether the laws with the numbers `first` in the study have smaller values than every other law. No verdict if
-// one of them, or every other law, has no value.
+// Judges whether the laws with the numbers `first` in the study have smaller values than every other law. There is no
+// verdict if one of these laws has no value, or if no other law has one.
 Judged have_smallest(ByNumber const& laws, Numbers const& first, Compared quantity) {
   if (auto const open = not_judged(laws, first, {quantity})) return *open;
   Numbers there;

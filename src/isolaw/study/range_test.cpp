@@ -42,8 +42,9 @@ Tested tested_by(Summary const& summary) {
   return tested;
 }
 
-// The same for a device whose own tests end far below those of the lot. Its parameters say nothing about what is far
-// beyond its tests, so they are tried no farther in proportion than those of other devices. nullopt for other devices.
+// `lot` with the device's displacements in place of the lot's, for a device whose own tests reach less than 90 % of the
+// lot's largest displacement. Its parameters say nothing about what is far beyond its tests, so they are tried no
+// farther in proportion than those of other devices. nullopt for other devices.
 std::optional<Tested> tested_less(DeviceResult const& device, Summary const& summary, Tested const& lot) {
   constexpr double as_far = 0.9;  // share of the lot's largest displacement from which a device counts as tested as far
   auto own = lot;
@@ -56,7 +57,7 @@ std::optional<Tested> tested_less(DeviceResult const& device, Summary const& sum
 }
 
 struct Measured {                      // on the device of a fit
-  bool viscous = false;                // hardly any of its force is stiffness
+  bool viscous = false;                // hardly any of its force comes from stiffness
   std::optional<double> damping = {};  // of its largest cycles
 };
 
@@ -215,7 +216,8 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
       continue;
     }
     ++refused;
-    // The reason has the numbers of the first device, so it names only devices that were tried at the same displacement.
+    // The reason has the numbers of the first device, so it names only devices that were tried at the same
+    // displacement.
     if (!of_devices)
       (of_devices = std::move(found))->devices = {devices[i]->name};
     else if (of_devices->number("tested_mm") == limits[i].disp_mm)

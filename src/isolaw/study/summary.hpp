@@ -95,13 +95,14 @@ struct DeviceFit {
   // Objective on the large swings of the test with parameters fitted to its small swings: the largest among equally
   // good fits, and the least. Infinite if a force is not finite; empty if the test does not tell.
   std::optional<double> larger_swings_objective, larger_swings_least;
-  // Objectives on the device's test of springs around a circle: with parameters fitted to springs, with the law's own.
+  // Objectives of the law's form as springs around a circle (fit/as_springs.hpp) on the device's tests: with parameters
+  // fitted to these springs, and with the law's own parameters.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
   std::vector<ParameterFit> parameters;        // in the law's order
   std::vector<double> force_kN;                // force of the best run at the samples of the device's FitRecord
-  std::vector<std::vector<double>> histories;  // for each run the best objective after each generation
+  std::vector<std::vector<double>> histories;  // for each run the best objective after each generation or descent
 };
 
 // "ok", "refused" (the law does not apply to the device) or "failed" (the law was tried, and no run was usable).
@@ -154,9 +155,10 @@ struct LawResult {
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
-  // As in DeviceFit: the means over the devices whose tests tell, and the largest of any device.
+  // The means over the devices of the two values of the same names in DeviceFit, for the devices that have them; and
+  // the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;      // empty if no device was identified
+  std::optional<BeyondTests> beyond;      // empty if the law was identified on no device
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,

@@ -45,7 +45,8 @@ struct DeviceRemark {
 };
 
 // The verdict on the whole lot. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
-// fails, but a requirement or device was not assessed. PASS: everything passes. Empty without a verified set.
+// fails, but a requirement or device was not assessed. PASS: everything passes. The word is empty without a verified
+// set, or if the set limits nothing in these tests.
 struct OverallVerdict {
   std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
   std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict

@@ -1,4 +1,5 @@
-// Flow solves the equation of a hysteretic variable exactly: by polynomials in kernels, from a table in single trials.
+// Flow gives the solution u(t) of the equation in saturating_flow.hpp: in a record by polynomials, in a trial (law.hpp)
+// from a table.
 #pragma once
 
 #include "isolaw/laws/flows/saturating_flow.hpp"

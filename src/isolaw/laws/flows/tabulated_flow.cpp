@@ -27,7 +27,8 @@ Point above_one(double w) {  // u = 1 + e^w
   return {1.0 + e, e, std::log1p(e) * num::log2_e};
 }
 
-// Writes the nodes grading(w), w in equal steps from `first` to `last`, to nodes[at] and after. Returns the next index.
+// Writes the nodes grading(w), for w in equal steps from `first` to `last`, to `nodes` from index `at` on. Returns the
+// index after the last one.
 template <std::size_t Count, class Grading>
 std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double first, double last) {
   constexpr double inner = 0.27639320225002103;  // (1 - 1/sqrt(5)) / 2

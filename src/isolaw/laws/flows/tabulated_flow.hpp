@@ -53,8 +53,9 @@ constexpr std::size_t node_count(double first, double last) {
   return static_cast<std::size_t>(width / spacing + 0.5) + 1;
 }
 
-// The nodes go from -1 up to saturation or, if u may exceed 1, from -55 up and from 55 down to it. Within saturation
-// they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for kappa close to -1.
+// The nodes go from u = -1 up to saturation. If u may exceed 1, they go from -55 up to saturation, and from 55 down to
+// it. With Reach::within_saturation they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for
+// kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;

@@ -1,5 +1,6 @@
-// The exact solution of a hysteretic variable between two reversals, for a motion that is not known ahead. It comes
-// from a table, because a single trial takes only half as long with it as with the polynomials of saturating_flow.hpp.
+// The exact solution of a hysteretic variable between two reversals, for a motion that is not known ahead. A table
+// gives the solution, because a single trial takes only half as long with a table as with the polynomials of
+// saturating_flow.hpp.
 #pragma once
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 namespace isolaw::laws {
 
 // [export]
-// Follows x without its noise, which stays within `dead_band` to either side. After a turn of x the result rests while
-// x moves two bands. It then moves one and a half times as fast as x, and has caught up four bands later.
+// Follows x without its noise, which is taken to stay within +-dead_band. After a turn of x the result rests while x
+// moves two bands. It then moves one and a half times as fast as x, and has caught up four bands later.
 template <class X>
 struct Followed {
   X behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the followed motion is

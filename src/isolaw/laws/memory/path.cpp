@@ -68,8 +68,8 @@ Point sample_at(std::span<double const> x, std::span<double const> v, std::size_
   return {x[i], v.empty() ? 0.0 : v[i], true};
 }
 
-// The vertex of the parabola through three samples. Its time is NaN if x does not turn there, if it is not between the
-// samples, or if it is that of the middle sample.
+// The vertex of the parabola through three samples. Its time is NaN if x does not turn at the middle sample, or if the
+// vertex lies outside the three samples or at the middle one.
 struct Vertex {
   double time, x;
 };

@@ -86,7 +86,8 @@ inline void use_secant_near_zero(Dual& power, Dual const& size, Exponent&& expon
 template <class Slope>
 inline Dual through(Dual const& x, double value, Slope&& slope) { return chain(x, value, slope()); }
 
-// Whether a peak grows. A trial that ends exactly at the peak also counts, so that its tangent includes the growth.
+// Whether a peak grows. The answer is true also for a trial that ends exactly at the peak: its tangent must include the
+// growth that a further motion brings.
 inline bool grows(Dual const& growth) { return growth.v > 0.0 || growth.by_x != 0.0; }
 inline bool unmoved(Dual const& peak) { return peak.v == 0.0; }
 inline bool reaches(Dual const& size, Dual const& peak) { return size.v >= peak.v && size.v > 0.0; }

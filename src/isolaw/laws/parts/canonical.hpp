@@ -25,8 +25,9 @@ struct MenegottoPintoForm {
   double E, Fy, b, R0, cR1, cR2;
 };
 
-// F approaches the curve Kb x + f0 + beta1 (exp(beta2 x) - 1), in unloading with -f0; its distance from the curve falls
-// as exp(-alpha |dx|). `sigmoid` is the size of a further term of the curve, a sigmoid.
+// F approaches the curve Kb x + f0 + beta1 (exp(beta2 x) - 1); in unloading, -f0 stands in place of f0. A step dx
+// multiplies the distance of F from the curve by exp(-alpha |dx|). `sigmoid` is the size of a further term of the
+// curve, a sigmoid.
 struct LimitCurve {
   double Kb, f0, alpha, beta1, beta2, sigmoid;
 };

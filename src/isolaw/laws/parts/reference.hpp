@@ -1,4 +1,4 @@
-// The amplitude at which laws state a force that follows a power of the amplitude.
+// The reference amplitude. If a law's force follows a power of the amplitude, its parameter is the force at 100 mm.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -17,8 +17,8 @@ struct Scragging {
 
   // Returns (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2, with
   // the side's peak m and its travel N over m. `share` is the hysteretic force over its strength, -1 to 1. Must be
-  // called at every step. When the motion first enters a side, the slope of |x|^g has no bound; the tangent is at most
-  // the secant from 0 to the displacement `rounding`.
+  // called at every step. When the motion first enters a side, the slope of |x|^g has no bound. The tangent is then
+  // limited to the slope of the secant from 0 to the displacement `rounding`.
   template <class T, class X, class PathMemory, class Params>
   N force(Params const& p, X const& at, PathMemory const& memory, N const& share, T const& rounding) {
     auto const steepest = [&] { return p.K * power(rounding / T(reference_mm), p.g - T(1.0)) / T(reference_mm); };

@@ -22,7 +22,7 @@ struct Circular {
     sec = select(small, one - T(0.5) * series, select(hyperbolic, two * e * per, per_cos));
   }
 
-  // The x at which Circular::tan has this value; a large x if it never has it.
+  // The x at which Circular::tan reaches the value `tan`; a large x if Circular::tan never reaches it.
   static T length_to(T const& tan, T const& c) {
     T const one(1.0), k = sqrt(abs(c)), v = k * tan, per_k = one / max(k, T(num::smallest_power_base));
     T const ratio = (one + v) / max(one - v, T(num::smallest_power_base));

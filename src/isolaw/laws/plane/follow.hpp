@@ -1,6 +1,6 @@
 // Integrates the state q of a law along a straight path by an explicit method of sixth order (Butcher 1964, seven
-// stages). The position of q alone decides the length of a step, so a lane gets the same bits as if computed alone. No
-// step is tried twice.
+// stages). The state q and its place on the path decide the length of a step, and other lanes have no influence on it:
+// a lane gets the same bits as if it were computed alone. No step is tried twice.
 // If the law's exponent n is below 1, |q|^n is not smooth at the origin. Near the origin a step is therefore a share of
 // the distance from it, down to least_distance. The total error stays below 1e-6 of the strength for exponents of 0.01
 // or more, and below 2e-7 for exponents of 0.1 or more (tests/verification/plane_test.cpp).

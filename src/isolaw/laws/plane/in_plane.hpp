@@ -20,7 +20,8 @@ enum class Bidirectional { coupled, springs };
 // trial starts from the last committed state. Copies are independent of one another.
 class InPlane {
  public:
-  // One state for both directions. Throws Error if the law has no such form, and for by_axis if no peak softens it.
+  // One state for both directions. Throws Error if the law has no such form with these parameters, and for
+  // Softening::by_axis if no peak softens the law.
   static InPlane coupled(std::string_view law, std::span<double const> parameters,
                          plane::Softening softening = plane::Softening::by_distance);
   static InPlane springs(Online const& law, int count = usual_springs);
