@@ -30,7 +30,7 @@ campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem:
 
 Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Settings const& settings,
                      CalibrateOptions const& options) {
-  fit::instruction_set();  // throws, before anything is written, if the machine lacks the instruction set
+  fit::instruction_set();  // throws, before anything is written, if the machine lacks the instruction set asked for
   if (options.part) {
     campaign::parse_part(campaign::text(*options.part));
     if (!options.directory)

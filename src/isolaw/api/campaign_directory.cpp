@@ -85,7 +85,8 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
   campaign::sqlite::remove_unfinished(file);
   // Undoes what a killed process had begun to write to the store and keeps all that it had finished.
   campaign::campaign_store().fold_log(file);
-  // A part is checked for damage, since isolaw merge will read it and would not notice that a page of it is cut off.
+  // Checks a part for damage before it is continued, since isolaw merge will read it. SQLite reads a page that was cut
+  // off as if the missing bytes were zeros, and would notice nothing.
   if (contents.part)
     if (auto const faults = campaign::sqlite::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

@@ -48,8 +48,8 @@ struct Continued {                      // how a campaign differs from the store
 // and dropped if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
-// Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ; `contents` may
-// have more devices, laws and runs. Makes a new store if there is none or if `fresh` is true.
+// Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ. `contents` may
+// have more devices, laws and runs, unless it is a part. Makes a new store if there is none or if `fresh` is true.
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical = LeftOut::stays);
 

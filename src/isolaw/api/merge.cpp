@@ -37,7 +37,7 @@ campaign::Merged merge_runs(DirectoryLock const& /*held*/, std::filesystem::path
 
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options) {
-  fit::instruction_set();  // throws, before anything is written, if the machine lacks the instruction set
+  fit::instruction_set();  // throws, before anything is written, if the machine lacks the instruction set asked for
   for (auto const& part : parts) store_of_part(part, directory);
   make_directory(directory);
   DirectoryLock const lock(directory);

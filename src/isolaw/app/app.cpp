@@ -145,7 +145,8 @@ void add_seed(CLI::App& c, Values& seed) {
   add_option(c, option, seed);
 }
 
-// The program's commands. Each keeps the arguments that its options fill until one of the commands runs.
+// The program's commands. Each command keeps its arguments, which CLI11 fills from the command line. run_given() runs
+// the command that the user gave.
 class Commands {
  public:
   Commands(CLI::App& app, Words line) : app_(app), line_(std::move(line)) {}

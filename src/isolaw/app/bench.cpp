@@ -37,7 +37,7 @@ class SpeedTest {
     return values;
   }
 
-  // Processor time per sample and candidate [ns], to the picosecond. Other work on the machine makes a pass longer, but
+  // Processor time [ns] for one sample and one parameter set, rounded to 0.001. Other work makes a pass longer, but
   // a shared host may also report a far too short time. Therefore the second shortest pass is taken.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;

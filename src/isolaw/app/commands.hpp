@@ -70,7 +70,7 @@ int inspect(InspectArguments const& arguments);
 struct InitArguments {
   std::vector<std::filesystem::path> files;
   Values read;
-  std::optional<std::filesystem::path> like;  // a lot file whose reading options are copied
+  std::optional<std::filesystem::path> like;  // a lot file whose settings, rules and reading options are copied
   std::filesystem::path out = "lot.toml";
   bool same_device = false, force = false;
 };

@@ -7,7 +7,8 @@
 
 namespace isolaw::app {
 
-// Catches signals: the first one sets interrupted(), the second ends the program. SIGHUP stays ignored under nohup.
+// Catches SIGINT, SIGTERM and SIGHUP: the first signal sets interrupted(), a second one of the same kind ends the
+// program. SIGHUP stays ignored under nohup.
 class SignalGuard {
  public:
   SignalGuard();

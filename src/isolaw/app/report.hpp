@@ -12,7 +12,8 @@
 
 namespace isolaw::app {
 
-// Names the figures that were not drawn. Their data files are written, and the command `again` draws them.
+// Says how many outdated figures were removed and how many figures were not drawn, and why. The data files of figures
+// that were not drawn are written, and the command `again` draws them.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
@@ -25,7 +26,8 @@ struct Printed {
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
-// Returns 1 if a device was refused, a law could not be fitted, a run failed, or a limit of the rules is not kept.
+// Returns 1 if a device or its compression test was refused, a law could not be fitted, a run failed, or a limit of the
+// rules is not kept.
 int exit_code(study::Summary const& summary);
 
 std::string what_is_missing(study::Summary const& summary);

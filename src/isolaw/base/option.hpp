@@ -94,7 +94,8 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These functions convert a value. If it is not allowed, they throw Error without `where`.
+// These functions convert a value and throw Error without `where` if it is not allowed. refuse() always throws this
+// Error.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);

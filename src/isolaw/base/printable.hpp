@@ -21,7 +21,7 @@ bool is_printable(std::string_view text);
 // Spells out unprintable characters: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);
 std::string on_one_line(std::string_view text);  // printable(), with lines joined: "a; b"
-// Puts the text in single quotes for a message, cuts it after 40 bytes and spells out control characters.
+// For a message: spells out control characters, cuts what is longer than 40 bytes and puts the result in single quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace isolaw

@@ -12,7 +12,8 @@ struct Letter {
   std::string_view name, sign, latex;
 };
 
-// A text takes the first name that it begins with. So a name that is the beginning of another must come after that one.
+// greek_at_head() finds the first of these names with which a text begins. If one name is the beginning of another, the
+// longer name must therefore come first.
 constexpr auto greek = std::to_array<Letter>({
     {"alpha", "α", "\\alpha"},
     {"beta", "β", "\\beta"},

@@ -26,9 +26,10 @@ struct TomlMessages {
   std::string advice;  // the remedy for a file that is not TOML
 };
 
-// Throws one Error with the line if the text is not TOML or nests deeper than any such file needs.
+// Throws one Error with the line if the text is not TOML, or if its tables and lists nest more than 64 levels deep.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-// Throws one Error with all complaints, if there are any. After most_complaints of them it says that there are more.
+// Throws one Error with the complaints, if there are any. If there are more than most_complaints, the Error holds only
+// so many of them and says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
 // Reads the keys of one table, collects complaints about them, and remembers which keys were asked for.

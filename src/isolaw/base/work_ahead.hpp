@@ -14,9 +14,9 @@ namespace isolaw {
 
 class WorkAhead;
 
-// A HelpListener is told when other threads help the thread that made it. A helping thread calls help_begins() before
-// and help_ends() after each item of a WorkAhead that the listener's thread, or one of its helpers, made during the
-// listener's life.
+// A thread that makes a HelpListener learns through it when other threads help. A helping thread calls help_begins()
+// before and help_ends() after each item that it computes, if the item's WorkAhead was made during the listener's life,
+// by the listener's thread or by a thread that was helping it.
 class HelpListener {
  public:
   HelpListener();
@@ -60,7 +60,8 @@ class Membership {
 };
 
 // A piece of work with the items 0 to count - 1, which must not depend on each other. Threads of the group call `work`
-// at most once for each item, also for items that nobody needs. Without a group, need() computes the items.
+// at most once for each item, also for items that nobody needs. need() itself computes an item that no thread has
+// begun; without a group it computes all that are needed.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);

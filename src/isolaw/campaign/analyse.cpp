@@ -61,8 +61,8 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // Keeps the analyses from before the campaign was continued with more runs, if the best run is still one of the
-  // earlier.
+  // After a campaign was continued with more runs, keeps each earlier analysis whose best runs are still runs that the
+  // campaign had before.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {

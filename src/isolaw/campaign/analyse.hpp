@@ -13,15 +13,15 @@
 
 namespace isolaw::campaign {
 
-// The box in which a device's analysis varies the parameters: the search's box, but always with the logarithmic scales
-// of Method::best.
+// The box in which a device's analysis varies the parameters. It is the box of the search, with the logarithmic scales
+// of fit::on_logarithmic_scales(). Only with Method::best does the search itself use these scales.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
-// The law on the small and on the large swings of the device's test; nullopt if the test does not tell how a law goes
-// on to larger swings.
+// The law on the small and on the large swings of the device's tests (data/cycles/swing_sizes.hpp). nullopt if the
+// tests do not show how well a law predicts larger swings.
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 
@@ -31,8 +31,8 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // Analyse only this share of the devices. Once the devices of all shares are analysed, fit this share of the laws to
-  // the lot.
+  // Makes only this share of the analyses of a law on a device. Once those of all shares are there, fits this share of
+  // the laws to the lot.
   std::optional<Part> share = {};
 };
 

@@ -123,10 +123,10 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
   }
 }
 
-// If a run ended at a bound of the automatic box, repeats its descent in a box in which this bound lies ten times as
-// far, up to six times, until the run ends at no such bound or gains too little. If this lowered the objective by a
-// tenth or more, a whole search in the last box follows. The better result is left in `run`, and the last box that
-// gained in `box`. Returns false if interrupted.
+// If a run ended at bounds of the automatic box, repeats its descent in a box in which these bounds are moved outwards
+// by a factor of ten. It does so up to six times, until the run ends at no such bound or gains too little. If this has
+// lowered the objective by a tenth or more, a whole search in the last box follows. The better result is left in `run`,
+// and the last box that gained in `box`. Returns false if interrupted.
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;

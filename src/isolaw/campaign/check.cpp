@@ -180,7 +180,8 @@ class Checker {
             .end = searched ? opt::outcome_of(run.history, genetic) == run.outcome
                             : count == 1 && run.outcome != Outcome::stagnated};
   }
-  // With Method::best the history has one value for each start and one for the final refinement of a confirmed search.
+  // With Method::best the history has one value for each start, one for the final refinement of a confirmed search, and
+  // one for each wider box in which the run gained.
   Possible descents(bool searched, Run const& run) const {
     auto const& options = contents_.settings.multistart;
     auto const least = static_cast<std::size_t>(searched && run.usable() ? options.least_starts : 1);

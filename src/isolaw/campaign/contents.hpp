@@ -146,7 +146,7 @@ inline constexpr int most_parts = 100'000;
 Part parse_part(std::string_view text);  // "3/40"; throws Error
 std::string text(Part const& part);      // the inverse of parse_part()
 
-inline constexpr std::string_view whole_lot = "lot";  // names the law of the lot where else a device's name stands
+inline constexpr std::string_view whole_lot = "lot";  // given in place of a device's name, it means the lot
 
 struct Contents {
   std::string title;

@@ -9,7 +9,7 @@
 
 namespace isolaw::campaign {
 
-// Says why the stored campaign can neither be continued as the one asked for nor grow to it. Empty if it can.
+// The reasons why the stored campaign is not the one asked for and cannot grow to it. Empty if it is or can.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
 // All that is asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or

@@ -170,7 +170,8 @@ void read_vertical_input(TomlTable& table, std::filesystem::path const& director
   if (inside.find("file") == nullptr) inside.complain("a vertical test without a file", "file = \"...\"");
 }
 
-// The name of a device that has none of its own: that of its only file, or one made of the names of its tests.
+// Makes a name for a device that the lot file gives none: the name of the first file of its only test, or a name made
+// of the names of its tests.
 std::string name_of(std::vector<TestInput> const& tests) {
   if (tests.size() == 1) return tests.front().files.empty() ? std::string() : name_of_file(tests.front().files.front());
   std::vector<data::TestSource> sources;
@@ -238,8 +239,8 @@ class DeviceReader {
     return found;
   }
 
-  // Reads the files of a test and how to read them. For a device with several tests, reads from its own table how to
-  // read all of them.
+  // Reads from a table the files of one test and how to read them. In a device with [[device.test]] tables, the
+  // device's own table names no file and only states how to read all tests; then `skip_tests` is true.
   TestInput test_in(TomlTable& table, data::ReadOptions const& defaults, bool skip_tests) const {
     TestInput test;
     test.read = defaults;
@@ -258,8 +259,8 @@ class DeviceReader {
     return test;
   }
 
-  // Puts the lot file's folder before the names of files that hold single channels, and refuses those outside it. The
-  // device or [read] may name them too.
+  // Puts the lot file's folder before the names of files that hold single channels, and refuses files outside this
+  // folder. Such a name may come from the table of the test, from that of its device or from [read].
   void find_columns(TomlTable& table, toml::table const& source, TestInput& test) const {
     for (auto& [channel, column] : test.read.columns)
       if (auto const other = data::file_column(column)) {
@@ -362,8 +363,8 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// The reading options on which all devices agree, for [read]. An option of some devices may not stand in [read], since
-// it would apply to all.
+// The reading options on which all devices agree, for [read]. An option that only some devices have must not be in
+// [read], since it would apply to all devices.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {
@@ -497,7 +498,8 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     DeviceInput device;
     auto const stem = name_of_file(file);
     device.name = stem;
-    // If two files have the same name, the second gets its folder's name in front, or a number if that is not enough.
+    // If two files have the same name, the second gets its folder's name in front or, if that name is taken too, a
+    // number behind.
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);

@@ -35,8 +35,8 @@ struct Settings {
   bool analysis = true;  // also analyse what the tests determine, make intervals, and fit one law to the lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
-  // Sets what was left open. The number of runs becomes 2 for `best`, whose runs differ by the last digits, and 20 for
-  // `genetic`. The weights become those by time, as in the paper, if its algorithm or its boxes are used.
+  // Sets what was left open. The number of runs becomes 2 for `best`, whose runs differ only in the last digits, and 20
+  // for `genetic`. Samples get weights by time, as in Cucuzza et al. 2025, if the algorithm or the boxes are theirs.
   void complete();
   void validate() const;  // throws Error
 };

@@ -93,7 +93,8 @@ Connection Connection::open(std::string const& name, int flags, std::filesystem:
          .found = fmt::format("cannot open the store: {}", raw == nullptr ? "out of memory" : sqlite3_errmsg(raw)),
          .advice = "check that the directory exists and may be written"});
   sqlite3_busy_timeout(raw, 5000);
-  // A store may come from a stranger: allow no value larger than the longest series, and no function in its schema.
+  // A store may come from a stranger: allow no value larger than the longest series, and in its schema only
+  // functions that SQLite regards as harmless.
   constexpr int largest_value_bytes = 256 << 20;
   sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, largest_value_bytes);
   sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);

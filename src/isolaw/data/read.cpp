@@ -96,7 +96,7 @@ std::optional<std::string> line_about_acceleration(std::string_view bytes) {
 constexpr std::string_view displacement_needed =
     "the displacement of the device, one face against the other, over time";
 
-// Appends channels, faults, warnings and corrections.
+// Appends the channels, faults, warnings and corrections of `next`. The load is kept only if both records have it.
 void append_record(TestRecord& history, TestRecord const& next, std::string const& label) {
   if (next.has_time() != history.has_time())
     throw Error(Complaint{

@@ -46,8 +46,8 @@ std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOption
 // Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.
 void continue_with(TestRecord& history, TestRecord const& next, std::string const& label);
 
-// Joins several tests of a device into one record. Throws Error as continue_with() does, and if two tests have the same
-// name or the same values.
+// Joins several tests of a device into one record. Throws Error as continue_with() does, and also if two tests have the
+// same name or the same values, or if one of the records holds several tests already.
 struct NamedTest {
   std::string name;
   TestRecord record;

@@ -28,7 +28,7 @@ class Resolver {
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
     std::erase_if(result_.channels, [](auto const& entry) {
-      return entry.first == Channel::load && !entry.second.unit;  // resolve_unit() has complained of the missing unit
+      return entry.first == Channel::load && !entry.second.unit;  // resolve_unit() has reported the missing unit
     });
     say_given_units();
     say_unused();

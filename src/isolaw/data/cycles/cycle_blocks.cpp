@@ -81,7 +81,8 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
 // Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
 // periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other
 // and is then not compared. The first cycle of a part may start slowly, so it is not compared if two or more cycles
-// follow it before cycle i.
+// follow it before cycle i. A run of just two cycles is split if neither starts or ends slowly and one period is more
+// than 1.4 times the other.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -152,7 +153,8 @@ bool is_build_up(Run const& lone, Run const& run) {
          same_pace(lone.period, run.period, far_period);
 }
 
-// A lone cycle joins a run beside it if it is asymmetric, builds up to the run or lies between two similar runs.
+// A lone cycle is a run of one cycle. It joins a neighbouring run if it is asymmetric, if it builds up to that run or
+// fades out of it, or if it lies between two similar runs.
 std::vector<Draft> drafts_of(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   std::vector<Draft> drafts;
   std::size_t pending = 0;  // first of the lone cycles that lead to the next block

@@ -17,8 +17,8 @@ struct Swing {
 
 // A sample is a turning point if the motion comes back from it by 5 % of half its range. If several equal samples form
 // the extreme, the first is the turning point. The first and the last sample of a record are never turning points. A
-// motion with fewer than two turning points has no swings. A stretch is a rest if it stays within 1 % of the range and
-// is longer than the median swing and than a quarter of its own swing. time_s may be empty.
+// motion with fewer than two turning points has no swings. A stretch that stays within 1 % of the range for longer than
+// the median swing is a rest, in each swing of which it takes more than a quarter. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
 // Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.

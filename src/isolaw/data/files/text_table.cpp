@@ -69,7 +69,8 @@ class RowReader {
   }
 
  private:
-  // Removes text below the rows, such as statistics or a signature. Complains of it without the option --footer skip.
+  // Removes text below the rows, such as statistics or a signature. Complains of this text unless the user gave the
+  // option --footer skip or the last row to read (--rows).
   void take_footer_off(std::vector<Complaint>& complaints) {
     auto const is_open = [&](std::size_t i) {
       return is_comment(lines_[i]) || is_blank(lines_[i], dialect_.delimiter);
@@ -213,8 +214,8 @@ class RowReader {
     rows_.numbers.push_back(i + 1);
   }
 
-  // Advises what to do about rows that cannot be read. It looks at all rows only once, when the first of these is
-  // refused.
+  // Advises what to do about rows that cannot be read. The first call looks for such rows in the whole table, and later
+  // calls return the same advice.
   std::string const& leave_out() {
     if (!advice_.empty()) return advice_;
     std::size_t count = 0;

@@ -23,7 +23,8 @@ class ZipArchive {
   ZipArchive& operator=(ZipArchive const&) = delete;
 
   bool has(std::string const& entry) const;
-  // Passes an entry to `take` in pieces. Throws Error if it is missing, damaged, encrypted, not deflated, or too large.
+  // Passes an entry to `take` in pieces. Throws Error if the entry is missing, damaged, encrypted, too large, or
+  // compressed by another method than deflate.
   void read(std::string const& entry, std::function<void(std::string_view)> const& take);
 
  private:

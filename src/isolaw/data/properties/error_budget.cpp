@@ -26,8 +26,10 @@ constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the test's frequency
 
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
-constexpr double unlike_between = 0.15,
-                 unlike_beside = 0.2;       // largest change of a peak force from the mean of two neighbours; from one
+// Largest relative change of a peak force from the mean of its neighbours.
+constexpr double unlike_between = 0.15;
+// The same for the first and the last cycle compared, which have one neighbour.
+constexpr double unlike_beside = 0.2;
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {

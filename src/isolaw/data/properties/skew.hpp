@@ -31,7 +31,8 @@ struct Skew {
 // Whether displacement stays at an extreme for longer than a sine would. During such a hold the force may relax.
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
 
-// First subtracts friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles give a value.
+// First subtracts friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles give a value, or if
+// the noise of displacement exceeds 1 % of the smallest amplitude.
 std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties, double friction_kN = 0.0);
 
 }  // namespace isolaw::data

@@ -17,10 +17,10 @@ constexpr double spike_quanta = 2.5;
 constexpr double spike_contrast = 10.0;
 constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
 constexpr double on_one_side = 0.5;     // times a spike's size; a sample closer to its neighbours' line is no spike
-constexpr double beyond_others = 1.25;  // times the size of the many samples that look like spikes; a fault is larger
+constexpr double beyond_others = 1.25;  // times the size of many other samples that look like spikes; a fault is larger
 constexpr std::size_t fewest_others = 24;  // if more samples look like spikes, the signal itself is rough
 constexpr std::size_t samples_an_other = 75;
-constexpr std::size_t fewest_texture = 6;     // so few spikes are always reported
+constexpr std::size_t fewest_texture = 6;     // so many spikes are reported even in a short record
 constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal itself is rough
 
 // `expected` is the value of the least-squares cubic through six neighbours, `left` their rms distance from the cubic.
@@ -100,7 +100,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
   double const least = std::max({least_spike * half_range, spike_deviations * noise_deviation(values),
                                  spike_quanta * smallest_step(values, 2.0 * half_range)});
   std::vector<Spike> found;
-  std::vector<double> others;  // distance from its cubic of each sample that looks like a spike, even if small
+  std::vector<double> others;  // for each sample that looks like a spike, even a small one: its distance from the cubic
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // A cheap test spares the fit for most samples, which lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;

@@ -13,9 +13,9 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Whether the force also stands out at other turns of displacement, so that the spike is no fault: a device's force may
-// jump at each turn, far from neighbouring samples. Displacement turns at the samples `turns`, and `all` holds the
-// spikes of force.
+// Whether a spike of force is no fault, since it lies at a turn of displacement and the force also stands out at two or
+// more other turns: a device's force may jump at each turn, far from neighbouring samples. Displacement turns at the
+// samples `turns`, and `all` holds the spikes of force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 

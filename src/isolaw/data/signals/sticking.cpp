@@ -110,7 +110,8 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches in which `stands` shows only noise and then jumps while `other` does not. A true jump moves both.
+  // Finds stretches in which `stands` shows only noise while `other` moves on, and at whose end `stands` jumps while
+  // `other` does not. A true jump moves both.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -137,8 +138,8 @@ class Sticking {
     return found;
   }
 
-  // Whether the force differs clearly when the motion passes this displacement at other times. The force of a device
-  // with play, or of one that yields and stiffens again, is the same in every cycle.
+  // Whether the force is clearly another one at other times when the motion passes the end of this stretch in the same
+  // direction. The force of a device with play, or of one that yields and stiffens again, is the same in every cycle.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;

@@ -90,7 +90,8 @@ class Plateaus {
   }
 
  private:
-  // How far the other channel must go during a plateau, as a fraction of its range; more if the plateau is noisy.
+  // How far the other channel must go during a plateau, as a fraction of that channel's range. It is at least `least`,
+  // and more if the plateau is noisy.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {
