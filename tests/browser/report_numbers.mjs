@@ -48,8 +48,7 @@ async function drawn() {
       symbol: marker?.symbol ?? null,
     }));
   };
-  for (const button of ['#figure-answer button[value=robustness]', '#figure-front button[value=runs]'])
-    document.querySelector(button)?.click();
+  document.querySelector('#figure-front button[value=runs]')?.click();
   const seen = {
     front: (await plot('front')).filter((trace) => trace.name !== 'published'),
     ghosts: (await plot('front')).find((trace) => trace.name === 'published'),

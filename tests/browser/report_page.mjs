@@ -296,77 +296,109 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
 
   expect((seen.kind === 'Test records') === !laws, name, 'the page calls itself ' + seen.kind);
   const sections = laws
-    ? ['decision', 'objective', 'loops', 'parameters', 'published', 'properties', 'devices', 'certificate', 'provenance']
+    ? ['decision', 'front', 'objective', 'loops', 'parameters', 'published', 'properties', 'devices', 'certificate', 'provenance']
     : ['verdict', 'properties', 'devices', 'certificate', 'provenance'];
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
-// Returns what the first screen says for every purpose of a law, and in how many words. This function runs in the page.
+// Returns what the first screen says and in how many words, what happens when its reader chooses another law and another
+// device there, and the views of accuracy against robustness. This function runs in the page.
 async function look_at_answer() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
   for (const details of document.querySelectorAll('#decision details')) details.open = false;
   scrollTo(0, 0);
   await wait(200);
-  const seen = [];
   const texts = document.createTreeWalker(document.querySelector('main'), window.NodeFilter.SHOW_TEXT);
   let words = 0;
   while (texts.nextNode()) {
     const range = document.createRange();
     range.selectNode(texts.currentNode);
     const box = range.getBoundingClientRect();
-    if (box.height > 0 && box.bottom <= window.innerHeight && !texts.currentNode.parentNode.closest('svg, button, details:not([open]) > ul'))
+    if (box.height > 0 && box.left >= 0 && box.bottom <= window.innerHeight && !texts.currentNode.parentNode.closest('svg, button, select, table, code, details:not([open]) > ul'))
       words += texts.currentNode.textContent.split(/\s+/).filter((word) => /\w/.test(word)).length;
   }
   const name = (node) => node.querySelector('b').textContent;
-  // A page with nothing but the answer to show has no buttons.
-  const buttons = [...document.querySelectorAll('#figure-answer .choice button')];
-  for (const button of buttons.length > 0 ? buttons : [null]) {
-    button?.click();
-    for (const id of ['answer', 'front', 'verdicts', 'ranking']) {
-      document.getElementById('figure-' + id).scrollIntoView();
-      await wait(120);
-    }
-    const headline = document.querySelector('#figure-answer .headline').cloneNode(true);
-    for (const node of headline.querySelectorAll('.badge, .sure')) node.remove();
-    const { data } = document.querySelector('#figure-front .plot');
-    seen.push({
-      purpose: button?.value ?? 'answer',
-      pressed: button ? document.querySelectorAll('#figure-answer [aria-pressed=true]').length : 1,
-      headline: headline.textContent.replace(/\s/g, ''),
-      numbers: document.querySelectorAll('#figure-answer .numbers b').length,
-      list: [...document.querySelectorAll('.verdicts li')].map(name),
-      ranking: [...document.querySelectorAll('#figure-ranking tbody tr')].map(name),
-      chart: data[0].type === 'bar' ? [...data[0].y].reverse() : data.filter((trace) => trace.name !== 'published').flatMap((trace) => trace.text ?? []),
-    });
+  const text = (selector) => document.querySelector(selector)?.textContent.replace(/\s/g, '') ?? '';
+  const loop = () => document.querySelector('#figure-answer-loop .plot').data.map((trace) => trace.name ?? '').filter((trace) => trace.includes('fitted'));
+  const rows = [...document.querySelectorAll('#figure-laws tbody tr')];
+  const first = {
+    headline: text('#figure-answer .headline').replace(report.findings.recommendation.sure, ''),
+    explanation: text('#figure-answer .explanation'),
+    numbers: document.querySelectorAll('#figure-answer .numbers b').length,
+    warned: document.querySelectorAll('#figure-answer .warnings > ul > li').length,
+    hidden: document.querySelectorAll('#figure-answer .warnings details li').length,
+    command: document.querySelector('#figure-answer code')?.textContent ?? '',
+    laws: rows.map(name),
+    chosen: rows.filter((row) => row.matches('.chosen')).map(name),
+    loop: loop(),
+  };
+
+  // The reader chooses the last law that has a loop, then the last device. Every section must follow.
+  const drawn = [...rows].reverse().find((row) => {
+    const law = report.laws[row.querySelector('input').value];
+    return law.devices.some((fit) => fit.force_kN);
+  });
+  drawn.querySelector('input').click();
+  const law = report.laws[drawn.querySelector('input').value];
+  await wait(150);
+  const device = document.getElementById('answer-device');
+  if (device) {
+    device.selectedIndex = device.options.length - 1;
+    device.dispatchEvent(new Event('change'));
+    await wait(150);
   }
-  return { words, seen, report: { recommendation: report.findings.recommendation, headline: report.findings.headline } };
+  const slider = document.getElementById('answer-time');
+  const said = () => document.querySelector('#figure-answer-loop output').textContent;
+  const before = said();
+  slider.value = 800;
+  slider.dispatchEvent(new Event('input'));
+  await wait(50);
+  const value = (id) => document.getElementById(id)?.selectedOptions[0]?.textContent;
+  return {
+    words, first,
+    then: {
+      wanted: law.id, loop: loop(), moved: said() !== before,
+      law: ['law', 'examined', 'lotLaw'].map(value).filter(Boolean),
+      ticked: [...document.querySelectorAll('#loops input:checked')].map((box) => box.closest('label').textContent),
+      devices: ['answer-device', 'device', 'predicted-device'].map(value).filter(Boolean),
+      address: decodeURIComponent(location.hash),
+      tiles: [...document.querySelectorAll('.tile')].filter((tile) => tile.getAttribute('aria-pressed') === 'true').map((tile) => tile.querySelector('span').textContent),
+    },
+    recommendation: report.findings.recommendation,
+    warnings: report.findings.warnings.length,
+    examined: report.laws.filter((one) => one.devices.some((fit) => fit.determination)).map(({ id }) => id),
+    ofLot: report.laws.filter((one) => one.lot).map(({ id }) => id),
+  };
 }
 
-function check_answer(name, { words, seen, report }, { width }) {
+function check_answer(name, { words, first, then, recommendation, warnings, examined, ofLot }, { width, devices }) {
   const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+  const packed = (text) => text.replace(/\s/g, '');
   expect(width < 1000 || words <= 150, name, `${words} words on the first screen`);
-  for (const { purpose, pressed, headline, numbers, list, ranking, chart } of seen) {
-    const of = purpose === 'answer' ? report.recommendation : null;
-    expect(pressed === 1 && numbers === 3, name, `${purpose}: ${pressed} pressed, ${numbers} numbers`);
-    const wanted = (of?.answer ?? report.headline).replace(/\s/g, '');
-    expect(headline === wanted || (!of && headline.startsWith('Onthefront')), name, `${purpose}: headline ${headline}`);
-    if (!of) {
-      expect(same([...chart].sort(), [...new Set(chart)].sort()) && chart.every((law) => list.includes(law)), name, `${purpose}: chart ${chart}`);
-      continue;
-    }
-    const order = of.standings.map(({ law }) => law);
-    expect(same(list, order) && same(ranking, order), name, `${purpose}: list ${list}, ranking ${ranking}, order ${order}`);
-    expect(same(chart, of.standings.filter(({ error }) => error !== null).map(({ law }) => law)), name, `${purpose}: chart ${chart}`);
-    if (of.law) expect(list[0] === of.law && headline.includes(of.law.replace(/\s/g, '')), name, `${purpose}: ${of.law} is not first`);
-  }
+  expect(first.headline === packed(recommendation.headline), name, 'headline ' + first.headline);
+  expect(first.explanation.startsWith(packed(recommendation.explanation)), name, 'explanation ' + first.explanation);
+  expect(first.numbers === 3 || (first.numbers === 2 && recommendation.valid_mm === null), name, first.numbers + ' numbers');
+  expect(first.warned <= 3 && first.warned + first.hidden === warnings, name, `${first.warned} and ${first.hidden} warnings of ${warnings}`);
+  expect(first.command === recommendation.export_command, name, 'command ' + first.command);
+  expect(same(first.laws, recommendation.standings.map(({ law }) => law)), name, 'laws ' + first.laws);
+  expect(first.chosen.length === 1 && (!recommendation.law || first.chosen[0] === recommendation.law), name, 'chosen is ' + first.chosen);
+  expect(first.loop.length >= 1 && first.loop.every((trace) => trace.startsWith(first.chosen[0])), name, 'loop of ' + first.loop);
+  expect(then.loop.every((trace) => trace.startsWith(then.wanted)), name, `loop of ${then.loop}, chosen ${then.wanted}`);
+  const shows = [then.wanted, ...(examined.includes(then.wanted) || examined.length === 0 ? [then.wanted] : []), ...(ofLot.includes(then.wanted) ? [then.wanted] : [])];
+  expect(then.law.length > 0 && then.law.filter((law) => law === then.wanted).length >= Math.min(shows.length, then.law.length), name, `sections show ${then.law}`);
+  expect(same(then.ticked, [then.wanted]), name, 'loops of ' + then.ticked);
+  expect(new Set(then.devices).size <= 1 && (devices === 1 || then.devices.length > 1), name, 'devices ' + then.devices);
+  expect(then.tiles.length === 0 || same(then.tiles, [then.devices[0]]), name, 'tile of ' + then.tiles);
+  expect(then.moved, name, 'the slider moves nothing');
+  expect(then.address.includes('law=' + then.wanted), name, 'address ' + then.address);
 }
 
 // A law that does not describe the devices must have its own mark, which must be the same in the plot and in the list.
 // This function runs in the page.
 async function look_at_inadequate() {
   const report = reportAsShown();
-  document.querySelector('#figure-answer button[value=robustness]')?.click();
+  document.querySelector('#figure-front button[value=runs]').click();
   document.getElementById('figure-front').scrollIntoView();
   await new Promise((done) => setTimeout(done, 200));
   const { data } = document.querySelector('#figure-front .plot');
@@ -416,8 +448,7 @@ async function look_at_analysis() {
   const converged = figure('converged').cloneNode(true);
   for (const badge of converged.querySelectorAll('.badge')) badge.remove();
   const said = converged.textContent.replace(/\s/g, '');
-  const badged = [...document.querySelectorAll('.verdicts li')].filter((item) => item.querySelector('.badge'));
-  document.querySelector('#figure-answer button[value=robustness]')?.click();
+  const badged = [...document.querySelectorAll('#figure-ranking tbody tr')].filter((row) => row.querySelector('.badge'));
   await see('front');
   const views = [];
   for (const button of document.querySelectorAll('#figure-front .choice button')) {
@@ -877,7 +908,7 @@ async function check(browser, directory, one) {
   // The inspection of a single device lacks the figures of the lot. A record with one block lacks the figure of its
   // history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
-  const expected = (identified ? (devices > 1 ? 11 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
+  const expected = (identified ? (devices > 1 ? 12 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,

@@ -23,7 +23,7 @@ enum class FindingKind {
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
   prediction_unknown,
   // [answers]
-  law_recommended, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,
+  law_recommended, law_errors, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,
   none_predicts, none_on_every_device, none_for_a_building, none_energy, weak_prediction_fair, weak_error,
   weak_larger_swings, weak_other_blocks, weak_cycle_stiffness, weak_cycle_energy, weak_cycle_damping,
   weak_stiffness_beyond, weak_damping_beyond, weak_far_beyond, weak_one_sided, weak_only_law, weak_incomplete, weak_search,

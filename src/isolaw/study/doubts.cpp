@@ -57,7 +57,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
   if (auto const advice = recommendation(summary)) {
-    if (!advice->law) result.findings.push_back(advice->answer);
+    if (!advice->law) result.findings.push_back(advice->answer.front());
     for (auto const& standing : advice->standings)
       if (summary.laws[standing.law].id == law_id)
         result.findings.insert(result.findings.end(), standing.weak.begin(), standing.weak.end());

@@ -214,6 +214,20 @@ std::string note_on_beta(Summary const& summary) {
   return "no law has a robustness index";
 }
 
+bool says_the_same(FindingKind doubt, FindingKind warning) {
+  using enum FindingKind;
+  switch (doubt) {
+    case weak_search:
+      return warning == searches_disagree;
+    case weak_bounds:
+      return warning == held_by_box;
+    case weak_open:
+      return warning == not_determined;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 std::string_view name(Role role) {
@@ -227,6 +241,12 @@ std::string_view name(Role role) {
                                      "not adequate",
                                      "not ranked"};
   return names[static_cast<std::size_t>(role)];
+}
+
+bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning) {
+  if (!answer.law) return true;
+  if (!warning.law.empty() && warning.law != summary.laws[*answer.law].id) return false;
+  return std::ranges::none_of(answer.weak(), [&](auto const& doubt) { return says_the_same(doubt.kind, warning.kind); });
 }
 
 Findings findings(Summary const& summary) {

@@ -45,6 +45,8 @@ struct Findings {
 };
 
 Findings findings(Summary const& summary);
+// False for a warning about a law other than the one taken, and for one that repeats a doubt of the answer.
+bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning);
 // Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);

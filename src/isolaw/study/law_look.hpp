@@ -1,5 +1,5 @@
 // How each law is drawn on the page and in printed figures. Colour-blind readers can tell the colours apart (after
-// Okabe, Ito 2008). Each colour has a variant for a dark screen, and the markers stay distinct in grey print.
+// Okabe, Ito 2008). None is grey, the colour of what was measured. Each colour has a variant for a dark screen, and the markers stay distinct in grey print.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ inline constexpr LawLook law_looks[]{
     {"#d99a00", "#f0b93a", "triangle-down", 11, 10},
     {"#3aa0dc", "#8fd0f7", "cross", 1, 1},
     {"#6b4fa0", "#a98fe0", "x", 2, 2},
-    {"#5d6a73", "#a9b4bc", "star", 3, 3},
+    {"#7a5230", "#c79a74", "star", 3, 3},
 };
 inline constexpr std::size_t law_look_count = std::size(law_looks);
 

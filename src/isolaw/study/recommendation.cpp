@@ -6,6 +6,7 @@
 #include <ranges>
 #include <utility>
 
+#include "isolaw/base/shell.hpp"
 #include "isolaw/study/adequacy.hpp"
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/findings.hpp"
@@ -331,22 +332,21 @@ std::vector<Finding> why_taken(Summary const& summary, std::vector<Standing> con
   return why;
 }
 
-Finding answer_of(Summary const& summary, Recommendation const& advice) {
+std::vector<Finding> answer_of(Summary const& summary, Recommendation const& advice) {
   auto const& taken = advice.standings.front();
   auto const& law = summary.laws[taken.law];
-  Finding answer{.kind = FindingKind::law_recommended, .law = law.id};
+  Finding errors{.kind = FindingKind::law_errors, .law = law.id};
   for (auto const& s : advice.standings)
-    if (s.place == Rank::tied) answer.other_laws.push_back(summary.laws[s.law].id);
+    if (s.place == Rank::tied) errors.other_laws.push_back(summary.laws[s.law].id);
   bool const is_lot = taken.new_device.has_value();
-  answer.numbers.push_back({"fits", or_infinite(is_lot ? taken.new_device : taken.fits)});
+  errors.numbers.push_back({"fits", or_infinite(is_lot ? taken.new_device : taken.fits)});
   if (taken.predicts)
-    answer.numbers.push_back({taken.predicts == law.larger_swings_objective ? "predicts" : "blocks", *taken.predicts});
+    errors.numbers.push_back({taken.predicts == law.larger_swings_objective ? "predicts" : "blocks", *taken.predicts});
   else if (law.predicted_objective)
-    answer.numbers.push_back({"blocks", *law.predicted_objective});
-  answer.words = {{"fitted_to", is_lot ? "devices" : "tests"},
-                  {"sure", std::string(name(advice.sure))},
-                  {"larger", taken.predicts ? "known" : "unknown"}};
-  return answer;
+    errors.numbers.push_back({"blocks", *law.predicted_objective});
+  errors.words = {{"fitted_to", is_lot ? "devices" : "tests"}, {"larger", taken.predicts ? "known" : "unknown"}};
+  return {{.kind = FindingKind::law_recommended, .law = law.id, .words = {{"sure", std::string(name(advice.sure))}}},
+          std::move(errors)};
 }
 
 std::optional<LawSpread> spread_of(Summary const& summary, std::vector<Standing> const& standings) {
@@ -386,6 +386,14 @@ bool compares_laws(Summary const& summary) {
   return std::ranges::count_if(summary.laws, [](auto const& law) { return law.objective.mean.has_value(); }) > 1;
 }
 
+std::string export_command(Summary const& summary, Recommendation const& advice, std::string_view campaign) {
+  if (!advice.law) return {};
+  auto const& law = summary.laws[*advice.law];
+  return shell_quoted(std::vector<std::string>{"isolaw", "export", std::string(campaign), "--law", law.id, "--device",
+                                               law.lot ? "lot" : device_names(summary).front(), "--to",
+                                               advice.programs ? "opensees-cpp" : "openseespy"});
+}
+
 Finding finding_of(LawSpread const& spread) {
   return {.kind = FindingKind::laws_disagree,
           .numbers = {{"count", static_cast<double>(spread.count)},
@@ -408,7 +416,7 @@ std::optional<Recommendation> recommendation(Summary const& summary) {
   if (!advice.why.empty()) {
     for (auto& s : advice.standings)
       if (!s.reason) s.place = Rank::behind;
-    advice.answer = {.kind = FindingKind::no_law_recommended};
+    advice.answer = {{.kind = FindingKind::no_law_recommended}};
     advice.surer = what_would_decide(summary, best.predicts.has_value(), true);
     return advice;
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct Recommendation {
   std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
   Sure sure = Sure::weak;           // weak if there is a doubt about the law, even if it ties with others
   std::vector<Standing> standings;  // every law: the law taken, tied laws, others by error, those ruled out
-  Finding answer;                   // recommends this law, or none
+  std::vector<Finding> answer;      // recommends this law and says how well it does, or recommends none
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
@@ -56,6 +57,9 @@ struct Recommendation {
 };
 
 bool compares_laws(Summary const& summary);
+// The command that writes the law that is taken for an analysis program; "" if none is taken. `campaign` is the
+// directory of the campaign.
+std::string export_command(Summary const& summary, Recommendation const& advice, std::string_view campaign);
 Finding finding_of(LawSpread const& spread);
 // The program's answer. An inspection has none.
 std::optional<Recommendation> recommendation(Summary const& summary);

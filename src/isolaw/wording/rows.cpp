@@ -143,9 +143,10 @@ std::span<Row const> rows() {
       campaign(prediction_unknown, "prediction-unknown", "prediction", note, keep_blocks, each_alone, anywhere, law,
                "how well it predicts is not known: no block was left out of the fit, and the swings do not differ enough in size to fit the small ones alone."),
       // [answers]
+      answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(
-          law_recommended, "law-recommended", "answer",
-          "Take {law}{sure}: it gives back {fitted_to} within {fits:%}[, and larger swings that it was not fitted to within {predicts:%}][, and blocks that it was not fitted to within {blocks:%}].[ {laws} {is|are} as good.]{larger}"),
+          law_errors, "law-errors", "answer",
+          "It gives back {fitted_to} within {fits:%}[, and larger swings that it was not fitted to within {predicts:%}][, and blocks that it was not fitted to within {blocks:%}].[ {laws} {is|are} as good.]{larger}"),
       campaign(no_law_recommended, "no-law-recommended", "answer", serious, laws, one_sentence, taken, none,
                "No law can be recommended."),
       answer(law_shown_up_to, "law-shown-up-to", "answer", "Shown up to {disp_mm:3} mm."),

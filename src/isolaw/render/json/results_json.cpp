@@ -70,13 +70,16 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
   auto const& advice = *recommendation;
   out.begin_object().key("law");
   advice.law ? out.value(summary.laws[*advice.law].id) : out.null();
-  out.member("answer", wording::sentence(advice.answer)).member("sure", study::name(advice.sure));
+  out.member("headline", wording::sentence(advice.answer.front()));
+  out.member("explanation", wording::paragraph({advice.answer.begin() + 1, advice.answer.end()}));
+  out.member("answer", wording::paragraph(advice.answer)).member("sure", study::name(advice.sure));
   write_reasons("reasons", advice.why);
   write_reasons("weak", advice.law ? advice.weak() : std::vector<Finding>());
   write_reasons("surer", advice.surer);
   write_reasons("reach", advice.reach);
   out.member("valid_mm", advice.valid_mm);
   out.member("programs", advice.programs ? wording::sentence(*advice.programs) : std::string());
+  out.member("export_command", study::export_command(summary, advice, "."));
   out.key("spread");
   if (auto const& spread = advice.spread)
     out.object([&] {

@@ -260,6 +260,15 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
                   wording::paragraph(verdict.findings, " ", false), "dominated_by", verdict.dominated_by);
   });
   write_findings(out, "warnings", found.warnings);
+  // The places, in the list of warnings, of those that concern the answer.
+  std::uint64_t place = 0;
+  out.key("answer_warnings").array(wording::grouped(found.warnings), [&](auto const& group) {
+    if (found.recommendation && std::ranges::any_of(group, [&](Finding const& warning) {
+          return concerns_answer(summary, *found.recommendation, warning);
+        }))
+      out.value(place);
+    ++place;
+  });
   write_findings(out, "converged", found.converged, wording::anywhere);
 }
 

@@ -11,7 +11,6 @@
 
 #include "isolaw/base/number_text.hpp"
 #include "isolaw/base/printable.hpp"
-#include "isolaw/base/shell.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/findings.hpp"
@@ -315,7 +314,7 @@ std::string heading(Summary const& summary, int width) {
 std::string answers(Summary const& summary, Findings const& found, int width) {
   if (!found.recommendation) return {};
   auto const& advice = *found.recommendation;
-  auto text = wrapped("", wording::sentence(advice.answer), 0, width);
+  auto text = wrapped("", wording::paragraph(advice.answer), 0, width);
   std::string line = wording::paragraph(advice.why);
   if (advice.law && !advice.weak().empty())
     line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; ", false));
@@ -330,20 +329,6 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
                                   wording::remark(*standing.reason)),
                       2, width);
   return text + '\n';
-}
-
-bool says_the_same(FindingKind weakness, FindingKind warning) {
-  using enum FindingKind;
-  switch (weakness) {
-    case weak_search:
-      return warning == searches_disagree;
-    case weak_bounds:
-      return warning == held_by_box;
-    case weak_open:
-      return warning == not_determined;
-    default:
-      return false;
-  }
 }
 
 std::string short_table(Summary const& summary, Recommendation const& answer) {
@@ -418,19 +403,16 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   auto const& shown = *found.recommendation;
   auto const* law = shown.law ? &summary.laws[*shown.law] : nullptr;
   auto const weak = law != nullptr ? shown.weak() : std::vector<Finding>();
-  text += wrapped("", wording::sentence(shown.answer), 0, width);
+  text += wrapped("", wording::paragraph(shown.answer), 0, width);
   if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
   if (!weak.empty())
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ", false)), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach), margin, width);
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Only --details shows warnings about other laws and warnings that the line "Low confidence" repeats.
+  // Only --details shows the other warnings.
   auto concerned = found.warnings;
-  std::erase_if(concerned, [&](Finding const& finding) {
-    return (law != nullptr && !finding.law.empty() && finding.law != law->id) ||
-           std::ranges::any_of(weak, [&](auto const& doubt) { return says_the_same(doubt.kind, finding.kind); });
-  });
+  std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
   constexpr std::size_t most = 2;
   constexpr auto screen = 25, below = 3;  // lines; `below` are those after the warnings
@@ -446,10 +428,7 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
                 counted(every.size() - told, told == 0 ? "warning" : "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
   if (law != nullptr)
-    text += fmt::format("Next        {}\n", shell_quoted(std::vector<std::string>{
-                                                "isolaw", "export", std::string(campaign), "--law", law->id, "--device",
-                                                law->lot ? "lot" : printable(study::device_names(summary).front()),
-                                                "--to", shown.programs ? "opensees-cpp" : "openseespy"}));
+    text += fmt::format("Next        {}\n", printable(export_command(summary, shown, campaign)));
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }

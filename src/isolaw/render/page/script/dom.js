@@ -26,3 +26,14 @@ export const isPrinting = () => 'printing' in document.documentElement.dataset;
 
 // Returns an empty text when printing, since a printed page has no controls or downloads that the text could explain.
 export const onScreen = (text) => (isPrinting() ? '' : text);
+
+// A command line with a button that copies it.
+export function commandLine(command) {
+  const code = element('code', { class: 'command', tabindex: '0' }, command);
+  const copy = ({ currentTarget: pressed }) => {
+    getSelection().selectAllChildren(code);
+    // Browsers copy only on secure pages. On other pages the command stays selected for Ctrl-C.
+    navigator.clipboard?.writeText(command).then(() => (pressed.textContent = 'Copied'), () => {});
+  };
+  return element('div', { class: 'command-line' }, code, button('Copy', copy, { class: 'action screen' }));
+}

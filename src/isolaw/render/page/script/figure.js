@@ -1,6 +1,6 @@
 // Places a figure on the page, draws it, and draws it again. A figure is an object {id, title, width ('half', 'wide',
-// 'narrow'), wanted, depends, caption, csv, controls, build or height and draw, clicked}. `depends` names the choices
-// that change the figure; `clicked` is called for a click on a point.
+// 'narrow'), wanted, depends, caption, csv, controls, build or height and draw, clicked, below}. `depends` names the
+// choices that change the figure; `clicked` is called for a click on a point; `below` returns the nodes under the plot.
 
 import { button, element } from './dom.js';
 import { csvText, download } from './download.js';
@@ -62,6 +62,7 @@ export function buildFigure(figure, observer) {
     head,
     controls,
     body,
+    figure.below ? figure.below() : null,
     caption,
   );
   if (figure.build) body.append(figure.build());

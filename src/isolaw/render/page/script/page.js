@@ -5,11 +5,11 @@ import { objectiveDevicesFigure } from './accuracy/objectives.js';
 import { objectiveRelativeFigure, objectiveSpreadFigure } from './accuracy/spread.js';
 import { certificateSection } from './certificate/section.js';
 import { chosen, onChoice } from './choice.js';
-import { lawChooser } from './choosers.js';
+import { lawChooser, readAddress, writeAddress } from './choosers.js';
 import { answerFigure } from './decision/answer.js';
-import { frontFigure } from './decision/front.js';
-import { rankingFigure } from './decision/ranking.js';
-import { convergedFigure, verdictsFigure } from './decision/verdicts.js';
+import { deviceLoopsFigure, devicePointsFigure } from './decision/devices.js';
+import { lawsFigure } from './decision/laws.js';
+import { answerLoopFigure } from './decision/loop.js';
 import { determinedFigure } from './determination/determined.js';
 import { profileFigure } from './determination/profile.js';
 import { tradeOffsFigure } from './determination/trade_offs.js';
@@ -22,6 +22,9 @@ import { lotStabilityFigure } from './devices/stability.js';
 import { lotStripsFigure } from './devices/strips.js';
 import { verdictTableFigure } from './devices/verdicts.js';
 import { element } from './dom.js';
+import { frontFigure } from './front/front.js';
+import { rankingFigure } from './front/ranking.js';
+import { convergedFigure, verdictsFigure } from './front/verdicts.js';
 import { loopsSection } from './loops/section.js';
 import { lotCorrelationFigure } from './one_law/correlation.js';
 import { lotLawsFigure } from './one_law/cost.js';
@@ -42,13 +45,18 @@ import { followWindow, showSections } from './shell.js';
 import { count } from './text.js';
 import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
+import { VIEWS } from './views.js';
 
 // An inspection's page begins with the verdict and the strips of the lot. A single device needs no strips.
 const alone = inspection && devices.length === 1;
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [
   { id: 'verdict', title: 'Verdict', figures: inspection ? [verdictFigure, alone ? assessmentsFigure : lotStripsFigure] : [] },
-  { id: 'decision', title: 'The decision', laws: true, figures: [answerFigure, frontFigure, verdictsFigure, rankingFigure, convergedFigure] },
+  { id: 'decision', title: 'The decision', laws: true, figures: [answerFigure, answerLoopFigure, deviceLoopsFigure, devicePointsFigure, lawsFigure] },
+  {
+    id: 'front', title: VIEWS.length > 0 ? 'Accuracy against robustness' : 'Ranking', short: VIEWS.length > 0 ? 'Front' : 'Ranking', laws: true,
+    figures: [frontFigure, verdictsFigure, rankingFigure, convergedFigure],
+  },
   { id: 'objective', title: 'Accuracy', laws: true, figures: [objectiveDevicesFigure, objectiveSpreadFigure, objectiveRelativeFigure] },
   loopsSection,
   {
@@ -92,6 +100,8 @@ function buildPage() {
     '.',
   );
 
+  readAddress();
+  window.addEventListener('hashchange', () => (location.hash.includes('?') ? readAddress() : writeAddress()));
   showSections(SECTIONS.filter((section) => !(section.laws && inspection)), {
     onChoice,
     opened: (section, node) => {

@@ -41,8 +41,10 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
-  // The address may name a section. It can be scrolled to only now that the sections exist.
-  if (location.hash) document.getElementById(location.hash.slice(1))?.scrollIntoView();
+  // The address may name a section, and after a question mark what its reader chose. The section can be scrolled to only
+  // now that it exists.
+  const [section] = location.hash.slice(1).split('?');
+  if (section) document.getElementById(section)?.scrollIntoView();
 }
 
 function markCurrentSection(main, contents) {

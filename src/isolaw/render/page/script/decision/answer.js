@@ -1,43 +1,71 @@
-import { choiceButtons, chosen } from '../choice.js';
-import { element } from '../dom.js';
-import { withBadges } from '../laws.js';
-import { PURPOSES, TONES, answerOf, answering, numbersOf, purposeOf } from '../purposes.js';
-import { sentence } from '../text.js';
+import { commandLine, element } from '../dom.js';
+import { recommendation, standings } from '../recommendation.js';
+import { devices, laws, report } from '../report.js';
+import { THIN, count, errorText, sentence, significant } from '../text.js';
 
-export const answerFigure = { id: 'answer', title: '', depends: ['purpose', 'view'], controls: PURPOSES.length > 1 ? purposeControl : null, build: answer };
+export const answerFigure = { id: 'answer', title: '', width: 'narrow', build: answer };
+
+const TONES = { clear: 'good', tie: 'care', weak: 'care' };
+const MOST_WARNINGS = 3;
+const told = (findings, between = ' ') => sentence(findings.map((one) => one.sentence).join(between));
 
 function answer() {
-  const purpose = purposeOf(chosen.purpose);
-  const { recommendation } = purpose;
-  const numbers = numbersOf(purpose, chosen.view).map(([value, what]) =>
-    element('div', {}, element('b', {}, value), element('span', {}, what)),
-  );
-  const sure = recommendation?.law
-    ? element('span', { class: 'sure ' + TONES[recommendation.sure] }, recommendation.sure)
-    : null;
-  const reach = recommendation?.reach.map((one) => one.sentence).join(' ');
-  const surer = recommendation?.surer.map((one) => one.sentence).join('; ');
+  const { law, headline, explanation, sure, reasons, weak, reach, surer } = recommendation;
+  // The next best law stands in the table of laws, so of the reasons for a law only a better one ruled out is told.
+  const why = law ? reasons.filter(({ kind }) => kind === 'why-better-refused') : reasons;
+  const numbers = numbersOfAnswer().map(([value, what]) => element('div', {}, element('b', {}, value), element('span', {}, what)));
   return element(
     'div',
     { class: 'answer' },
-    element('p', { class: 'headline' }, ...withBadges(sentence(answerOf(purpose, chosen.view)), answering(purpose, chosen.view)), ...(sure ? [' ', sure] : [])),
+    element('p', { class: 'headline' }, headline, ...(law ? [' ', element('span', { class: 'sure ' + TONES[sure] }, sure)] : [])),
+    element('p', { class: 'explanation' }, [sentence(explanation), told(why)].filter(Boolean).join(' ')),
     element('div', { class: 'numbers' }, ...numbers),
-    recommendation ? element('p', { class: 'why' }, reasons(recommendation)) : null,
-    reach ? element('p', { class: 'why' }, sentence(reach)) : null,
-    surer ? element('p', { class: 'why' }, 'To be surer: ' + sentence(surer) + '.') : null,
-    recommendation?.programs ? element('p', { class: 'why' }, recommendation.programs + '.') : null,
+    law && weak.length > 0 ? element('p', { class: 'box doubts' }, element('b', {}, 'Low confidence'), ' ' + told(weak, '; ') + '.') : null,
+    law ? next() : null,
+    surer.length > 0 ? element('p', { class: 'box' }, element('b', {}, law ? 'To be surer' : 'Next'), ' ' + told(surer, '; ') + '.') : null,
+    reach.length > 0 ? element('p', { class: 'why' }, told(reach)) : null,
+    warnings(),
   );
 }
 
-function reasons({ law, reasons: all, weak }) {
-  const told = all.filter(({ kind }) => !law || kind === 'why-better-refused').map((one) => one.sentence);
-  const doubts = weak.map((one) => one.sentence).join('; ');
-  return [...told, doubts && 'Low confidence: ' + doubts + '.'].filter(Boolean).map(sentence).join(' ');
+function numbersOfAnswer() {
+  const [first] = standings;
+  const used = devices.filter(({ status }) => status === 'ok').length;
+  const ofDevices = [used + ' of ' + devices.length, devices.length === 1 ? 'device used' : 'devices used'];
+  if (!recommendation.law)
+    return [[String(laws.length), laws.length === 1 ? 'law tried' : 'laws tried'], [errorText(first?.error), 'least error'], ofDevices];
+  return [
+    ...(recommendation.valid_mm === null ? [] : [[significant(recommendation.valid_mm) + THIN + 'mm', 'shown up to']]),
+    [String(first.parameters), first.parameters === 1 ? 'parameter' : 'parameters'],
+    ofDevices,
+  ];
 }
 
-function purposeControl() {
-  return [
-    element('span', { id: 'purpose-label' }, 'Show'),
-    choiceButtons('purpose', PURPOSES.map(({ id, title }) => [id, title]), { 'aria-labelledby': 'purpose-label' }),
-  ];
+function next() {
+  const { export_command: command, programs } = recommendation;
+  return element(
+    'div',
+    { class: 'box next' },
+    element('p', {}, element('b', {}, 'Next'), ' In the folder of the campaign:'),
+    commandLine(command),
+    programs ? element('p', { class: 'why' }, programs + '.') : null,
+  );
+}
+
+// The warnings about the answer come first; the others are behind one line.
+function warnings() {
+  const all = report.findings.warnings;
+  const first = report.findings.answer_warnings.slice(0, MOST_WARNINGS).map((place) => all[place]);
+  const rest = all.filter((warning) => !first.includes(warning));
+  const item = ({ sentence: text, action }) =>
+    element('li', {}, sentence(text), ...(action ? [' ', element('span', { class: 'do' }, action + '.')] : []));
+  if (all.length === 0)
+    return element('p', { class: 'calm' }, 'Nothing stands out: no device was refused, no run failed, no parameter lies at its bound.');
+  const more = count(rest.length, first.length > 0 ? 'more warning' : 'warning');
+  return element(
+    'div',
+    { class: 'warnings' },
+    element('ul', {}, ...first.map(item)),
+    rest.length > 0 ? element('details', {}, element('summary', {}, more), element('ul', {}, ...rest.map(item))) : null,
+  );
 }

@@ -3,7 +3,7 @@ import { lawChooser } from '../choosers.js';
 import { button, element, onScreen } from '../dom.js';
 import { ROUND, icon } from '../icons.js';
 import {
-  devices, examinedLaws, examinedPlaces, firstExamined, laws, report, resultData, usable,
+  devices, examinedLaws, examinedPlaces, laws, report, resultData, usable,
 } from '../report.js';
 import { symbol } from '../symbols.js';
 import { table } from '../tables.js';
@@ -18,7 +18,7 @@ export const determinedFigure = {
   long: true,
   depends: ['examined'],
   wanted: () => examinedLaws.length > 0,
-  controls: () => [lawChooser('examined', examinedLaws, { changes: (law) => ({ parameter: firstExamined(law) }) })],
+  controls: () => [lawChooser('examined', examinedLaws)],
   caption: determinedCaption,
   csv: determinedData,
   build: determinedTable,

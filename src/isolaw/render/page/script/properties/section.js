@@ -1,8 +1,7 @@
 import { choose, chosen, onChoice } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
 import { blockText } from '../cycles.js';
-import { takeCare } from '../decision/verdicts.js';
-import { element, empty } from '../dom.js';
+import { element, empty, shortList } from '../dom.js';
 import { devices, inspection, report, tested } from '../report.js';
 import { assessmentsFigure } from './assessments.js';
 import { cycleHistoryFigure } from './history.js';
@@ -45,4 +44,9 @@ function propertyControls() {
   return tested.length === 0
     ? [empty('No record could be read.')]
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
+}
+
+function takeCare() {
+  const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
+  return element('div', { class: 'warnings' }, element('h3', {}, 'Take care'), ...shortList(warnings, 5, 4));
 }

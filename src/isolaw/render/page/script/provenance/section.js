@@ -1,4 +1,4 @@
-import { button, element, strong, termList } from '../dom.js';
+import { commandLine, element, strong, termList } from '../dom.js';
 import { devices, inspection, laws, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count, isNumber, short } from '../text.js';
@@ -35,7 +35,7 @@ const commandFigure = {
     report.takes_lot_file
       ? 'LOT.toml: the lot file that names these devices and says how their files are read. If you gave options of reading besides it, add them. The name of a device is part of its seed.'
       : 'Every setting, and every option that the files were read with. Run it in the folder of the files, which are named without it.',
-  build: commandLine,
+  build: () => commandLine(report.command),
 };
 
 const stepsFigure = {
@@ -82,16 +82,6 @@ function filesTable() {
     { title: 'Status', cell: status },
   ];
   return tableOf(columns, devices.flatMap(recordsOf), 'Input files');
-}
-
-function commandLine() {
-  const code = element('code', { class: 'command', tabindex: '0' }, report.command);
-  const copy = ({ currentTarget: pressed }) => {
-    getSelection().selectAllChildren(code);
-    // Browsers copy only on secure pages. On other pages the command stays selected for Ctrl-C.
-    navigator.clipboard?.writeText(report.command).then(() => (pressed.textContent = 'Copied'), () => {});
-  };
-  return element('div', { class: 'command-line' }, code, button('Copy', copy, { class: 'action screen' }));
 }
 
 function stepsList() {

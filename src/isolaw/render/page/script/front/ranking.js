@@ -1,8 +1,6 @@
-import { chosen } from '../choice.js';
 import { element } from '../dom.js';
 import { roleTone } from '../icons.js';
 import { lawName } from '../laws.js';
-import { purposeOf } from '../purposes.js';
 import { laws, lawsByObjective, report, resultColumns } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, objectiveText, percentText } from '../text.js';
@@ -10,9 +8,8 @@ import { DASH, fixed, isNumber, objectiveText, percentText } from '../text.js';
 export const rankingFigure = {
   id: 'ranking',
   title: 'Ranking',
-  depends: ['purpose'],
   caption: () =>
-    ORDERS[chosen.purpose] + ' OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
+    'Sorted by the mean OF. OF: mean absolute error of the force divided by the standard deviation of the measured force, over devices and runs. ' +
     'β: how far the parameters of the devices lie from their mean over the lot. Errors of stiffness and energy: best fit against the record, mean magnitude over devices.' +
     (laws.some((law) => isNumber(law.success_share))
       ? ' Found: runs that ended within ' +
@@ -23,18 +20,7 @@ export const rankingFigure = {
   build: rankingTable,
 };
 
-const ORDERS = {
-  answer: 'The law taken first, then laws as good, then by the mean error.',
-  robustness: 'Sorted by \u03b2.',
-};
-
-// The laws in the order of the chosen purpose, or by rising beta if it has no order. Laws without a fit come last.
-function ordered() {
-  const purpose = purposeOf(chosen.purpose);
-  if (purpose.order) return purpose.order;
-  const place = (law) => (isNumber(law.beta) ? law.beta : Infinity);
-  return [...lawsByObjective].sort((a, b) => place(a) - place(b)).concat(laws.filter((law) => law.objective.mean === null));
-}
+const ordered = lawsByObjective.concat(laws.filter((law) => law.objective.mean === null));
 
 function rankingData() {
   const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
@@ -56,12 +42,12 @@ function rankingTable() {
     { title: 'mean OF ± std', unit: '-', number: true, cell: (law) => objectiveText(law.objective) },
     { title: 'best OF', unit: '-', number: true, cell: (law) => fixed(law.objective.best, 4) },
     { title: 'β', unit: '-', number: true, cell: (law) => fixed(law.beta, 3) },
-    { title: 'Verdict', tight: true, cell: (law) => verdict(roles.get(law.index)) },
+    { title: 'Accuracy against robustness', cell: (law) => verdict(roles.get(law.index)) },
     { title: 'stiffness error', unit: '%', number: true, cell: (law) => fixed(law.K_eff_error_percent, 1) },
     { title: 'energy error', unit: '%', number: true, cell: (law) => fixed(law.energy_error_percent, 1) },
     ...(searched ? [{ title: 'found', unit: '% of runs', number: true, cell: found }] : []),
     { title: 'parameters', unit: 'calibrated', number: true, cell: (law) => String(law.parameters.filter((p) => p.free).length || DASH) },
     { title: 'Description', cell: (law) => element('td', { class: 'note text' }, law.title) },
   ];
-  return tableOf(columns, ordered(), 'Ranking of the laws');
+  return tableOf(columns, ordered, 'Ranking of the laws');
 }

@@ -1,26 +1,25 @@
-import { choiceButtons, chosen, onChoice } from '../choice.js';
+import { choiceButtons, chosen } from '../choice.js';
 import { labelPlaces } from '../labels.js';
 import { isInadequate, nameOf, predictionNote } from '../laws.js';
 import { NARROW, paddedRange, textWidth } from '../plotting.js';
 import { laws, ranking, report, resultColumns } from '../report.js';
 import { enumerate, plain } from '../text.js';
-import { drawErrors, errorsCaption, errorsHeight } from './errors.js';
 import { VIEWS, isPlaced } from '../views.js';
 
 const FRONT_HEIGHT = 360,
   LABEL_SIZE = 13;
-const ofRobustness = () => chosen.purpose === 'robustness';
 
 export const frontFigure = {
   id: 'front',
   width: 'wide',
-  title: 'The laws compared',
-  depends: ['view', 'purpose'],
+  title: '',
+  wanted: () => VIEWS.length > 0,
+  depends: ['view'],
   controls: VIEWS.length > 1 ? viewControl : null,
-  caption: () => (ofRobustness() ? frontCaption() : errorsCaption()),
+  caption: frontCaption,
   csv: frontData,
-  height: () => (ofRobustness() ? FRONT_HEIGHT : errorsHeight()),
-  draw: (look, width) => (ofRobustness() ? drawFront(look, width) : drawErrors(look)),
+  height: () => FRONT_HEIGHT,
+  draw: drawFront,
 };
 
 function frontData() {
@@ -45,11 +44,7 @@ const stands = (view, law) => report.stands[view.id].includes(law.id);
 const shownView = () => VIEWS.find((view) => view.id === chosen.view);
 
 function viewControl() {
-  const group = choiceButtons('view', VIEWS.map(({ id, title }) => [id, title]), { 'aria-label': 'View' });
-  const follow = () => (group.hidden = !ofRobustness());
-  onChoice(follow);
-  follow();
-  return [group];
+  return [choiceButtons('view', VIEWS.map(({ id, title }) => [id, title]), { 'aria-label': 'View' })];
 }
 
 function frontCaption() {

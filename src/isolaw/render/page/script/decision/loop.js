@@ -1,0 +1,136 @@
+import { chosen, onChoice } from '../choice.js';
+import { deviceChooser } from '../choosers.js';
+import { counted } from '../cycles.js';
+import { element } from '../dom.js';
+import { drawn } from '../figure.js';
+import { forceRange, isScored, record } from '../loops/fits.js';
+import { rawTime } from '../raw.js';
+import { curve, devices, drawable, laws } from '../report.js';
+import { THIN, errorText, fixed, plain, significant } from '../text.js';
+
+export const answerLoopFigure = {
+  id: 'answer-loop',
+  title: '',
+  width: 'wide',
+  depends: ['device', 'law'],
+  wanted: () => chosen.device !== null,
+  controls: drawable.length > 1 ? () => [deviceChooser('answer-device', drawable, 'device')] : null,
+  caption: loopCaption,
+  height: (width) => (width < 480 ? 320 : 440),
+  draw: drawLoop,
+  below: timeSlider,
+};
+
+const THIRD = 3;
+
+// The parts of the record that are drawn in full: the third cycle of each block, or the last one if a block has fewer.
+// Null if the record has no cycles; then all of it is drawn in full.
+export function cyclesShown(device) {
+  const axis = rawTime(device);
+  const cycles = device.blocks.map((block) => counted(block)).filter((some) => some.length > 0);
+  if (cycles.length === 0) return null;
+  return cycles.map((some) => some.find(({ number }) => number === THIRD) ?? some[some.length - 1]).map(({ first, last }) => [axis.of(first), axis.of(last)]);
+}
+
+function shown() {
+  const device = devices[chosen.device],
+    law = laws[chosen.law],
+    { t, x, F } = record(device);
+  const fit = law?.fitOn.get(device.index),
+    force = fit?.force_kN ? curve(fit.force_kN) : null,
+    parts = cyclesShown(device);
+  const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
+    fitted = t.map((time) => isScored(device, time));
+  return { device, law, fit, t, x, F, force, parts, inside, fitted };
+}
+
+// The values where `wanted` holds, and one sample beyond on both sides, so that neighbouring lines meet.
+const where = (values, wanted) => values.map((value, i) => (wanted[i] || wanted[i - 1] || wanted[i + 1] ? value : null));
+
+function loopCaption() {
+  const { device, law, fit, force, parts } = shown();
+  const misfit = fit?.objective.best;
+  return (
+    device.name + (parts ? ': the third cycle of each block in black, the other cycles in grey' : ': the whole record in black') +
+    (force ? '; ' + law.name + ' in colour, fitted to this device' + (device.scored ? ', dashed where it was not fitted' : '') + ' (misfit ' + errorText(misfit) + ').' : '.') +
+    (law && !force ? ' ' + law.name + ' has no fit' + (fit?.message ? ': ' + fit.message : '') + '.' : '')
+  );
+}
+
+function drawLoop(look) {
+  const { device, law, t, x, F, force, parts, inside, fitted } = shown();
+  const hover = (name) => '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(name) + '</extra>';
+  const all = (some) => some.every((value) => value);
+  const measured = look.colour('ink'),
+    line = (color, width, more = {}) => ({ color, width, ...more });
+  const both = (a, b) => a.map((value, i) => value && b[i]);
+  const not = (some) => some.map((value) => !value);
+  const traces = [
+    ...(parts ? [{ mode: 'lines', x, y: F, hoverinfo: 'skip', showlegend: false, line: line(look.colour('faint'), 1) }] : []),
+    { name: 'measured', mode: 'lines', x, y: where(F, inside), line: line(measured, 2), hovertemplate: hover('measured') },
+  ];
+  if (force) {
+    const colour = look.law(law);
+    traces.push({ name: plain(law.name) + ', fitted', mode: 'lines', x, y: where(force, both(inside, fitted)), line: line(colour, 2), hovertemplate: hover(law.name) });
+    if (!all(fitted))
+      traces.push({
+        name: plain(law.name) + ', never saw this', mode: 'lines', x, y: where(force, both(inside, not(fitted))), line: line(colour, 2, { dash: 'dash' }),
+        hovertemplate: hover(law.name + ', not fitted to this'),
+      });
+  }
+  const marks = dots(t, x, F, force);
+  traces.push({
+    name: 'now', mode: 'markers', showlegend: false, hoverinfo: 'skip', ...marks,
+    marker: { size: 11, color: look.colour('paper'), line: { width: 2, color: [measured, ...(force ? [look.law(law)] : [])] } },
+  });
+  const reach = Math.max(...x.map((value, i) => (fitted[i] ? Math.abs(value) : 0)));
+  const beyond = Math.max(...x.map(Math.abs)) > 1.05 * reach;
+  return {
+    traces,
+    layout: {
+      showlegend: true,
+      margin: { l: 54, r: 12, t: 34, b: 44 },
+      shapes: beyond
+        ? [{ type: 'rect', layer: 'below', yref: 'paper', x0: -reach, x1: reach, y0: 0, y1: 1, line: { width: 0 }, fillcolor: look.colour('tint') }]
+        : [],
+      annotations: beyond
+        ? [{ x: reach, y: 1, yref: 'paper', xanchor: 'right', yanchor: 'top', showarrow: false, text: 'fitted within ±' + significant(reach) + THIN + 'mm ', font: { size: 11.5, color: look.colour('muted') } }]
+        : [],
+      xaxis: { title: 'displacement [mm]' },
+      yaxis: { title: 'force [kN]', range: forceRange(F, force ? [force] : []) },
+      uirevision: device.index, // the reader's zoom stays when the law changes
+    },
+  };
+}
+
+// The place on the time slider, from 0 to 1000.
+let place = 300;
+const sampleAt = (t) => Math.round((place / 1000) * (t.length - 1));
+
+function dots(t, x, F, force) {
+  const i = sampleAt(t);
+  return { x: force ? [x[i], x[i]] : [x[i]], y: force ? [F[i], force[i]] : [F[i]] };
+}
+
+function timeSlider() {
+  const output = element('output', { for: 'answer-time' });
+  const slider = element('input', { type: 'range', id: 'answer-time', min: 0, max: 1000, value: place, 'aria-label': 'Time along the test' });
+  const say = () => {
+    const { device, law, t, x, F, force } = shown(),
+      i = sampleAt(t);
+    output.textContent =
+      (device.record.has_time ? fixed(t[i], 2) + THIN + 's' : 'sample ' + fixed(t[i], 0)) + ', ' + fixed(x[i], 1) + THIN + 'mm: measured ' + fixed(F[i], 1) + THIN + 'kN' +
+      (force ? ', ' + law.name + ' ' + fixed(force[i], 1) + THIN + 'kN' : '');
+  };
+  slider.oninput = () => {
+    place = Number(slider.value);
+    const { t, x, F, force } = shown(),
+      { body } = drawn.get(answerLoopFigure),
+      marks = dots(t, x, F, force);
+    if (body.data) Plotly.restyle(body, { x: [marks.x], y: [marks.y] }, [body.data.length - 1]);
+    say();
+  };
+  onChoice(say);
+  say();
+  return [element('div', { class: 'time screen' }, slider, output)];
+}

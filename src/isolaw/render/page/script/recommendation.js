@@ -1,0 +1,11 @@
+// The program's answer: the law to take, if one is named, and the place of every law. An inspection has none.
+
+import { laws, lawsByObjective, report } from './report.js';
+
+export const recommendation = report.findings.recommendation;
+
+const byId = new Map(laws.map((law) => [law.id, law]));
+export const standings = (recommendation?.standings ?? []).map((standing) => ({ ...standing, law: byId.get(standing.law) }));
+
+// The law that the page shows when it opens.
+export const firstLaw = byId.get(recommendation?.law) ?? lawsByObjective[0] ?? laws[0] ?? null;
