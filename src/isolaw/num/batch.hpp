@@ -156,6 +156,9 @@ struct Lanes<Batch<W>> {
   ISOLAW_INLINE static T multiply_add(T const& a, T const& b, T const& c) {
     return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::multiply_add(a.part[i], b.part[i], c.part[i]); });
   }
+  ISOLAW_INLINE static T multiply_add_apart(T const& a, T const& b, T const& c) {
+    return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::multiply_add_apart(a.part[i], b.part[i], c.part[i]); });
+  }
   ISOLAW_INLINE static T select(Mask<W> const& mask, T const& a, T const& b) {
     return T::make([&](std::size_t i) ISOLAW_LAMBDA { return L::select(mask.part[i], a.part[i], b.part[i]); });
   }

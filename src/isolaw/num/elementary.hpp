@@ -40,6 +40,15 @@ struct Lanes {
   [[gnu::always_inline]] static inline T from_bits(Bits const& x) { return std::bit_cast<T>(x); }
   [[gnu::always_inline]] static inline T abs(T const& x) { return from_bits(bits(x) & 0x7fff'ffff'ffff'ffffU); }
   [[gnu::always_inline]] static inline T multiply_add(T const& a, T const& b, T const& c) { return a * b + c; }
+  // The same for a sum that select() takes. For AVX-512, GCC 12 merges an addition with the selection after it, and then
+  // no longer fuses the product with the addition.
+  [[gnu::always_inline]] static inline T multiply_add_apart(T const& a, T const& b, T const& c) {
+    T sum = a * b + c;
+#if defined(__AVX512F__)
+    asm("" : "+v"(sum));
+#endif
+    return sum;
+  }
   template <class Mask>
   [[gnu::always_inline]] static inline T select(Mask const& mask, T const& a, T const& b) {
     return mask ? a : b;
@@ -60,6 +69,9 @@ struct Lanes<double> {
 #else
     return a * b + c;  // std::fma would call a library function here
 #endif
+  }
+  [[gnu::always_inline]] static inline double multiply_add_apart(double a, double b, double c) {
+    return multiply_add(a, b, c);
   }
   [[gnu::always_inline]] static inline double select(bool condition, double a, double b) {
     return condition ? a : b;
@@ -209,7 +221,7 @@ template <class T>
   // Since 2 s = f - s f, the leading term can be f, which is exact, instead of s, which is rounded twice.
   T const square = s * s;
   T const correction = L::multiply_add(-square, elementary::polynomial<T>(elementary::ln_terms, square), f);
-  T const y = L::multiply_add(L::multiply_add(-s, correction, f), L::all(elementary::log2_e), whole);
+  T const y = L::multiply_add_apart(L::multiply_add(-s, correction, f), L::all(elementary::log2_e), whole);
   T const finite = L::select(x <= L::all(elementary::largest), y, x);
   return L::select(x < L::all(elementary::least_normal), L::all(elementary::not_a_number), finite);
 }
