@@ -365,7 +365,7 @@ TEST_F(LotFileTest, DeepNestingIsRefused) {
   expect_parts(complaints("a = " + repeated("{a.a.a=[\n", 200'000)), {"lot.toml:", found});
   expect_parts(complaints("a = \"\"\"\"\\\"\"\"\"\nb = 'x' # '\n" + repeated("a.", 1'000'000) + "a = 1\n"),
                {"lot.toml:3: ", found});
-  // Brackets in text and comments, and many short tables, do not count as nesting.
+  // Brackets and dots in text and comments do not count as nesting.
   EXPECT_EQ(complaints("title = \"" + repeated("[{.", 150) + "\" # " + repeated("[{.", 200) +
                        "\n[[device]]\nfile = \"a.csv\"\n"),
             "");

@@ -238,14 +238,16 @@ void add_merge(Commands& commands) {
       "isolaw merge out/lot part-1 part-2 part-3",
       [&](auto const& arguments) { return merge(arguments, commands.line()); });
   c.add_option("directory", a.directory, "directory of the whole campaign or study")->required();
-  c.add_option("parts", a.parts,
-               "directories of the parts, in any order; without parts: analyse and report what the directory holds");
+  c.add_option(
+      "parts", a.parts,
+      "directories of the parts, in any order; without them, merge analyses and reports the campaign in the directory once all of its runs are there, or prints the verdict of the building study there");
   c.add_option(
       "--part", a.part,
       "K/N, such as 3/40: make only the third of 40 shares of the analyses. First these are a share of the devices; when every device is analysed, repeat the command for a share of the lot's laws");
   add_jobs(c, a.jobs);
   add_figures(c, a.figures);
-  c.add_flag("--copy-only", a.copy_only, "copy the runs only; isolaw merge DIRECTORY makes analyses and reports later");
+  c.add_flag("--copy-only", a.copy_only,
+             "copy the runs only; isolaw merge DIRECTORY makes the analyses and reports of a campaign later");
   add_fresh(c, a.fresh);
   add_printing(c, a.json, a.details);
 }
@@ -335,7 +337,7 @@ void add_simulate(Commands& commands) {
   add(Heading::plane, "--softening", a.softening,
       "with coupled, what softens the force: the largest distance from the origin so far (distance, default), or the largest displacement so far along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
-      "with springs: parameters fitted for springs (fitted, default with --from), or the law's own (given)");
+      "parameters that --bidirectional springs takes: fitted (to the springs) or given (the law's own); default: fitted with --from if the campaign has such a fit and --set changes nothing, otherwise given");
   c.add_option("--out", a.out, "file to write (default: standard output)");
   c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law's prediction is unusable");
 }

@@ -1,5 +1,6 @@
 // How each law is drawn on the page and in printed figures. Colour-blind readers can tell the colours apart (after
-// Okabe, Ito 2008). None is grey, the colour of what was measured. Each colour has a variant for a dark screen, and the markers stay distinct in grey print.
+// Okabe, Ito 2008). None is grey, the colour of what was measured. Each colour has a variant for a dark screen, and the
+// markers stay distinct in grey print.
 #pragma once
 
 #include <cstddef>

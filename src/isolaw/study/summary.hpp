@@ -89,8 +89,9 @@ struct DeviceFit {
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
-  std::optional<double> lot_objective;       // objective with the parameters that fit the lot best on average
-  std::optional<double> worst_objective;     // objective with the parameters that fit the worst device best
+  std::optional<double> lot_objective;  // objective with the parameters that fit the lot best on average
+  // Objective with those parameters of the lot whose largest objective on any device is least.
+  std::optional<double> worst_objective;
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
   // Objective on the large swings of the test with parameters fitted to its small swings: the largest among equally
   // good fits, and the least. Infinite if a force is not finite; empty if the test does not tell.

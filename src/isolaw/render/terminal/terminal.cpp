@@ -410,7 +410,7 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach), margin, width);
   if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
-  // Only --details shows the other warnings.
+  // Warnings that do not concern the answer are shown only with --details.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
@@ -427,8 +427,7 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
         wrapped(told == 0 ? "Look at" : "",
                 counted(every.size() - told, told == 0 ? "warning" : "more warning") + ": --details", margin, width);
   // The command stays on one line so that it can be copied.
-  if (law != nullptr)
-    text += fmt::format("Next        {}\n", printable(export_command(summary, shown, campaign)));
+  if (law != nullptr) text += fmt::format("Next        {}\n", printable(export_command(summary, shown, campaign)));
   text += wrapped("Report", fmt::format("{}/report.html", directory), margin, width);
   return text;
 }
