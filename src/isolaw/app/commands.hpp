@@ -42,8 +42,8 @@ struct MergeArguments {
 };
 // Merges parts of a campaign. The result is the same as if one machine had computed the whole campaign.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// True if the parts, or the directory if there are no parts, hold a building study, which merge_buildings() merges. Throws
-// Error if the parts and the directory hold both a campaign and a building study.
+// True if the parts, or the directory if there are no parts, hold a building study, which merge_buildings() merges.
+// Throws Error if the parts and the directory hold both a campaign and a building study.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
