@@ -315,7 +315,7 @@ async function look_at_answer() {
     const range = document.createRange();
     range.selectNode(texts.currentNode);
     const box = range.getBoundingClientRect();
-    if (box.height > 0 && box.left >= 0 && box.bottom <= window.innerHeight && !texts.currentNode.parentNode.closest('svg, button, select, table, code, details:not([open]) > ul'))
+    if (box.height > 0 && box.left >= 0 && box.bottom <= window.innerHeight && !texts.currentNode.parentNode.closest('svg, button, select, table, code, .warnings'))
       words += texts.currentNode.textContent.split(/\s+/).filter((word) => /\w/.test(word)).length;
   }
   const name = (node) => node.querySelector('b').textContent;
@@ -346,8 +346,9 @@ async function look_at_answer() {
   if (device) {
     device.selectedIndex = device.options.length - 1;
     device.dispatchEvent(new Event('change'));
-    await wait(150);
   }
+  [...document.querySelectorAll('.tile')].at(-1)?.click();
+  await wait(150);
   const slider = document.getElementById('answer-time');
   const said = () => document.querySelector('#figure-answer-loop output').textContent;
   const before = said();
@@ -358,7 +359,7 @@ async function look_at_answer() {
   return {
     words, first,
     then: {
-      wanted: law.id, loop: loop(), moved: said() !== before,
+      wanted: law.id, id: JSON.parse(document.getElementById('isolaw-data').textContent).laws[drawn.querySelector('input').value].id, loop: loop(), moved: said() !== before,
       law: ['law', 'examined', 'lotLaw'].map(value).filter(Boolean),
       ticked: [...document.querySelectorAll('#loops input:checked')].map((box) => box.closest('label').textContent),
       devices: ['answer-device', 'device', 'predicted-device'].map(value).filter(Boolean),
@@ -375,7 +376,7 @@ async function look_at_answer() {
 function check_answer(name, { words, first, then, recommendation, warnings, examined, ofLot }, { width, devices }) {
   const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
   const packed = (text) => text.replace(/\s/g, '');
-  expect(width < 1000 || words <= 150, name, `${words} words on the first screen`);
+  expect(width < 1000 || words <= 140, name, `${words} words besides warnings and tables on the first screen`);
   expect(first.headline === packed(recommendation.headline), name, 'headline ' + first.headline);
   expect(first.explanation.startsWith(packed(recommendation.explanation)), name, 'explanation ' + first.explanation);
   expect(first.numbers === 3 || (first.numbers === 2 && recommendation.valid_mm === null), name, first.numbers + ' numbers');
@@ -388,17 +389,17 @@ function check_answer(name, { words, first, then, recommendation, warnings, exam
   const shows = [then.wanted, ...(examined.includes(then.wanted) || examined.length === 0 ? [then.wanted] : []), ...(ofLot.includes(then.wanted) ? [then.wanted] : [])];
   expect(then.law.length > 0 && then.law.filter((law) => law === then.wanted).length >= Math.min(shows.length, then.law.length), name, `sections show ${then.law}`);
   expect(same(then.ticked, [then.wanted]), name, 'loops of ' + then.ticked);
-  expect(new Set(then.devices).size <= 1 && (devices === 1 || then.devices.length > 1), name, 'devices ' + then.devices);
+  expect(new Set(then.devices).size <= 1 && (devices === 1 || then.devices.length > 0), name, 'devices ' + then.devices);
   expect(then.tiles.length === 0 || same(then.tiles, [then.devices[0]]), name, 'tile of ' + then.tiles);
   expect(then.moved, name, 'the slider moves nothing');
-  expect(then.address.includes('law=' + then.wanted), name, 'address ' + then.address);
+  expect(then.address.includes('law=' + then.id), name, 'address ' + then.address);
 }
 
 // A law that does not describe the devices must have its own mark, which must be the same in the plot and in the list.
 // This function runs in the page.
 async function look_at_inadequate() {
   const report = reportAsShown();
-  document.querySelector('#figure-front button[value=runs]').click();
+  document.querySelector('#figure-front button[value=runs]')?.click();
   document.getElementById('figure-front').scrollIntoView();
   await new Promise((done) => setTimeout(done, 200));
   const { data } = document.querySelector('#figure-front .plot');
@@ -628,7 +629,8 @@ async function look() {
   const before = titles();
   for (const details of document.querySelectorAll('details')) details.open = true;
   for (const select of document.querySelectorAll('select')) {
-    select.selectedIndex = select.options.length - 1;
+    const last = select.options.length - 1;
+    select.selectedIndex = select.selectedIndex === last ? 0 : last;
     select.dispatchEvent(new Event('change'));
   }
   for (const box of document.querySelectorAll('input[type=checkbox]')) box.click();
@@ -899,16 +901,17 @@ async function check(browser, directory, one) {
     mkdirSync(pictures, { recursive: true });
     await photograph(page, one, pictures);
   }
+  const { laws: identified = laws > 0 } = records || {}; // a page as the program wrote it has `laws` laws
+  if (identified) check_answer(name, await page.evaluate(`(${look_at_answer})()`), one);
   const seen = await page.evaluate(`(${look})()`);
   console.log(name, JSON.stringify({ firstScreen: Math.round(firstScreen), ...seen }));
 
   expect(page.errors.length === 0 && seen.errors === '', name, 'errors: ' + [...page.errors, seen.errors].join('; '));
   expect(page.requests.length === 0, name, 'requested ' + page.requests.join(', '));
-  const { laws: identified = laws > 0 } = records || {}; // a page as the program wrote it has `laws` laws
   // The inspection of a single device lacks the figures of the lot. A record with one block lacks the figure of its
   // history.
   const ofTests = identified ? 5 : 5 - (devices > 1 ? 0 : 2) - (one.state ? 1 : 0);
-  const expected = (identified ? (devices > 1 ? 12 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
+  const expected = (identified ? (devices > 24 ? 13 : devices > 1 ? 12 : 10) : 0) + ofTests + (one.analysed ? (devices > 1 ? 2 : 1) : 0);
   expect(
     seen.plots === expected && seen.drawn === expected,
     name,
@@ -928,7 +931,6 @@ async function check(browser, directory, one) {
 
   const megabytes = readFileSync(file).length / 1e6;
   expect(megabytes < 30, name, `${megabytes.toFixed(1)} MB`);
-  if (identified) check_answer(name, await page.evaluate(`(${look_at_answer})()`), one);
   if (identified) check_order(name, await page.evaluate(`(${look_at_order})()`), one);
   if (identified) check_energy(name, await page.evaluate(`(${look_at_energy})()`));
 

@@ -43,5 +43,8 @@ export function lawBoxes(among) {
   };
   const key = (law) => element('span', { class: isAgain(law) ? 'key again' : 'key', style: `border-color: var(--${colourOf(law)})` });
   const boxes = among.map((law) => element('label', {}, box(law), key(law), law.name));
+  onChoice(() => {
+    for (const input of boxes.map((label) => label.querySelector('input'))) input.checked = chosen.laws.has(Number(input.value));
+  });
   return element('fieldset', {}, element('legend', {}, 'Laws'), boxes);
 }

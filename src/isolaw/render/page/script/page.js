@@ -52,7 +52,7 @@ const alone = inspection && devices.length === 1;
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [
   { id: 'verdict', title: 'Verdict', figures: inspection ? [verdictFigure, alone ? assessmentsFigure : lotStripsFigure] : [] },
-  { id: 'decision', title: 'The decision', laws: true, figures: [answerFigure, answerLoopFigure, deviceLoopsFigure, devicePointsFigure, lawsFigure] },
+  { id: 'decision', title: 'The decision', short: 'Answer', laws: true, figures: [answerFigure, answerLoopFigure, deviceLoopsFigure, devicePointsFigure, lawsFigure] },
   {
     id: 'front', title: VIEWS.length > 0 ? 'Accuracy against robustness' : 'Ranking', short: VIEWS.length > 0 ? 'Front' : 'Ranking', laws: true,
     figures: [frontFigure, verdictsFigure, rankingFigure, convergedFigure],
@@ -63,7 +63,7 @@ const SECTIONS = [
     id: 'parameters', title: 'Parameters', laws: true, controls: () => (chosen.law === null ? [] : [lawChooser('law', ranking)]),
     figures: [parameterPanelsFigure, convergenceFigure, parameterTablesFigure],
   },
-  { id: 'determination', title: 'What the tests determine', laws: true, figures: [determinedFigure, profileFigure, tradeOffsFigure] },
+  { id: 'determination', title: 'What the tests determine', short: 'Determined', laws: true, figures: [determinedFigure, profileFigure, tradeOffsFigure] },
   {
     id: 'one-law', title: 'One law for the lot', short: 'One law', laws: true,
     figures: [lotLawsFigure, lotDevicesFigure, lotParametersFigure, lotCorrelationFigure, lotOutliersFigure],

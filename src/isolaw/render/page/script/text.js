@@ -65,9 +65,8 @@ export const withUnit = (value, unit, digits = 4) =>
 
 export const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
 
-// An error that is a share of the force, as percent with two digits.
-export const errorText = (error) =>
-  !isNumber(error) ? DASH : error < 10 ? percentText(Number(error.toPrecision(2))) : '> 1000' + THIN + '%';
+// An error that is a share of the force, as percent.
+export const errorText = (error) => (!isNumber(error) ? DASH : (error < 10 ? fixed(100 * error, 1) : '> 1000') + THIN + '%');
 
 export const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 

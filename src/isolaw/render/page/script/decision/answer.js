@@ -12,6 +12,7 @@ const told = (findings, between = ' ') => sentence(findings.map((one) => one.sen
 function answer() {
   const { law, headline, explanation, sure, reasons, weak, reach, surer } = recommendation;
   // The next best law stands in the table of laws, so of the reasons for a law only a better one ruled out is told.
+  const beyond = reach.filter(({ kind }) => kind !== 'law-shown-up-to'); // the number above shows that one
   const why = law ? reasons.filter(({ kind }) => kind === 'why-better-refused') : reasons;
   const numbers = numbersOfAnswer().map(([value, what]) => element('div', {}, element('b', {}, value), element('span', {}, what)));
   return element(
@@ -23,7 +24,7 @@ function answer() {
     law && weak.length > 0 ? element('p', { class: 'box doubts' }, element('b', {}, 'Low confidence'), ' ' + told(weak, '; ') + '.') : null,
     law ? next() : null,
     surer.length > 0 ? element('p', { class: 'box' }, element('b', {}, law ? 'To be surer' : 'Next'), ' ' + told(surer, '; ') + '.') : null,
-    reach.length > 0 ? element('p', { class: 'why' }, told(reach)) : null,
+    beyond.length > 0 ? element('p', { class: 'why' }, told(beyond)) : null,
     warnings(),
   );
 }

@@ -6,9 +6,8 @@ import { record } from '../loops/fits.js';
 import { colourOf, paddedRange } from '../plotting.js';
 import { curve, drawable, headingOf, headingText, laws, report } from '../report.js';
 import { THIN, isNumber, plain, signed } from '../text.js';
-import { cyclesShown } from './loop.js';
+import { MOST_LOOPS, cyclesShown } from './loop.js';
 
-const MOST_LOOPS = 24; // a larger lot is drawn as points
 const several = drawable.length > 1;
 
 // The devices of a lot as small loops. A press on one chooses it everywhere.
@@ -33,7 +32,8 @@ export const devicePointsFigure = {
 };
 
 const apartOf = ({ name }) => report.outliers.filter((one) => one.device === name);
-const apartText = (device) => apartOf(device).map(({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%').join(', ');
+const apartText = (device, most = Infinity) =>
+  apartOf(device).slice(0, most).map(({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%').join(', ');
 
 const WIDE = 110,
   HIGH = 60;
@@ -60,7 +60,7 @@ function loopStrip() {
   const limits = { x: most('x'), F: most('F') };
   const colour = laws[chosen.law] ? 'var(--' + colourOf(laws[chosen.law]) + ')' : '';
   const tiles = loops.map(({ device, x, F, force }) => {
-    const apart = apartText(device);
+    const apart = apartText(device, 1);
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     svg.setAttribute('viewBox', `0 0 ${WIDE} ${HIGH}`);
     svg.setAttribute('aria-hidden', 'true');

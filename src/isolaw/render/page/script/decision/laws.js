@@ -1,6 +1,6 @@
 import { chosen, onChoice } from '../choice.js';
 import { chooseLaw } from '../choosers.js';
-import { element, strong } from '../dom.js';
+import { element, onScreen, strong } from '../dom.js';
 import { colourOf } from '../plotting.js';
 import { standings } from '../recommendation.js';
 import { tableOf } from '../tables.js';
@@ -9,13 +9,13 @@ import { DASH, errorText, isNumber, sentence } from '../text.js';
 export const lawsFigure = {
   id: 'laws',
   title: 'The laws compared',
-  caption: () => CAPTION + (columns().some(({ key }) => key === 'new_device') ? NEW_DEVICE : ''),
+  caption: () => onScreen(HOW) + CAPTION + (columns().some(({ key }) => key === 'new_device') ? NEW_DEVICE : ''),
   csv: lawsData,
   build: lawsTable,
 };
 
-const CAPTION =
-  'Choose a law to see its loop above and its results in every section. Errors of the force are mean magnitudes, as shares of the measured force\u2019s standard deviation.';
+const HOW = 'Choose a law to see its loop above and its results in every section. ';
+const CAPTION = 'An error is the mean misfit of the force, as a share of the measured force\u2019s standard deviation.';
 const NEW_DEVICE = ' Another device: one set of parameters, fitted to all other devices.';
 const PLACES = { taken: 'taken', ties: 'as good', behind: '', 'ruled out': 'ruled out' };
 
@@ -24,7 +24,7 @@ const PLACES = { taken: 'taken', ties: 'as good', behind: '', 'ruled out': 'rule
 const ERRORS = [
   { key: 'fits', title: 'Fits', of: ({ fits }) => fits },
   { key: 'new_device', title: 'Another device', of: ({ law }) => law.loo_objective },
-  { key: 'worst', title: 'at worst', of: ({ law }) => law.loo_worst, plain: true },
+  { key: 'worst', title: 'At worst', of: ({ law }) => law.loo_worst, plain: true },
   { key: 'blocks', title: 'Predicts blocks left out', of: ({ law }) => law.predicted_objective },
   { key: 'larger', title: 'Predicts larger swings', of: ({ law, predicts }) => (isNumber(law.predicted_objective) ? null : predicts) },
 ];
@@ -66,7 +66,7 @@ function lawsTable() {
       { title: 'Law', pinned: true, tight: true, cell: lawCell, by: ({ law }) => law.name },
       ...columns().map((column) => ({ title: column.title, number: true, cell: errorCell(column), by: column.of })),
       { title: 'Parameters', number: true, cell: ({ parameters }) => (parameters > 0 ? String(parameters) : DASH) },
-      { title: '', cell: (standing) => element('td', { class: 'note text' }, remark(standing)) },
+      { title: 'Remark', cell: (standing) => element('td', { class: 'note text' }, remark(standing)) },
     ],
     standings,
     'The laws compared',

@@ -8,20 +8,21 @@ import { rawTime } from '../raw.js';
 import { curve, devices, drawable, laws } from '../report.js';
 import { THIN, errorText, fixed, plain, significant } from '../text.js';
 
+const THIRD = 3;
+export const MOST_LOOPS = 24; // a lot of more devices is shown as points, not as small loops
+
 export const answerLoopFigure = {
   id: 'answer-loop',
   title: '',
   width: 'wide',
   depends: ['device', 'law'],
   wanted: () => chosen.device !== null,
-  controls: drawable.length > 1 ? () => [deviceChooser('answer-device', drawable, 'device')] : null,
+  controls: drawable.length > MOST_LOOPS ? () => [deviceChooser('answer-device', drawable, 'device')] : null,
   caption: loopCaption,
   height: (width) => (width < 480 ? 320 : 440),
   draw: drawLoop,
   below: timeSlider,
 };
-
-const THIRD = 3;
 
 // The parts of the record that are drawn in full: the third cycle of each block, or the last one if a block has fewer.
 // Null if the record has no cycles; then all of it is drawn in full.
@@ -51,8 +52,8 @@ function loopCaption() {
   const { device, law, fit, force, parts } = shown();
   const misfit = fit?.objective.best;
   return (
-    device.name + (parts ? ': the third cycle of each block in black, the other cycles in grey' : ': the whole record in black') +
-    (force ? '; ' + law.name + ' in colour, fitted to this device' + (device.scored ? ', dashed where it was not fitted' : '') + ' (misfit ' + errorText(misfit) + ').' : '.') +
+    device.name + (parts ? ', third cycles; other cycles grey.' : ', whole record.') +
+    (force ? ' The law was fitted to this device: misfit ' + errorText(misfit) + '.' + (device.scored ? ' Dashed: not fitted.' : '') : '') +
     (law && !force ? ' ' + law.name + ' has no fit' + (fit?.message ? ': ' + fit.message : '') + '.' : '')
   );
 }
@@ -114,7 +115,7 @@ function dots(t, x, F, force) {
 
 function timeSlider() {
   const output = element('output', { for: 'answer-time' });
-  const slider = element('input', { type: 'range', id: 'answer-time', min: 0, max: 1000, value: place, 'aria-label': 'Time along the test' });
+  const slider = element('input', { type: 'range', id: 'answer-time', min: 0, max: 1000, value: place });
   const say = () => {
     const { device, law, t, x, F, force } = shown(),
       i = sampleAt(t);
@@ -132,5 +133,5 @@ function timeSlider() {
   };
   onChoice(say);
   say();
-  return [element('div', { class: 'time screen' }, slider, output)];
+  return [element('div', { class: 'time screen' }, element('label', {}, 'Time', slider), output)];
 }
