@@ -214,8 +214,8 @@ TEST(SummaryJson, ExactText) {
   EXPECT_EQ(said["warnings"][1]["kind"], "at-bound");
   EXPECT_EQ(said["warnings"][1]["devices"], Json::array({"D\"1"}));
   EXPECT_EQ(keys(said["recommendation"]),
-            (std::vector<std::string>{"law", "answer", "sure", "reasons", "weak", "surer", "reach", "valid_mm",
-                                      "programs", "spread", "standings"}));
+            (std::vector<std::string>{"law", "headline", "explanation", "answer", "sure", "reasons", "weak", "surer",
+                                      "reach", "valid_mm", "programs", "export_command", "spread", "standings"}));
   EXPECT_EQ(keys(said["recommendation"]["standings"][0]),
             (std::vector<std::string>{"law", "place", "error", "fits", "new_device", "predicts", "parameters", "reason",
                                       "reason_kind", "weak"}));

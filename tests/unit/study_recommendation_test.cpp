@@ -112,9 +112,11 @@ TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
   EXPECT_NEAR(*standing_of(summary, advice, "A").error, 0.100, 1e-12);
   EXPECT_NEAR(*standing_of(summary, advice, "B").error, 0.080, 1e-12);
   EXPECT_NEAR(*standing_of(summary, advice, "C").error, 0.0815, 1e-12);
-  EXPECT_EQ(text_of(advice.answer),
-            "Take C: it gives back what it was fitted to within 7.2 %, and larger swings that it was not fitted to "
+  EXPECT_EQ(wording::paragraph(advice.answer),
+            "Take C. It gives back what it was fitted to within 7.2 %, and larger swings that it was not fitted to "
             "within 9.1 %. B is as good.");
+  EXPECT_EQ(export_command(summary, advice, "out/lot"),
+            "isolaw export out/lot --law C --device D0 --to opensees-cpp");
   EXPECT_TRUE(contains(advice.why, "The next best, A, has a mean error of 10 %")) << advice.why;
 
   summary.laws[2].larger_swings_objective = 0.1042;  // a mean error of 0.0881, more than 1.10 times that of B
@@ -137,7 +139,7 @@ TEST(Recommendation, AnswersForADeviceNobodyTested) {
   auto const lot = summary_of(laws);
   EXPECT_EQ(law_of(lot, *recommendation(lot)), "sound");
   EXPECT_NEAR(*recommendation(lot)->standings.front().error, 0.061, 1e-12);
-  EXPECT_TRUE(contains(recommendation(lot)->answer, "it gives back a device that it was not fitted to within 6.1 %."));
+  EXPECT_TRUE(contains(recommendation(lot)->answer, "It gives back a device that it was not fitted to within 6.1 %."));
   EXPECT_TRUE(contains(recommendation(lot)->answer, "Nothing shows how it goes on to a larger amplitude."));
   auto two = laws;
   for (auto& law : two) law.errors.resize(2), law.left_out.resize(2);
@@ -254,7 +256,7 @@ TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const advice = *recommendation(summary);
   EXPECT_EQ(law_of(summary, advice), "only");
   EXPECT_EQ(advice.sure, Sure::weak) << advice.why;
-  EXPECT_TRUE(contains(advice.answer, "Take only, with care: ")) << text_of(advice.answer);
+  EXPECT_TRUE(contains(advice.answer, "Take only, with care. ")) << text_of(advice.answer);
   EXPECT_TRUE(contains(advice.weak(), "no other law was identified to compare it with"));
   EXPECT_TRUE(contains(advice.surer, "other laws to compare it with (--laws)")) << advice.surer;
 }
