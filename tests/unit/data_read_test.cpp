@@ -306,7 +306,7 @@ TEST_F(Read, WarnsOfStagesOfSeveralAmplitudes) {
   Ellipse const loop;
   for (double const scale : {0.5, 1.0})
     for (int i = 0; i < loop.size(); ++i) text += fmt::format("{};{}\n", scale * loop.disp(i), scale * loop.force(i));
-  EXPECT_TRUE(says(read(text).warnings, "cycles of several amplitudes, 50 to 100 mm"));
+  EXPECT_TRUE(says(read(text).warnings, "cycles of several amplitudes, the smallest 50 mm and the largest 100 mm"));
 }
 
 TEST_F(Read, WarnsOfAUnitThatContradictsTheFile) {

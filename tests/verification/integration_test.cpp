@@ -146,7 +146,7 @@ void report(char const* records, laws::LawEntry const& law, Shift const& shift) 
 std::vector<data::FitRecord> example_records() {
   auto folder = (std::filesystem::temp_directory_path() / "isolaw-integration-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return {};
-  app::write_example_lot(folder);
+  app::write_example(folder, app::example_lot());
   std::vector<std::filesystem::path> files;
   for (auto const& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().filename().string().starts_with("device-")) files.push_back(entry.path());

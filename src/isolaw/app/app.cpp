@@ -425,14 +425,13 @@ void add_reference(Commands& commands) {
 }
 
 void add_example(Commands& commands) {
-  struct Arguments {
-    std::filesystem::path directory;
-    bool building = false;
-  };
   auto const [c, a] =
-      commands.add<Arguments>("example", "Write the built-in example lot, or an example building", "isolaw example lot",
-                              [](auto const& arguments) { return example(arguments.directory, arguments.building); });
+      commands.add<ExampleArguments>("example", "Write the built-in example lot, example tests, or an example building",
+                                     "isolaw example lot", example);
   c.add_option("directory", a.directory, "directory to write to")->required();
+  c.add_flag(
+      "--tests", a.tests,
+      "write another lot instead: tests of three amplitudes, with scragging, a soft bearing and a faulty channel");
   c.add_flag("--building", a.building, "write a building file and motions instead of the lot");
 }
 

@@ -103,14 +103,17 @@ int list_laws(std::string const& id, bool json, bool markdown) {
   return exit_done;
 }
 
-int example(std::filesystem::path const& directory, bool with_building) {
-  if (with_building) {
+int example(ExampleArguments const& arguments) {
+  auto const& directory = arguments.directory;
+  if (arguments.building && arguments.tests)
+    throw Error({.where = "--building", .found = "is given with --tests", .allowed = "one of them"});
+  if (arguments.building) {
     write_example_building(directory);
     fmt::print("written: {0}\nnext: isolaw building {1} --from CAMPAIGN\n", shown(directory),
                shown(directory / "building.toml"));
     return exit_done;
   }
-  write_example_lot(directory);
+  write_example(directory, arguments.tests ? example_tests() : example_lot());
   fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", shown(directory), shown(directory / "lot.toml"));
   return exit_done;
 }

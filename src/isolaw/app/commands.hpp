@@ -141,6 +141,10 @@ int list_laws(std::string const& id, bool json, bool markdown);
 // Prints options as keyword parameters for Python: those that `which` names, singly or by the name of their table,
 // except those in `but`.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
-int example(std::filesystem::path const& directory, bool with_building);
+struct ExampleArguments {
+  std::filesystem::path directory;
+  bool building = false, tests = false;
+};
+int example(ExampleArguments const& arguments);
 
 }  // namespace isolaw::app

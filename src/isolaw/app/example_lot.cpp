@@ -195,14 +195,14 @@ std::vector<TextFile> example_lot() {
   return files;
 }
 
-void write_example_lot(std::filesystem::path const& directory) {
+void write_example(std::filesystem::path const& directory, std::vector<TextFile> const& files) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error)
     throw Error({.where = directory.string(),
                  .found = "cannot make the directory: " + error.message(),
                  .advice = "another directory"});
-  for (auto const& file : example_lot()) {
+  for (auto const& file : files) {
     auto const path = directory / file.name;
     if (std::ifstream present(path, std::ios::binary); present) {
       std::ostringstream content;

@@ -360,7 +360,7 @@ std::span<Row const> rows() {
           "the first sample is at {disp_mm:4} mm, {percent:2} % of the half range of {half_range_mm:4} mm; laws start at rest at zero."),
       doubt(
           several_amplitudes, "several-amplitudes", caution, one_sentence,
-          "cycles of several amplitudes, {least_mm:4} to {largest_mm:4} mm: stiffness, energy and damping are from <cycle {cycle} of block {block} at {amplitude_mm:4} mm>."),
+          "cycles of several amplitudes, the smallest {least_mm:3} mm and the largest {largest_mm:3} mm: stiffness, energy and damping are from <cycle {cycle} of block {block} at {amplitude_mm:3} mm>."),
       doubt(
           damping_undefined, "damping-undefined", caution, one_sentence,
           "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is stiffness."),

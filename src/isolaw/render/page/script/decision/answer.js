@@ -59,7 +59,7 @@ function warnings() {
   const first = report.findings.answer_warnings.slice(0, MOST_WARNINGS).map((place) => all[place]);
   const rest = all.filter((warning) => !first.includes(warning));
   const item = ({ sentence: text, action }) =>
-    element('li', {}, sentence(text), ...(action ? [' ', element('span', { class: 'do' }, action + '.')] : []));
+    element('li', { tabindex: '0' }, element('div', {}, sentence(text), ...(action ? [' ', element('span', { class: 'do' }, action + '.')] : [])));
   if (all.length === 0)
     return element('p', { class: 'calm' }, 'Nothing stands out: no device was refused, no run failed, no parameter lies at its bound.');
   const more = count(rest.length, first.length > 0 ? 'more warning' : 'warning');

@@ -4,7 +4,7 @@ import { reportedCycle } from '../cycles.js';
 import { button, element } from '../dom.js';
 import { record } from '../loops/fits.js';
 import { colourOf, paddedRange } from '../plotting.js';
-import { curve, drawable, headingOf, headingText, laws, report } from '../report.js';
+import { curve, devices, drawable, headingOf, headingText, laws, report } from '../report.js';
 import { THIN, isNumber, plain, signed } from '../text.js';
 import { MOST_LOOPS, cyclesShown } from './loop.js';
 
@@ -32,8 +32,11 @@ export const devicePointsFigure = {
 };
 
 const apartOf = ({ name }) => report.outliers.filter((one) => one.device === name);
-const apartText = (device, most = Infinity) =>
-  apartOf(device).slice(0, most).map(({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%').join(', ');
+const apartText = (device) => apartOf(device).map(said).join(', ');
+const said = ({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%';
+
+// A tile has room for one reason: a property of the device, or else the misfit of a law.
+const oneReason = (device) => apartOf(device).sort((a, b) => (a.unit === '-') - (b.unit === '-')).slice(0, 1).map(said).join('');
 
 const WIDE = 110,
   HIGH = 60;
@@ -60,7 +63,7 @@ function loopStrip() {
   const limits = { x: most('x'), F: most('F') };
   const colour = laws[chosen.law] ? 'var(--' + colourOf(laws[chosen.law]) + ')' : '';
   const tiles = loops.map(({ device, x, F, force }) => {
-    const apart = apartText(device, 1);
+    const apart = oneReason(device);
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     svg.setAttribute('viewBox', `0 0 ${WIDE} ${HIGH}`);
     svg.setAttribute('aria-hidden', 'true');
@@ -80,7 +83,10 @@ function loopStrip() {
   };
   onChoice(follow);
   follow();
-  return element('div', { class: 'tiles', role: 'group', 'aria-label': 'Device' }, ...tiles);
+  const refused = devices
+    .filter((device) => !drawable.includes(device))
+    .map((device) => element('div', { class: 'tile refused' }, element('span', {}, device.name), element('small', {}, 'refused')));
+  return element('div', { class: 'tiles', role: 'group', 'aria-label': 'Device' }, ...tiles, ...refused);
 }
 
 const pointsOf = () =>

@@ -1,0 +1,11 @@
+# CTest reads this file after all tests are known. Tests that a build lacks are passed over.
+foreach(test IN ITEMS
+        bench.choice bench.measured_building bench.campaigns bench.building
+        cli.InOpenSees.exports_of_the_measured_bearing cli.InOpenSees.exports_of_the_example_lot
+        regression.aarch64
+        cli.Agreement.simulate_header_and_table_of_every_law_agree_at_every_step
+        unit_programs.InTime.elements_give_the_force_of_the_replay
+        verification.ConvergedIntegration.HoldsOnTheExampleLot
+        cli.slurm python.interrupt python.campaign)
+  set_tests_properties(${test} PROPERTIES COST 400)
+endforeach()
