@@ -19,7 +19,7 @@ LOT = HERE.parent / "published-lot"
 
 
 def fitted(laws, runs, generations, show):
-    """The campaign of examples/published-lot/lot.toml. The lot is rebuilt from printed parameters, not measured."""
+    """The campaign of examples/published-lot/study.toml. The lot is rebuilt from printed parameters, not measured."""
     files = sorted(LOT.glob("device-*"))
     records = [isolaw.read_record(file, name=f"D{file.stem[-2:]}") for file in files]
     return isolaw.calibrate(

@@ -265,7 +265,7 @@ try {
   execFileSync(isolaw, ['example', 'ex'], quiet);
   execFileSync(
     isolaw,
-    ['calibrate', 'ex/lot.toml', '--method', 'ga', '--runs', '3', '--population', '20', '--generations', '12', '--analysis', 'none', '--out', 'campaign'],
+    ['calibrate', 'ex/study.toml', '--method', 'ga', '--runs', '3', '--population', '20', '--generations', '12', '--analysis', 'none', '--out', 'campaign'],
     { ...quiet, stdio: 'ignore' },
   );
   await check(browser, 'campaign', join(directory, 'campaign'));

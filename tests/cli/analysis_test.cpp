@@ -295,7 +295,7 @@ TEST_F(Analysis, devices_are_drawn_from_the_lots_population) {
 // must not count this as scatter between devices.
 TEST_F(Analysis, of_a_parameter_that_does_not_act_gives_it_no_scatter) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
-  auto const o = isolaw({"calibrate", "ex/lot.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
+  auto const o = isolaw({"calibrate", "ex/study.toml", "--laws", "vaiana", "--runs", "1", "--analysis", "full",
                          "--replicates", "0", "--out", "O"});
   ASSERT_EQ(o.code, 0) << o;
   auto const law = json("O/summary.json")["laws"][0];

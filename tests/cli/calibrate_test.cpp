@@ -20,7 +20,7 @@ class Calibrate : public InFreshDirectory {
     InFreshDirectory::SetUp();
     ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   }
-  Outcome calibrate(std::string const& out, Words const& more = {}, std::string const& lot = "ex/lot.toml") {
+  Outcome calibrate(std::string const& out, Words const& more = {}, std::string const& lot = "ex/study.toml") {
     return isolaw(Words{"calibrate", lot} + reduced + Words{"--out", out} + more);
   }
 };
@@ -95,7 +95,7 @@ TEST_F(Calibrate, leaves_every_file_of_a_campaign) {
   auto const run = json("O/run.json");
   for (auto const* key : {"isolaw", "command", "directory", "started", "total_seconds", "threads", "host"})
     EXPECT_TRUE(run.contains(key)) << key;
-  EXPECT_TRUE(contains(run["command"].get<std::string>(), "calibrate ex/lot.toml --runs 2"));
+  EXPECT_TRUE(contains(run["command"].get<std::string>(), "calibrate ex/study.toml --runs 2"));
   // A progress line would contain carriage returns. calibrate prints none here, because standard error is not a
   // terminal.
   EXPECT_EQ(o.err.find('\r'), std::string::npos);
@@ -315,7 +315,7 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
 // for other records and parameter sets, other load of the machine, and blocks of parameter sets that are not full.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
-                      "ex/lot.toml",
+                      "ex/study.toml",
                       "--laws",
                       "bouc-wen",
                       "--population",
@@ -391,7 +391,7 @@ TEST_F(Calibrate, refusals_in_the_summary_do_not_depend_on_where_the_command_was
 }
 
 TEST_F(Calibrate, order_of_the_devices_changes_no_devices_result) {
-  auto const lot = read("ex/lot.toml");
+  auto const lot = read("ex/study.toml");
   std::vector<std::string> parts;
   std::size_t const first = lot.find("[[device]]");
   for (auto at = first; at != std::string::npos;) {
@@ -445,7 +445,7 @@ TEST_F(Calibrate, a_law_alone_gives_the_same_rows_as_among_all) {
 
 TEST_F(Calibrate, more_runs_keep_the_first_ones) {
   ASSERT_EQ(calibrate("O", {"--laws", "bilinear"}).code, 0);
-  ASSERT_EQ(isolaw({"calibrate", "ex/lot.toml", "--runs", "3", "--population", "20", "--generations", "5", "--laws",
+  ASSERT_EQ(isolaw({"calibrate", "ex/study.toml", "--runs", "3", "--population", "20", "--generations", "5", "--laws",
                     "bilinear", "--out", "P"})
                 .code,
             0);
@@ -497,7 +497,7 @@ TEST_F(Calibrate, store_holds_raw_and_cleaned_records_and_the_objectives_history
 }
 
 TEST_F(Calibrate, without_out_writes_below_out) {
-  ASSERT_EQ(isolaw(Words{"calibrate", "ex/lot.toml", "--laws", "bilinear"} + reduced).code, 0);
+  ASSERT_EQ(isolaw(Words{"calibrate", "ex/study.toml", "--laws", "bilinear"} + reduced).code, 0);
   EXPECT_TRUE(exists("out/ex/summary.json"));
   write("one.csv", csv(record()));
   ASSERT_EQ(isolaw(Words{"calibrate", "one.csv", "--laws", "bilinear"} + reduced).code, 0);

@@ -37,7 +37,7 @@ class InstructionSets : public InFreshDirectory {
   // Runs a campaign. Returns summary.json and all rows of the store except the one that names the instruction set.
   std::pair<Words, std::string> campaign(std::string const& set, std::string const& jobs) {
     auto const out = set + "-" + jobs;
-    auto const o = start({"calibrate", "ex/lot.toml", "--runs", "2", "--population", "42", "--generations", "6",
+    auto const o = start({"calibrate", "ex/study.toml", "--runs", "2", "--population", "42", "--generations", "6",
                           "--jobs", jobs, "--out", out},
                          with(set))
                        .wait();
@@ -88,7 +88,7 @@ TEST_F(InstructionSets, the_fastest_is_chosen_where_none_is_asked_for) {
 TEST_F(InstructionSets, unknown_names_are_refused_with_the_allowed_ones_before_anything_is_written) {
   ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   for (auto const* name : {"nonsense", "AVX2", "avx2 ", "avx1024"})
-    for (Words const& command : {Words{"bench"}, Words{"bench", "--json"}, Words{"calibrate", "ex/lot.toml"}}) {
+    for (Words const& command : {Words{"bench"}, Words{"bench", "--json"}, Words{"calibrate", "ex/study.toml"}}) {
       auto const o = start(command, with(name)).wait();
       Words const message{"isolaw: ISOLAW_SIMD: '" + std::string(name) + "', which is no instruction set",
                           "allowed: scalar, ", "try: leave it unset"};

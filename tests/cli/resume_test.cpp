@@ -16,7 +16,7 @@ class Resume : public InFreshDirectory {
     ASSERT_EQ(isolaw({"example", "ex"}).code, 0);
   }
   Words campaign(std::string const& out, Words const& more = {}) const {
-    return Words{"calibrate", "ex/lot.toml",   "--laws", "abe",        "--runs", "4",     "--population",
+    return Words{"calibrate", "ex/study.toml", "--laws", "abe",        "--runs", "4",     "--population",
                  "40",        "--generations", "20",     "--analysis", "none",   "--out", out} +
            more;
   }
@@ -38,7 +38,7 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
   auto const o = stopped(campaign("O", {"--jobs", "2"}), "O", SIGINT);
   expect_message(o, 1,
                  {"interrupted", "finished runs are kept in O/campaign.sqlite",
-                  "to continue: ", "calibrate ex/lot.toml --laws abe --runs 4"});
+                  "to continue: ", "calibrate ex/study.toml --laws abe --runs 4"});
   EXPECT_EQ(o.out, "");
   EXPECT_FALSE(exists("O/summary.json"));
   EXPECT_FALSE(exists("O/report.html"));
@@ -60,7 +60,7 @@ TEST_F(Resume, interrupted_campaign_keeps_its_runs_continues_and_ends_as_if_neve
 TEST_F(Resume, of_the_default_search_and_its_analyses_ends_as_if_never_stopped) {
   auto const campaign = [](std::string const& out) {
     return Words{"calibrate",
-                 "ex/lot.toml",
+                 "ex/study.toml",
                  "--laws",
                  "bilinear,hwang-wu",
                  "--method",
@@ -113,7 +113,7 @@ TEST_F(Resume, a_closed_terminal_stops_like_ctrl_c) {
 // nohup makes a program ignore the signal SIGHUP of a closed terminal. isolaw must not catch the signal then.
 TEST_F(Resume, a_closed_terminal_is_ignored_where_it_is_to_be) {
   Process process(Words{"sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", ISOLAW_BINARY} +
-                      Words{"calibrate", "ex/lot.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
+                      Words{"calibrate", "ex/study.toml", "--laws", "abe", "--runs", "2", "--samples-per-cycle", "40",
                             "--analysis", "none", "--out", "O"},
                   directory(), path("out"), path("err"));
   Outcome result;
@@ -149,7 +149,7 @@ TEST_F(Resume, the_command_to_continue_with_does_not_start_over) {
 }
 
 TEST_F(Resume, starting_over_leaves_no_results_of_the_former_campaign_beside_the_new_store) {
-  ASSERT_EQ(isolaw({"calibrate", "ex/lot.toml", "--laws", "bilinear", "--runs", "1", "--population", "4",
+  ASSERT_EQ(isolaw({"calibrate", "ex/study.toml", "--laws", "bilinear", "--runs", "1", "--population", "4",
                     "--generations", "1", "--out", "O"})
                 .code,
             0);

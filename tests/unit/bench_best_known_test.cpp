@@ -209,7 +209,7 @@ TEST(BestKnown, IsLoweredAndNeverRaised) {
 // The key of a search is a hash of all that decides its best objective, such as record, law and box. This build must
 // compute the keys in best_known.toml, and the parameters in that file must give its objectives.
 TEST(BestKnown, HoldsEverySearchOfTheExampleLot) {
-  auto const lot = campaign::read_lot_file(ISOLAW_SOURCE_DIR "/examples/published-lot/lot.toml");
+  auto const lot = campaign::read_lot_file(ISOLAW_SOURCE_DIR "/examples/published-lot/study.toml");
   auto const contents = campaign::prepare(lot);
   ASSERT_EQ(contents.searches.size(), 70U);
   auto const all = load_best_known(ISOLAW_SOURCE_DIR "/bench/best_known.toml");
