@@ -809,6 +809,8 @@ async function check_certificate(page, name, pictures, state) {
     return {
       sections: [...document.querySelectorAll('#report > section')].filter(shown).map((section) => section.id),
       devices: document.querySelectorAll('#figure-certificate-devices tbody tr').length,
+      limits: [...document.querySelectorAll('#figure-certificate-limits tbody tr')].map((row) => row.cells[0].textContent + ': ' + row.querySelector('.verdict').textContent),
+      requirements: report.result.requirements.map(({ name, verdict }) => asSet(name) + ': ' + verdict),
       blanks: [...document.querySelectorAll('#certificate .blank')].filter(shown).length,
       masthead: shown(document.querySelector('.masthead')),
       names: report.devices.length,
@@ -820,13 +822,14 @@ async function check_certificate(page, name, pictures, state) {
       signers: [...document.querySelectorAll('#certificate .signer')].filter(shown).length,
       height: document.querySelector('#figure-certificate-signature').getBoundingClientRect().bottom - document.getElementById('certificate').getBoundingClientRect().top,
       misfits: /misfit/.test(document.getElementById('certificate').textContent),
-      alone: [...document.querySelectorAll('#certificate .verdict')].filter((badge) => badge.textContent === 'pass').length,
+      alone: [...document.querySelectorAll('#certificate figure:not(#figure-certificate-limits) .verdict')].filter((badge) => badge.textContent === 'pass').length,
       open: report.devices.flatMap((device) => device.assessments).some(({ verdict, limit }) => limit && verdict === 'not assessed'),
       failsWithTheLot: judged.some(({ verdict }) => verdict === 'fail') === (document.querySelector('#figure-certificate-head .verdict')?.textContent === 'FAIL'),
     };
   })()`);
   expect(JSON.stringify(seen.sections) === '["certificate"]', name, 'printed with the certificate: ' + seen.sections);
   expect(seen.devices === seen.names, name, `${seen.devices} devices on the certificate`);
+  expect(JSON.stringify(seen.limits) === JSON.stringify(seen.requirements), name, 'requirements on the certificate: ' + seen.limits);
   const signed = seen.mark ? 0 : seen.word === 'PASS' ? 9 : 6;
   expect(seen.mark === seen.wanted, name, `the certificate is marked ${seen.mark}, not ${seen.wanted}`);
   expect(seen.blanks >= 3 + signed && seen.blanks <= 5 + signed && !seen.masthead, name, `${seen.blanks} lines to fill in`);

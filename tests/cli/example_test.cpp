@@ -32,7 +32,7 @@ TEST_F(Example, writes_lot_readme_and_ten_records_and_says_what_is_next) {
   EXPECT_EQ(written_.err, "");
   std::size_t files = 0;
   for ([[maybe_unused]] auto const& entry : fs::directory_iterator(path("ex"))) ++files;
-  EXPECT_EQ(files, 12u);
+  EXPECT_EQ(files, 13u);
   for (auto const* name : records) EXPECT_GT(fs::file_size(path(fs::path("ex") / name)), 10'000u) << name;
   EXPECT_TRUE(contains(read("ex/README.md"), "not measurements"));
   EXPECT_TRUE(contains(read("ex/README.md"), "proves nothing"));
@@ -44,6 +44,28 @@ TEST_F(Example, second_call_leaves_everything_as_it_is) {
   auto const again = isolaw({"example", "ex"});
   EXPECT_EQ(again.code, 0) << again;
   EXPECT_EQ(read("ex/device-01.csv"), before);
+}
+
+// The example tests hold what laboratories meet: a bearing outside its limit, and a record that must not be used. The
+// laws are fitted to two amplitudes and predict the third.
+TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_predict) {
+  auto const made = isolaw({"example", "t", "--tests"});
+  ASSERT_EQ(made.code, 0) << made;
+  EXPECT_TRUE(contains(made.out, "isolaw calibrate t/lot.toml"));
+  EXPECT_TRUE(contains(read("t/README.md"), "computed, not measured"));
+  auto const o = isolaw({"calibrate", "t/lot.toml", "--laws", "bilinear,power-masing", "--runs", "1", "--analysis",
+                         "full", "--replicates", "0", "--figures", "none", "--out", "T"});
+  EXPECT_EQ(o.code, 1) << o;
+  auto const summary = json("T/summary.json");
+  for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"] == "ok", device["name"] != "B5") << device;
+  EXPECT_EQ(summary["recommendation"]["law"], "power-masing");
+  EXPECT_LT(summary["recommendation"]["standings"][0]["predicts"].get<double>(), 0.05);
+  EXPECT_TRUE(contains(o.out, "FAIL: NTC 2018: 1 of 5 devices fails: B4 K_eff")) << o;
+  EXPECT_TRUE(contains(o.err, "the force is clipped at 125 kN")) << o;
+}
+
+TEST_F(Example, tests_and_building_cannot_both_be_asked_for) {
+  expect_refused(isolaw({"example", "t", "--tests", "--building"}), {"--building", "is given with --tests"});
 }
 
 TEST_F(Example, does_not_overwrite_a_changed_file) {

@@ -337,6 +337,8 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
   if (count > 0) law.loo_objective = sum / static_cast<double>(count);
 }
 
+constexpr double least_misfit_percent = 10.0;  // above the median; the misfit of a device that is an outlier
+
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;
   std::vector<std::vector<double>> values;  // [property][device]; NaN for a device without the property
@@ -369,8 +371,8 @@ void add_outliers(Summary& summary) {
   }
   for (auto const& found : lot::find_outliers(names, values)) {
     auto const& unit = units[found.property];
-    // Only the misfits of laws have no unit. A device on which a misfit is unusually small is not reported.
-    if (unit.empty() && found.score < 0.0) continue;
+    // Only the misfits of laws have no unit. A misfit that is smaller than usual, or hardly larger, is not reported.
+    if (unit.empty() && found.percent < least_misfit_percent) continue;
     summary.outliers.push_back({.device = summary.devices[found.device].name,
                                 .property = names[found.property],
                                 .unit = unit,
@@ -380,6 +382,8 @@ void add_outliers(Summary& summary) {
                                 .score = found.score,
                                 .percent = found.percent});
   }
+  // A device's own properties come before the misfits of laws.
+  std::ranges::stable_partition(summary.outliers, [](auto const& outlier) { return outlier.law.empty(); });
 }
 
 }  // namespace

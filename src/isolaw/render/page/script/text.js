@@ -19,7 +19,9 @@ export function isNumber(value) {
 }
 
 export function fixed(value, decimals) {
-  return isNumber(value) ? typeset(value.toFixed(decimals)) : DASH;
+  if (!isNumber(value)) return DASH;
+  const text = value.toFixed(decimals);
+  return typeset(Number(text) === 0 ? text.replace('-', '') : text); // zero has no sign
 }
 
 export function signed(value, decimals) {

@@ -1,9 +1,8 @@
 import { counted, reportedBlock, reportedCycle } from '../cycles.js';
 import { element } from '../dom.js';
-import { lotQuantities } from '../lot.js';
 import { devices, report } from '../report.js';
-import { THIN, count, enumerate, isNumber, limitText, sentence, significant, spanText, trimmed } from '../text.js';
-import { WORDS, concerns, verdictBadge } from '../verdicts.js';
+import { THIN, count, enumerate, isNumber, sentence, significant, spanText, trimmed } from '../text.js';
+import { WORDS, verdictBadge } from '../verdicts.js';
 import { blank } from './blank.js';
 
 export const certificateHeadFigure = {
@@ -37,7 +36,6 @@ function certificateHead() {
     area ? 'area ' + area + THIN + 'mm\u00b2' : '',
   ].filter(Boolean);
   const compressed = devices.filter((device) => device.vertical?.file).length;
-  const limits = limitSentences();
   const facts = [
     ['Laboratory', blank('Laboratory')],
     ['Client, project', blank('Client, project')],
@@ -67,10 +65,9 @@ function certificateHead() {
           ],
         ]
       : []),
-    ...(limits.length > 0 ? [['Limits', limits.join('; ')]] : []),
     ['Result', certificateResult()],
   ];
-  const long = new Set(['Blocks tested', 'Held to', 'Design values', 'Limits', 'Result']);
+  const long = new Set(['Blocks tested', 'Held to', 'Design values', 'Result']);
   return element(
     'div',
     {},
@@ -88,24 +85,6 @@ function certificateHead() {
 
 function echoNumber({ currentTarget }) {
   for (const echo of document.querySelectorAll('.certificate-number')) echo.textContent = currentTarget.textContent;
-}
-
-function limitSentences() {
-  const clauseOf = (quantity) =>
-    devices.flatMap((device) => device.assessments).find((a) => a.clause && concerns(a, quantity))?.clause;
-  return lotQuantities
-    .filter((quantity) => quantity.limit_individual || quantity.limit_mean)
-    .map(
-      (quantity) =>
-        quantity.quantity + ' ' +
-        [
-          quantity.limit_individual ? limitText(quantity.limit_individual) + ' of the design value' : '',
-          quantity.limit_mean ? 'mean of the lot ' + limitText(quantity.limit_mean) : '',
-        ]
-          .filter(Boolean)
-          .join(', ') +
-        (clauseOf(quantity.quantity) ? ' (' + clauseOf(quantity.quantity) + ')' : ''),
-    );
 }
 
 function certificateResult() {

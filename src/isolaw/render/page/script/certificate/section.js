@@ -3,6 +3,7 @@ import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';
 import { certificateDevicesFigure } from './devices.js';
 import { certificateHeadFigure } from './head.js';
+import { certificateLimitsFigure } from './limits.js';
 import { certificateRemarksFigure } from './remarks.js';
 import { certificateRecordsFigure, certificateSignatureFigure } from './signatures.js';
 
@@ -12,7 +13,7 @@ export const certificateSection = {
   controls: certificateControls,
   adorn: mark,
   // The signatures come right after the values, so that both are on one printed page.
-  figures: [certificateHeadFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
+  figures: [certificateHeadFigure, certificateLimitsFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
 };
 
 // A certificate that must not be signed carries a mark. As a background the mark repeats on every printed page.

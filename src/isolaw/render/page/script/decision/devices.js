@@ -34,9 +34,7 @@ export const devicePointsFigure = {
 const apartOf = ({ name }) => report.outliers.filter((one) => one.device === name);
 const apartText = (device) => apartOf(device).map(said).join(', ');
 const said = ({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%';
-
-// A tile has room for one reason: a property of the device, or else the misfit of a law.
-const oneReason = (device) => apartOf(device).sort((a, b) => (a.unit === '-') - (b.unit === '-')).slice(0, 1).map(said).join('');
+const oneReason = (device) => apartOf(device).slice(0, 1).map(said).join(''); // a tile has room for one
 
 const WIDE = 110,
   HIGH = 60;

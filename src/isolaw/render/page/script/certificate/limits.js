@@ -1,0 +1,54 @@
+import { element, strong } from '../dom.js';
+import { devices, report } from '../report.js';
+import { tableOf } from '../tables.js';
+import { DASH, deviation, enumerate, isNumber, limitText, significant, spanText, unitText, withUnit } from '../text.js';
+import { verdictBadge } from '../verdicts.js';
+
+// Every requirement of the rule set, also one that was not tested.
+export const certificateLimitsFigure = {
+  id: 'certificate-limits',
+  title: 'Requirements',
+  wanted: () => report.result.requirements.length > 0,
+  build: limitsTable,
+};
+
+// The assessments that a requirement consists of: one for each side of each device, or one of the lot.
+function assessmentsOf({ name }) {
+  const { lot } = report.assessment;
+  const all = [...devices.flatMap((device) => device.assessments.map((a) => ({ ...a, device: device.name }))), ...(lot ? [lot.sample] : [])];
+  const means = (lot?.quantities ?? []).flatMap((quantity) => quantity.mean_limits);
+  return [...all, ...means].filter((a) => a && a.limit && (a.subject === 'device' ? a.property : a.quantity) === name);
+}
+
+function limitsTable() {
+  const rows = report.result.requirements.map((requirement) => ({ requirement, found: assessmentsOf(requirement) }));
+  const values = (found) => found.filter(({ value }) => isNumber(value));
+  const measured = ({ found }) => {
+    const some = values(found);
+    if (some.length === 0) return 'not tested';
+    return spanText(some.map(({ value }) => value), 4, significant) + ' ' + unitText(some[0].unit).replace(/^-$/, '');
+  };
+  const limit = ({ found: [first] }) => {
+    if (!first) return DASH;
+    return [isNumber(first.nominal) ? withUnit(first.nominal, first.unit) : '', limitText(first.limit)].filter(Boolean).join(', ');
+  };
+  const farthest = ({ found }) => {
+    const some = found.filter(({ deviation_percent: percent }) => isNumber(percent));
+    if (some.length === 0) return DASH;
+    const worst = some.reduce((a, b) => (Math.abs(b.deviation_percent) > Math.abs(a.deviation_percent) ? b : a));
+    return deviation(worst.deviation_percent) + (devices.length > 1 && worst.device ? ', ' + worst.device : '');
+  };
+  const verdict = ({ requirement, found }) => {
+    const reasons = [...new Set(found.filter((a) => a.verdict === requirement.verdict).map(({ reason }) => reason).filter(Boolean))];
+    return element('td', { class: 'reasoned' }, verdictBadge(requirement.verdict), reasons.length > 0 ? element('small', {}, enumerate(reasons)) : null);
+  };
+  const columns = [
+    { title: 'Requirement', pinned: true, cell: ({ requirement }) => strong(requirement.name) },
+    { title: 'Measured', cell: measured },
+    { title: 'Limit', cell: limit },
+    { title: 'Farthest off', cell: farthest },
+    { title: 'Clause', cell: ({ found: [first] }) => element('td', { class: 'note' }, first?.clause ?? DASH) },
+    { title: 'Verdict', cell: verdict },
+  ];
+  return tableOf(columns, rows, 'The certificate: requirements', { sorts: false });
+}
