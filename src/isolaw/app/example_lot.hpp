@@ -12,8 +12,8 @@ struct TextFile {
   std::string text;  // the bytes, in the encoding that this file has
 };
 
-// Ten records in ten file formats, lot.toml, study.toml and README.md: a lot computed from mean parameters that Cucuzza et al. 2025
-// published. The noise is seeded, so every call gives the same bytes.
+// Ten records in ten file formats, lot.toml, study.toml and README.md: a lot computed from mean parameters that Cucuzza
+// et al. 2025 published. The noise is seeded, so every call gives the same bytes.
 std::vector<TextFile> example_lot();
 // Five records, lot.toml and README.md: tests of three amplitudes, with scragging, a soft bearing and a clipped
 // channel.

@@ -81,7 +81,7 @@ function certificateTable() {
       outlying = apart(device),
       missing = open.filter((quantity) => !common.includes(quantity));
     const remark =
-      device.status !== 'ok' ? 'refused: ' + device.message : device.properties_refusal ? device.properties_refusal : [sameRecord(device), enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
+      device.status !== 'ok' ? 'refused: see the remarks' : device.properties_refusal ? device.properties_refusal : [sameRecord(device), enumerate(failed), missing.length > 0 ? 'not assessed: ' + enumerate(missing) : '', outlying.length > 0 ? '\u25be ' + enumerate(outlying, 3) : ''].filter(Boolean).join('; ');
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };

@@ -1,7 +1,7 @@
 import { element, strong } from '../dom.js';
 import { devices, report } from '../report.js';
 import { tableOf } from '../tables.js';
-import { DASH, deviation, enumerate, isNumber, limitText, significant, spanText, unitText, withUnit } from '../text.js';
+import { DASH, THIN, deviation, enumerate, isNumber, limitText, spanText, trimmed, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
 
 // Every requirement of the rule set, also one that was not tested.
@@ -26,11 +26,11 @@ function limitsTable() {
   const measured = ({ found }) => {
     const some = values(found);
     if (some.length === 0) return 'not tested';
-    return spanText(some.map(({ value }) => value), 4, significant) + ' ' + unitText(some[0].unit).replace(/^-$/, '');
+    return spanText(some.map(({ value }) => value), 4, trimmed) + THIN + unitText(some[0].unit).replace(/^-$/, '');
   };
   const limit = ({ found: [first] }) => {
     if (!first) return DASH;
-    return [isNumber(first.nominal) ? withUnit(first.nominal, first.unit) : '', limitText(first.limit)].filter(Boolean).join(', ');
+    return [isNumber(first.nominal) ? trimmed(first.nominal) + THIN + unitText(first.unit) : '', limitText(first.limit)].filter(Boolean).join(', ');
   };
   const farthest = ({ found }) => {
     const some = found.filter(({ deviation_percent: percent }) => isNumber(percent));
