@@ -50,5 +50,5 @@ function limitsTable() {
     { title: 'Clause', cell: ({ found: [first] }) => element('td', { class: 'note' }, first?.clause ?? DASH) },
     { title: 'Verdict', cell: verdict },
   ];
-  return tableOf(columns, rows, 'The certificate: requirements', { sorts: false });
+  return tableOf(columns, rows, 'The certificate: requirements');
 }
