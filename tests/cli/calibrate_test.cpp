@@ -376,7 +376,7 @@ TEST_F(Calibrate, number_of_threads_changes_nothing) {
 TEST_F(Calibrate, same_command_from_another_directory_gives_the_same_summary) {
   ASSERT_EQ(calibrate("O", {"--laws", "bilinear"}).code, 0);
   auto const o =
-      isolaw_in(path("ex"), Words{"calibrate", "lot.toml"} + reduced + Words{"--laws", "bilinear", "--out", "../P"});
+      isolaw_in(path("ex"), Words{"calibrate", "study.toml"} + reduced + Words{"--laws", "bilinear", "--out", "../P"});
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
 }
@@ -385,7 +385,7 @@ TEST_F(Calibrate, refusals_in_the_summary_do_not_depend_on_where_the_command_was
   write("ex/device-02.csv", csv_with_line(101, "0.9900,nan,12.0"));
   ASSERT_EQ(calibrate("O", {"--laws", "bilinear"}).code, 1);
   auto const o =
-      isolaw_in(path("ex"), Words{"calibrate", "lot.toml"} + reduced + Words{"--laws", "bilinear", "--out", "../P"});
+      isolaw_in(path("ex"), Words{"calibrate", "study.toml"} + reduced + Words{"--laws", "bilinear", "--out", "../P"});
   ASSERT_EQ(o.code, 1) << o;
   EXPECT_EQ(read("P/summary.json"), read("O/summary.json"));
 }
