@@ -17,7 +17,7 @@ scratch.mkdir(parents=True)
 
 # Members of the JSON output that contain only sentences.
 SENTENCES = {
-    "sentence", "why", "would_decide", "answer", "reason", "programs", "headline", "warnings", "recognised", "notes",
+    "sentence", "why", "would_decide", "answer", "reason", "programs", "headline", "explanation", "warnings", "recognised", "notes",
     "corrections", "cleaning", "message", "verdict_text", "properties_refusal", "prediction", "objection", "verdict",
     "doubts", "not_monotonic", "refusal", "condition", "converged", "remark", "choice",
     "counting_block_choice",

@@ -27,7 +27,7 @@ ALLOWED = {
     ("src/isolaw/programs/header_parts.cpp", "struct OpenBranches"),  # C++ code of an exported header
     ("src/isolaw/programs/header_parts.cpp", "using std::"),  # C++ code of an exported header
     ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # value of an enumeration
-    ("src/isolaw/render/page/script/decision/errors.js", "ruled out"),  # value of an enumeration
+    ("src/isolaw/render/page/script/decision/laws.js", "ruled out"),  # value of an enumeration
     ("src/isolaw/render/page/script/icons.js", "not adequate"),  # value of an enumeration
     ("src/isolaw/render/page/script/laws.js", "not adequate"),  # value of an enumeration
 }
