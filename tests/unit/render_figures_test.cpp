@@ -591,6 +591,25 @@ TEST_F(Drawn, OnlyOwnFiguresAreRemoved) {
   EXPECT_EQ(contents(), (std::map<std::string, std::string>{{"mine.gp", "plot x\n"}, {"mine.pdf", "mine"}}));
 }
 
+// Figures of other results would contradict the report beside them, also those of single devices.
+TEST_F(Drawn, NoneRemovesFiguresOfOtherResults) {
+  hide_gnuplot();
+  auto summary = fixture::lot(3, 2);
+  write_figures(summary, FigureChoice::all, dir_);
+  auto const before = contents();
+  ASSERT_GT(before.size(), 30u);
+  EXPECT_EQ(write_figures(summary, FigureChoice::none, dir_).removed, 0u);
+  EXPECT_EQ(contents(), before);
+  auto& fit = summary.laws[0].devices[0];
+  for (auto& force : fit.force_kN) force *= 2.0;
+  EXPECT_GT(write_figures(summary, FigureChoice::none, dir_).removed, 0u);
+  auto const loops = [&](std::string const& device) {
+    return figure(fmt::format("loops_{}_{}.dat", device, summary.laws[0].id));
+  };
+  EXPECT_FALSE(fs::exists(loops(fit.device)));
+  EXPECT_TRUE(fs::exists(loops(summary.laws[0].devices[1].device)));
+}
+
 TEST_F(Drawn, NoneWritesNothing) {
   EXPECT_EQ(write_figures(fixture::lot(), FigureChoice::none, dir_).figures, 0u);
   EXPECT_FALSE(fs::exists(dir_));

@@ -72,19 +72,20 @@ FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> co
   return outcome;
 }
 
-// Removes figures of the choice `lot` that show other results than `summary`, so that none of them contradicts the
-// reports beside it. Returns how many it removed.
+// Removes the figures that show other results than `summary`, so that none of them contradicts the reports beside it.
+// Returns how many it removed.
 std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
-  auto const own = own_figures(dir / "figures");
-  if (own.empty()) return 0;
-  std::size_t removed = 0;
-  for (auto const& [name, data] : figure_data(summary)) {
-    auto const stem = fs::path(name).stem().string();
-    if (std::ranges::find(own, stem) == own.end() || text_of(dir / name) == data) continue;
-    remove_figure(dir / "figures", stem);
-    ++removed;
-  }
-  return removed;
+  auto const folder = dir / "figures";
+  auto const own = own_figures(folder);
+  std::set<std::string> outdated(own.begin(), own.end());
+  for (auto const choice : {FigureChoice::lot, FigureChoice::all})
+    if (!outdated.empty())  // the figures of single devices, which are many, are rarely there
+      for_each_figure(summary, choice, [&](Figure const& figure) {
+        if (outdated.contains(figure.name) && text_of(figure_file(folder, figure.name, ".dat")) == figure.data)
+          outdated.erase(figure.name);
+      });
+  for (auto const& name : outdated) remove_figure(folder, name);
+  return outdated.size();
 }
 
 }  // namespace
