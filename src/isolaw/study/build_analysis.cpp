@@ -383,7 +383,8 @@ void add_outliers(Summary& summary) {
                                 .percent = found.percent});
   }
   // A device's own properties come before the misfits of laws.
-  std::ranges::stable_partition(summary.outliers, [](auto const& outlier) { return outlier.law.empty(); });
+  std::stable_partition(summary.outliers.begin(), summary.outliers.end(),
+                        [](auto const& outlier) { return outlier.law.empty(); });
 }
 
 }  // namespace
