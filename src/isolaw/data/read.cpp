@@ -155,7 +155,8 @@ std::vector<Finding> disputed_facts(std::span<NamedTest const> tests) {
   for (auto const& test : tests)
     for (auto const& [fact, text] : test.record.device_facts) stated[fact].emplace_back(test.name, text);
   for (auto const& [fact, said] : stated) {
-    if (std::ranges::all_of(said, [&](auto const& one) { return one.second == said.front().second; })) continue;
+    auto const& first = said.front().second;
+    if (std::ranges::all_of(said, [&](auto const& one) { return one.second == first; })) continue;
     std::vector<std::string> values;
     for (auto const& [test, text] : said) values.push_back(fmt::format("{} in {}", printable(text), test));
     warnings.push_back(
