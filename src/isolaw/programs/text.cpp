@@ -240,7 +240,7 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
     facts.push_back(
         {"Bounds act",
-         "as one factor on the whole force, which at the amplitude of the cycle that counts is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
+         "as one factor on the whole force, which at the amplitude of the reported cycle is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
   return facts;
 }
 

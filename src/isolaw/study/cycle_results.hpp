@@ -72,7 +72,8 @@ inline constexpr Result<CycleOf> cycle_results[]{
 inline constexpr Result<data::Block> block_results[]{
     {"number", "", "block", "number of the block, from 1", get<&data::Block::number>},
     {"amplitude_mm", "mm", "amplitude", "median over the counted cycles", get<&data::Block::amplitude_mm>, decimals(1)},
-    {"frequency_Hz", "Hz", "frequency", "from extreme to extreme", get<&data::Block::frequency_Hz>, significant(2)},
+    {"frequency_Hz", "Hz", "frequency", "one over the median period of the cycles that count",
+     get<&data::Block::frequency_Hz>, significant(2)},
     {"waveform", "", "waveform", "of the middle cycle; empty without time", get<&data::Block::waveform>},
     {"v_max_mm_s", "mm/s", "v max", "median over the counted cycles", get<&data::Block::v_max_mm_s>, significant(3)},
     {"cycles", "", "", "all cycles in order, also those that do not count", nested<data::Block>},

@@ -152,7 +152,7 @@ inline constexpr Result<LawResult> law_results[]{
      get<&LawResult::larger_swings_worst>},
     {"tested_mm", "mm", "tested to", "largest displacement of the tests", beyond<&BeyondTests::tested_mm>},
     {"asked_mm", "mm", "asked for",
-     "displacement of the design, at least `tested_mm`; twice that if none is stated. The four keys below are of steady cycles with it",
+     "displacement of the design, at least `tested_mm`; twice `tested_mm` if none is stated. The four keys below are of steady cycles with it",
      beyond<&BeyondTests::asked_mm>},
     {"K_at_asked_kN_per_mm", "kN/mm", "stiffness there", "stiffness of the law", beyond<&BeyondTests::K_kN_per_mm>},
     {"energy_at_asked_kN_mm", "kN mm", "energy there", "energy of a cycle", beyond<&BeyondTests::energy_kN_mm>},
