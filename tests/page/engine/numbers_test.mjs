@@ -78,7 +78,7 @@ test('the self-test of the page', async () => {
 assert.equal(native(['example', 'example']).code, 0);
 
 test('the paper\'s laws on the example lot', async () => {
-  await compare('example', ['example/lot.toml'], filesIn(join(work, 'example'), 'example'), ['--laws', 'paper', '--runs', '1', '--analysis', 'none']);
+  await compare('example', ['example/study.toml'], filesIn(join(work, 'example'), 'example'), ['--laws', 'paper', '--runs', '1', '--analysis', 'none']);
 });
 
 test('all laws on a record of it', async () => {
