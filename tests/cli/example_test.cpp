@@ -53,12 +53,17 @@ TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_
   ASSERT_EQ(made.code, 0) << made;
   EXPECT_TRUE(contains(made.out, "isolaw calibrate t/lot.toml"));
   EXPECT_TRUE(contains(read("t/README.md"), "computed, not measured"));
-  auto const o = isolaw({"calibrate", "t/lot.toml", "--laws", "bilinear,power-masing", "--runs", "1", "--analysis",
+  auto const o = isolaw({"calibrate", "t/lot.toml", "--laws", "bilinear,power-masing-worn", "--runs", "1", "--analysis",
                          "full", "--replicates", "0", "--figures", "none", "--out", "T"});
   EXPECT_EQ(o.code, 1) << o;
   auto const summary = json("T/summary.json");
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"] == "ok", device["name"] != "B5") << device;
-  EXPECT_EQ(summary["recommendation"]["law"], "power-masing");
+  EXPECT_EQ(summary["recommendation"]["law"], "power-masing-worn");
+  // The soft bearing is an outlier by its own property first; a misfit that is hardly larger makes none.
+  ASSERT_FALSE(summary["outliers"].empty());
+  EXPECT_EQ(summary["outliers"][0]["unit"], "kN mm");
+  for (auto const& outlier : summary["outliers"])
+    EXPECT_TRUE(outlier["unit"] != "" || outlier["percent"].get<double>() >= 10.0) << outlier;
   EXPECT_LT(summary["recommendation"]["standings"][0]["predicts"].get<double>(), 0.05);
   EXPECT_TRUE(contains(o.out, "FAIL: NTC 2018: 1 of 5 devices fails: B4 K_eff")) << o;
   EXPECT_TRUE(contains(o.err, "the force is clipped at 125 kN")) << o;

@@ -31,19 +31,12 @@ struct Sample {
   double time_s, disp_mm, force_kN, load_kN;
 };
 
-std::vector<double> force_of(std::string_view law_id, std::size_t device, std::vector<double> const& disp_mm,
-                             std::vector<double> const& vel_mm_s) {
-  auto const& law = laws::find_law(law_id);
+std::vector<double> published_force(std::string_view law_id, std::size_t device, std::vector<double> const& disp_mm,
+                                    std::vector<double> const& vel_mm_s) {
   auto const printed = std::ranges::find(table_a5::laws, law_id, &table_a5::Law::id);
-  std::vector<double> parameters;
-  for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
-  for (auto const& parameter : printed->parameters)
-    if (auto const place = std::ranges::find(law.parameters, parameter.name, &laws::ParameterInfo::name);
-        place != law.parameters.end())  // Table A.5 has a parameter p that abe-y0 lacks
-      parameters[static_cast<std::size_t>(place - law.parameters.begin())] = parameter.mean[device];
-
-  data::FitRecord const motion{.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s};
-  return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
+  std::map<std::string_view, double> parameters;
+  for (auto const& parameter : printed->parameters) parameters[parameter.name] = parameter.mean[device];
+  return force_of(law_id, {.time_s = {}, .disp_mm = disp_mm, .vel_mm_s = vel_mm_s}, parameters);
 }
 
 std::vector<Sample> record_of(std::size_t device) {
@@ -60,8 +53,8 @@ std::vector<Sample> record_of(std::size_t device) {
     x.push_back(amplitude_mm * std::sin(w * t) + tremor_mm * sway);
     v.push_back(amplitude_mm * w * std::cos(w * t) + tremor_mm * wt * std::cos(wt * t + tremor_phase));
   }
-  std::array const forces{force_of("jankowski", device, x, v), force_of("vaiana", device, x, v),
-                          force_of("hwang-wu", device, x, v), force_of("abe-y0", device, x, v)};
+  std::array const forces{published_force("jankowski", device, x, v), published_force("vaiana", device, x, v),
+                          published_force("hwang-wu", device, x, v), published_force("abe-y0", device, x, v)};
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < count; ++i) {
     double const force = (forces[0][i] + forces[1][i] + forces[2][i] + forces[3][i]) / 4.0;
@@ -194,6 +187,17 @@ Made by `isolaw example DIR` (`src/isolaw/app/example_lot.cpp`); a test compares
 }
 
 }  // namespace
+
+std::vector<double> force_of(std::string_view law_id, data::FitRecord const& motion,
+                             std::map<std::string_view, double> const& parameters) {
+  auto const& law = laws::find_law(law_id);
+  std::vector<double> values;
+  for (auto const& info : law.parameters) {
+    auto const given = parameters.find(info.name);
+    values.push_back(given == parameters.end() ? info.fixed_by_default.value_or(0.0) : given->second);
+  }
+  return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(values);
+}
 
 std::vector<TextFile> example_lot() {
   std::vector<TextFile> files{

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "isolaw/data/channels/record.hpp"
 
 namespace isolaw::app {
 
@@ -18,6 +22,11 @@ std::vector<TextFile> example_lot();
 // Five records, lot.toml and README.md: tests of three amplitudes, with scragging, a soft bearing and a clipped
 // channel.
 std::vector<TextFile> example_tests();
+
+// The force of a law on a motion. A name in `parameters` that the law does not have is passed over; Table A.5 has a
+// parameter p that abe-y0 lacks. A parameter without a value has the one that is fixed by default, or 0.
+std::vector<double> force_of(std::string_view law_id, data::FitRecord const& motion,
+                             std::map<std::string_view, double> const& parameters);
 
 // Creates `directory` if necessary. Throws Error instead of overwriting a file with other content.
 void write_example(std::filesystem::path const& directory, std::vector<TextFile> const& files);

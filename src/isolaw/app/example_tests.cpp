@@ -5,12 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
-#include <utility>
 
 #include "isolaw/app/example_lot.hpp"
-#include "isolaw/fit/objective.hpp"
 #include "isolaw/num/random.hpp"
 
 namespace isolaw::app {
@@ -47,24 +44,13 @@ data::FitRecord bearing_motion() {
   return record;
 }
 
-std::vector<double> bearing_force(std::string_view law_id, data::FitRecord const& motion,
-                                  std::initializer_list<std::pair<std::string_view, double>> given) {
-  auto const& law = laws::find_law(law_id);
-  std::vector<double> parameters;
-  for (auto const& info : law.parameters) parameters.push_back(info.fixed_by_default.value_or(0.0));
-  for (auto const& [name, value] : given)
-    parameters[static_cast<std::size_t>(std::ranges::find(law.parameters, name, &laws::ParameterInfo::name) -
-                                        law.parameters.begin())] = value;
-  return fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
-}
-
 std::string bearing_text(std::size_t bearing) {
   auto const& [s, scragging] = bearings[bearing];
   auto const path = bearing_motion();
   auto const masing =
-      bearing_force("power-masing-worn", path,
-                    {{"Y", 68.0 * s}, {"g", 0.70}, {"K", 14.0 * s}, {"H", 6.0 * s}, {"C", scragging}, {"r", 0.03}});
-  auto const smooth = bearing_force(
+      force_of("power-masing-worn", path,
+               {{"Y", 68.0 * s}, {"g", 0.70}, {"K", 14.0 * s}, {"H", 6.0 * s}, {"C", scragging}, {"r", 0.03}});
+  auto const smooth = force_of(
       "bouc-wen", path, {{"alpha", 0.13}, {"Ke", 3.2 * s}, {"A", 1.0}, {"beta", 0.035}, {"n", 1.0}, {"gamma", 0.03}});
   num::Draws noise(num::Stream(Plan::noise_seed), static_cast<std::uint32_t>(bearing), 0);
   std::string text = "Time [s],Displacement [mm],Force [kN],Vertical load [kN]\n";
