@@ -40,7 +40,7 @@ inline bool contains(std::optional<Finding> const& finding, std::string_view par
   return finding && contains(*finding, part);
 }
 inline std::ostream& operator<<(std::ostream& out, std::vector<Finding> const& findings) {
-  return out << wording::paragraph(findings, "\n");
+  return out << wording::paragraph(findings, record_units, "\n");
 }
 inline bool says(std::vector<Finding> const& findings, std::string_view part) {
   for (auto const& text : wording::remarks(findings))

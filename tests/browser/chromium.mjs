@@ -18,10 +18,10 @@ const FLAGS = [
   '--remote-debugging-pipe',
 ];
 
-// Returns the data of a report, with the names of laws and parameters that the page shows. This function runs in the
-// page.
+// Returns the data of a report in kN and mm, with the names of laws and parameters that the page shows. This function
+// runs in the page.
 function reportAsShown() {
-  const report = JSON.parse(document.getElementById('isolaw-data').textContent);
+  const report = JSON.parse(document.getElementById('isolaw-data').textContent, (key, value) => value?.said?.[0] ?? value);
   const names = Object.fromEntries(report.laws.map(({ id, name }) => [id, name]));
   const named = (id) => names[id] ?? id;
   const { recommendation } = report.findings;

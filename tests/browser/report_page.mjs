@@ -819,10 +819,12 @@ async function check_certificate(page, name, pictures, state) {
       wanted: report.result.mark,
       word: report.result.word,
       result: document.querySelector('#figure-certificate-head').textContent.includes(asSet(report.result.sentence).replace(/(\\d) %/g, '$1\\u202f%')),
+      isRed: report.result.mark_is_red,
+      signatures: [...document.querySelectorAll('#certificate .page-foot')].filter(shown).length,
       signers: [...document.querySelectorAll('#certificate .signer')].filter(shown).length,
       height: document.querySelector('#figure-certificate-signature').getBoundingClientRect().bottom - document.getElementById('certificate').getBoundingClientRect().top,
       misfits: /misfit/.test(document.getElementById('certificate').textContent),
-      alone: [...document.querySelectorAll('#certificate figure:not(#figure-certificate-limits) .verdict')].filter((badge) => badge.textContent === 'pass').length,
+      alone: [...document.querySelectorAll('#certificate figure:not(#figure-certificate-limits, #figure-certificate-device) .verdict')].filter((badge) => badge.textContent === 'pass').length,
       open: report.devices.flatMap((device) => device.assessments).some(({ verdict, limit }) => limit && verdict === 'not assessed'),
       failsWithTheLot: judged.some(({ verdict }) => verdict === 'fail') === (document.querySelector('#figure-certificate-head .verdict')?.textContent === 'FAIL'),
     };
@@ -830,18 +832,30 @@ async function check_certificate(page, name, pictures, state) {
   expect(JSON.stringify(seen.sections) === '["certificate"]', name, 'printed with the certificate: ' + seen.sections);
   expect(seen.devices === seen.names, name, `${seen.devices} devices on the certificate`);
   expect(JSON.stringify(seen.limits) === JSON.stringify(seen.requirements), name, 'requirements on the certificate: ' + seen.limits);
-  const signed = seen.mark ? 0 : seen.word === 'PASS' ? 9 : 6;
+  // Everybody but for a grey mark may sign, on the page of the lot and on that of the device shown.
+  const signers = (seen.mark && !seen.isRed ? 0 : seen.word === 'PASS' ? 3 : 2) * seen.signatures;
+  const signed = 3 * signers;
   expect(seen.mark === seen.wanted, name, `the certificate is marked ${seen.mark}, not ${seen.wanted}`);
   expect(seen.blanks >= 3 + signed && seen.blanks <= 5 + signed && !seen.masthead, name, `${seen.blanks} lines to fill in`);
-  expect(seen.signers === (seen.mark ? 0 : seen.word === 'PASS' ? 3 : 2), name, `${seen.signers} may sign what is marked ${seen.mark}`);
+  expect(seen.signers === signers, name, `${seen.signers} may sign what is marked ${seen.mark}`);
   expect(seen.result, name, 'the certificate does not say what was shown');
   expect(!seen.misfits, name, 'a law is on the certificate');
-  // A4 paper has 267 mm between its upper and lower margins, which is 1009 px. With up to 12 devices, values and
+  // A4 paper has 271 mm between its upper and lower margins, which is 1024 px. With up to 12 devices, values and
   // signatures must fit on one page.
-  expect(seen.names > 12 || seen.height < 1009, name, `values and signatures take ${Math.round(seen.height)} px of paper`);
+  expect(seen.names > 12 || seen.height < 1024, name, `values and signatures take ${Math.round(seen.height)} px of paper`);
   expect(!(seen.open && state) || seen.alone === 0, name, `${seen.alone} bare passes on a certificate with open requirements`);
   expect(seen.hashes.length > 0 && seen.hashes.every(Boolean), name, 'a file of the certificate is not its own');
   expect(seen.failsWithTheLot, name, 'the certificate has another verdict than the lot');
+  // Every device with a record has a page of its own, which fits on one sheet and shows the loop and the SHA-256.
+  const sheets = await page.evaluate(`(() => {
+    document.querySelector('.device-pages')?.showAll();
+    const found = [...document.querySelectorAll('.device-page')].map((sheet) => [sheet.getBoundingClientRect().height, sheet.querySelectorAll('.loop-drawing .all').length, /[0-9a-f]{64}/.test(sheet.textContent)]);
+    document.querySelector('.device-pages')?.showChosen();
+    const { devices } = reportAsShown();
+    return { found, wanted: devices.length > 1 ? devices.filter((device) => device.raw?.samples > 0).length : 0 };
+  })()`);
+  expect(sheets.found.length === sheets.wanted, name, `${sheets.found.length} pages of devices, ${sheets.wanted} expected`);
+  for (const [height, loops, hash] of sheets.found) expect(height < 1024 && loops === 1 && hash, name, `the page of a device: ${height} px, ${loops} loops, SHA-256 ${hash}`);
   if (pictures) {
     const { data } = await page.send('Page.printToPDF', { preferCSSPageSize: true, printBackground: true });
     writeFileSync(join(pictures, name + '-certificate.pdf'), Buffer.from(data, 'base64'));

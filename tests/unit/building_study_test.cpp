@@ -580,7 +580,7 @@ TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered)
   EXPECT_TRUE(has_result(answers.laws[1]));
   EXPECT_TRUE(contains(answers.verdict, "with Bilinear the bounds cover")) << answers.verdict;
   EXPECT_FALSE(answers.laws[1].by_first_bounds.has_value());
-  for (auto const& figure : render::building_figures(answers))
+  for (auto const& figure : render::building_figures(answers, record_units))
     EXPECT_FALSE(contains(figure.script, "nan")) << figure.script;
 }
 

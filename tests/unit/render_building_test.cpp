@@ -103,7 +103,7 @@ TEST(BuildingTables, have_a_row_for_every_quantity) {
   auto const& [study, answers] = usual_case();
   auto const lines = [](std::string const& text) { return std::count(text.begin(), text.end(), '\n'); };
   auto const rows = static_cast<std::ptrdiff_t>(building::quantities().size());
-  auto const csv = building_csv(answers);
+  auto const csv = building_csv(study, answers);
   EXPECT_EQ(lines(csv), 1 + rows);
   EXPECT_EQ(csv.find("law,quantity,unit,lower bound,nominal,upper bound,16 %"), 0u) << csv;
   EXPECT_TRUE(contains(csv, "\nbilinear,isolator_mm,mm,"));
@@ -117,7 +117,7 @@ TEST(BuildingTables, have_a_row_for_every_quantity) {
 }
 
 TEST(BuildingFigures, are_drawn_of_the_draws) {
-  auto const figures = building_figures(usual_case().answers);
+  auto const figures = building_figures(usual_case().answers, record_units);
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0].name, "building_histograms");
   EXPECT_EQ(figures[1].name, "building_variance");
@@ -133,7 +133,7 @@ TEST(BuildingFigures, are_drawn_of_the_draws) {
   EXPECT_NEAR(percent, 100.0, 1e-6);
   auto const dir = fs::temp_directory_path() / fmt::format("isolaw-building-figures-{}", ::getpid());
   fs::remove_all(dir);
-  auto const outcome = write_building_figures(usual_case().answers, dir);
+  auto const outcome = write_building_figures(usual_case().answers, record_units, dir);
   EXPECT_EQ(outcome.figures, 2u);
   if (!outcome.program_missing) {
     EXPECT_EQ(outcome.drawn, 2u) << outcome.reason;

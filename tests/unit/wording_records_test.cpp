@@ -31,6 +31,26 @@ TEST(RecordSentences, OfOneDeviceNameThePlace) {
       "properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.");
 }
 
+TEST(RecordSentences, ConvertNumbersToTheReadersUnits) {
+  auto const& imperial = find_unit_system("kip-in");
+  EXPECT_TRUE(contains(sentence(spike("device-01", 151, 1.5, -11.0, -71.0), imperial),
+                       "+13.5 kip (to -2.473 kip)"));  // 60 kN and -11 kN
+  Finding const bearings{.kind = FindingKind::displacement_beyond_tests,
+                         .law = "bilinear",
+                         .numbers = {{"most_mm", 254.0}, {"tested_mm", 127.0}}};
+  EXPECT_TRUE(contains(sentence(bearings), "up to 254 mm"));
+  EXPECT_TRUE(contains(sentence(bearings, imperial), "up to 10.0 in"));
+  Finding const range{.kind = FindingKind::laws_disagree,
+                      .numbers = {{"count", 2.0},
+                                  {"disp_mm", 254.0},
+                                  {"K_low_kN_per_mm", 1.0},
+                                  {"K_high_kN_per_mm", 2.0},
+                                  {"energy_low_kN_mm", 1000.0},
+                                  {"energy_high_kN_mm", 2000.0}}};
+  EXPECT_TRUE(contains(sentence(range, imperial), "at 10 in: 5.71 to 11.4 kip/in, 8.85 to 17.7 kip in a cycle"))
+      << sentence(range, imperial);
+}
+
 // Three devices have a spike of +60 kN, each at another sample. The one sentence about them must state the sample and
 // the value for each device, and no range of samples.
 TEST(RecordSentences, SpikesOfSeveralDevicesKeepTheirSamplesAndValues) {

@@ -72,7 +72,7 @@ std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view qu
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where) {
   auto const summary = study::build_summary(contents);
-  building::Study result{.file = std::move(file), .laws = {}};
+  building::Study result{.file = std::move(file), .laws = {}, .report_units = contents.acceptance.report_units};
   auto& wanted = result.file.settings.laws;
   if (wanted.empty()) wanted.push_back(study::recommended_law(summary, where));
   for (auto const& law : wanted) result.laws.push_back(study::law_source(contents, summary, law, where, result.file));

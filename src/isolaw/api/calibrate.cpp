@@ -1,9 +1,18 @@
 #include "isolaw/api/calibrate.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/file.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/render/write.hpp"
@@ -12,11 +21,45 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
+namespace {
+
+std::string base64(std::string_view bytes) {  // RFC 4648, with padding
+  constexpr std::string_view signs = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    auto const byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U; };
+    unsigned const three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    for (unsigned k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? signs[three >> (18U - 6U * k) & 63U] : '=';
+  }
+  return text;
+}
+
+// Returns the letterhead's picture as a data: address, or its lines of text.
+std::string load_letterhead(std::string const& file) {
+  constexpr std::size_t largest_bytes = 1'000'000;
+  constexpr std::pair<std::string_view, std::string_view> pictures[]{
+      {".svg", "image/svg+xml"}, {".png", "image/png"}, {".jpg", "image/jpeg"}, {".jpeg", "image/jpeg"}};
+  auto const ending = lower(std::filesystem::path(file).extension().string());
+  auto const picture = std::ranges::find(pictures, ending, &std::pair<std::string_view, std::string_view>::first);
+  bool const is_text = ending == ".txt";
+  if (picture == std::end(pictures) && !is_text)
+    throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = "a file .svg, .png, .jpg or .txt"});
+  auto const bytes = read_file(file, {.largest_bytes = largest_bytes});
+  if (is_text) return std::string(trimmed(bytes));
+  return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
+}
+
+}  // namespace
+
 void load_rules(campaign::Acceptance& acceptance) {
-  auto& [text, name, design, size] = acceptance;
+  auto& text = acceptance.rules;
+  auto const& name = acceptance.rules_file;
   if (text.empty() && !name.empty()) text = rules::load_rule_text(name);
   if (!text.empty()) rules::read_rule_text(text, name);
-  if (!design.empty()) rules::parse_design(design);
+  if (!acceptance.design.empty()) rules::parse_design(acceptance.design);
+  if (acceptance.letterhead.empty() && !acceptance.letterhead_file.empty())
+    acceptance.letterhead = load_letterhead(acceptance.letterhead_file);
 }
 
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,

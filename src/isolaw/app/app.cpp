@@ -73,8 +73,14 @@ void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   }
 }
 
-void add_acceptance(CLI::App& c, Values& acceptance) {
-  for (auto const& option : campaign::acceptance_table()) add_option(c, option, acceptance);
+std::string unit_ids() {
+  return joined(unit_systems | std::views::transform(&UnitSystem::id));
+}
+
+// An export has units of its own, so it takes no option for those of reports.
+void add_acceptance(CLI::App& c, Values& acceptance, bool reports = true) {
+  for (auto const& option : campaign::acceptance_table())
+    if (reports || option.key != "report-units") add_option(c, option, acceptance);
 }
 
 void add_vertical(CLI::App& c, std::vector<std::string>& vertical) {
@@ -294,11 +300,8 @@ void add_export(Commands& commands) {
                "name of the device, or the word lot for the law that was fitted to all devices together")
       ->required();
   c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
-  add_acceptance(c, a.acceptance);
-  c.add_option(
-      "--units", a.units,
-      fmt::format("{} (default {})", joined(programs::unit_systems | std::views::transform(&programs::UnitSystem::id)),
-                  programs::unit_systems[0].id));
+  add_acceptance(c, a.acceptance, false);
+  c.add_option("--units", a.units, fmt::format("{} (default: the units of the campaign's reports)", unit_ids()));
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");
@@ -355,6 +358,8 @@ void add_building(Commands& commands) {
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);
+  c.add_option("--report-units", a.report_units,
+               fmt::format("units of what reports show: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
   c.add_flag("--nominal", a.nominal,
              "compute only the nominal building: its response to every motion over time, as CSV");

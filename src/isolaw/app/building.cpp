@@ -86,12 +86,14 @@ void say_motions(building::BuildingFile const& file, std::filesystem::path const
 }
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
-  auto text = wording::paragraph(answers.verdict) + "\n\n";
-  text += fmt::format("{}, {}, weight {:.0f} kN; means over the motions, fractiles over {}\n",
+  auto const& units = study.units();
+  auto const length = shown_unit("mm", units);
+  auto text = wording::paragraph(answers.verdict, units) + "\n\n";
+  text += fmt::format("{}, {}, weight {:.0f} {}; means over the motions, fractiles over {}\n",
                       counted(study.file.motions.size(), "motion"), counted(study.file.bearings.size(), "bearing"),
-                      answers.weight_kN, counted(study.file.settings.draws, "draw"));
+                      units.from_kN(answers.weight_kN), units.force.symbol, counted(study.file.settings.draws, "draw"));
   auto const quantities = building::quantities();
-  for (auto const& warning : render::building_warnings(answers)) text += fmt::format("warning: {}\n", warning);
+  for (auto const& warning : render::building_warnings(answers, units)) text += fmt::format("warning: {}\n", warning);
   for (auto const& law : answers.laws) {
     if (!building::has_result(law)) {
       text += fmt::format("\n{}: no result. {}\n", law.law, wording::capitalised(building::why_without_result(law)));
@@ -103,10 +105,11 @@ void print_answers(building::Study const& study, building::Answers const& answer
     text += fmt::format(" {:>6} {:>6}\n", "lot", "motion");
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       auto const& d = law.distributions[q];
-      text += fmt::format("{:<24}", quantities[q].key);
+      auto const factor = shown_unit(quantities[q].unit, units).factor;
+      text += fmt::format("{:<24}", name_in(quantities[q].key, units));
       for (double const v :
            {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += fmt::format(" {:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : v);
+        text += fmt::format(" {:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : factor * v);
       text += fmt::format(" {:>6.3f} {:>6.3f}\n", d.lot_std_ln, d.motion_std_ln);
     }
     text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
@@ -118,8 +121,9 @@ void print_answers(building::Study const& study, building::Answers const& answer
         continue;
       }
       text += fmt::format(
-          "{}: implicit {:.2f} mm (misses {:.3f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
-          printable(study.file.motions[m].name), c.isolator_mm, c.missed_mm, c.balance, c.draws_error_percent,
+          "{}: implicit {:.{}f} {} (misses {:.{}f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
+          printable(study.file.motions[m].name), length.factor * c.isolator_mm, length.decimals(2), length.unit,
+          length.factor * c.missed_mm, length.decimals(3), c.balance, c.draws_error_percent,
           c.equivalent_error_percent, c.outcome);
     }
   }
@@ -127,6 +131,7 @@ void print_answers(building::Study const& study, building::Answers const& answer
 }
 
 void print_arrangement(building::Study const& study, building::Answers const& answers) {
+  auto const length = shown_unit("mm", study.units());
   for (std::size_t l = 0; l < study.laws.size(); ++l) {
     auto const& law = study.laws[l];
     std::vector<std::string> names;
@@ -141,8 +146,9 @@ void print_arrangement(building::Study const& study, building::Answers const& an
     for (auto const& b : study.file.bearings) places.push_back(b.at);
     auto const arrangement = building::arrange(places, study.file.frame.base.centre, stiffness);
     std::string text = fmt::format(
-        "\n{}: eccentricity of stiffness {:.1f} mm, {:.1f} mm in the order of their names\nx_m,y_m,device\n", law.law,
-        arrangement.eccentricity_mm, arrangement.in_order_mm);
+        "\n{}: eccentricity of stiffness {:.{}f} {}, {:.{}f} {} in the order of their names\nx_m,y_m,device\n", law.law,
+        length.factor * arrangement.eccentricity_mm, length.decimals(1), length.unit,
+        length.factor * arrangement.in_order_mm, length.decimals(1), length.unit);
     for (std::size_t i = 0; i < places.size(); ++i)
       text += fmt::format("{:g},{:g},{}\n", places[i].x_mm / 1e3, places[i].y_mm / 1e3,
                           printable(names[arrangement.device[i]]));
@@ -157,7 +163,7 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
   building::Layout const layout{floors, study.file.bearings.size()};
   std::vector<Finding> doubts;
   for (auto const& law : study.laws) doubts.insert(doubts.end(), law.doubts.begin(), law.doubts.end());
-  for (auto const& sentence : wording::sentences(doubts, wording::with_building))
+  for (auto const& sentence : wording::sentences(doubts, wording::with_building, study.units()))
     say("warning: From the calibration: {}\n", sentence);
   print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
   bool all = true;
@@ -208,7 +214,9 @@ building::Study building_study(BuildingArguments const& a) {
                  .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
                  .advice = "isolaw building --template"});
   auto file = building::read_building(*a.file, {.motions = building::read_motions(a.motions)});
-  return isolaw::building_study(std::move(file), campaign::Store::read(*a.from / store_name), a.from->string());
+  auto study = isolaw::building_study(std::move(file), campaign::Store::read(*a.from / store_name), a.from->string());
+  if (a.report_units) study.report_units = find_unit_system(*a.report_units, "--report-units").id;
+  return study;
 }
 
 int building(BuildingArguments const& a, std::vector<std::string> const& command_line) {
@@ -259,7 +267,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   }
   auto const& answers = *studied.answers;
   if (figures != render::FigureChoice::none)
-    say_drawn(render::write_building_figures(answers, out), out, "the same command");
+    say_drawn(render::write_building_figures(answers, study.units(), out), out, "the same command");
   if (a.json)
     print(render::building_json(study, answers));
   else

@@ -126,6 +126,7 @@ struct BuildingArguments {
   std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
   std::optional<int> jobs = {};
   std::optional<std::string> part = {};  // such as "3/40"
+  std::optional<std::string> report_units = {};
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };

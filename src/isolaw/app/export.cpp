@@ -23,8 +23,8 @@ int export_law(ExportArguments const& a) {
     throw Error({.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
                  .found = fmt::format("is given with --to {}", a.to),
                  .allowed = "a target that writes a whole model: " + joined(programs::model_targets())});
-  auto const& units = a.units ? programs::find_unit_system(*a.units) : programs::unit_systems[0];
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
+  auto const& units = find_unit_system(a.units ? *a.units : std::string(contents.acceptance.report_units));
   apply(a.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
   auto subject = programs::make_subject(contents, summary, a.law, a.device, units);

@@ -17,11 +17,11 @@ namespace isolaw {
 enum class FindingKind {
   // [campaign]
   runs_missing, analyses_missing, device_refused, rule_set_not_kept_by_device, rule_set_not_kept_by_lot,
-  devices_not_in_lot_law, same_record, same_compression_test, energy_falls, law_refused, runs_failed,
+  verdict_rests_on_corrections, devices_not_in_lot_law, same_record, same_compression_test, energy_falls, law_refused, runs_failed,
   evaluations_failed, law_inadequate, law_runs_away, held_by_box, prediction_poor, prediction_unusable, searches_disagree, runs_differ,
   not_determined, prediction_not_asked, outlier, at_bound, lot_law_at_bound, integration_coarse,
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
-  prediction_unknown,
+  prediction_unknown, verdict_without_corrections_same,
   // [answers]
   law_recommended, law_errors, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,
   none_predicts, none_on_every_device, none_for_a_building, none_energy, weak_prediction_fair, weak_error,
@@ -48,6 +48,7 @@ enum class FindingKind {
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused,
+  values_uncorrected, uncorrected_without_properties, uncorrected_not_known,
   // Notes: numbers of a record that the reader should know.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples, largest_swings,

@@ -7,8 +7,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/building/lanes.hpp"
 #include "isolaw/building/sources.hpp"
 #include "isolaw/campaign/merge_stores.hpp"
@@ -18,6 +20,9 @@ namespace isolaw::building {
 struct Study {
   BuildingFile file;
   std::vector<LawSource> laws;
+  std::string_view report_units = record_units.id;  // those of the campaign's reports; no result depends on them
+
+  UnitSystem const& units() const { return find_unit_system(report_units); }
 };
 
 // One of the inputs on which the runs in a store depend.

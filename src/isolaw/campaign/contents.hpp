@@ -12,6 +12,7 @@
 #include "isolaw/analysis/larger_swings.hpp"
 #include "isolaw/analysis/one_law.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/channels/record.hpp"
 #include "isolaw/data/properties/vertical.hpp"
@@ -42,6 +43,7 @@ struct Device {
   std::string refusal = {};                // why the device is left out; empty for a usable one
   std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
   data::TestRecord raw = {};
+  data::TestRecord uncorrected = {};  // the channels of `raw` without corrections by hand; empty if it has none
   data::FitRecord record = {};       // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};  // compression test; no law depends on it, so a continued campaign may change it
 
@@ -126,12 +128,16 @@ struct EarlierAnalyses {
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// The requirements for the tests. No law depends on them, so a campaign that is continued or reported may change them.
+// The requirements for the tests, and how reports show values. No law depends on them, so a campaign that is continued
+// or reported may change them.
 struct Acceptance {
   std::string rules;            // text of a rule set; empty if there is none
   std::string rules_file;       // name or path of the rule set
   std::string design;           // "K_eff=1.2,damping=15"; empty if there are no design values
   std::optional<int> lot_size;  // number of devices in the production lot, tested or not
+  std::string letterhead;       // a picture as a data: address, or lines of text; empty if there is none
+  std::string letterhead_file;  // name or path of the letterhead
+  std::string_view report_units = record_units.id;  // id of the unit system in which reports show values
 
   bool operator==(Acceptance const&) const = default;
 };

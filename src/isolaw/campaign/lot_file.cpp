@@ -75,6 +75,16 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
       for (auto const& complaint : error.complaints())
         table.complain(*design, "design: " + complaint.found, complaint.allowed, complaint.advice);
     }
+  if (auto const* letterhead = table.find("letterhead"); letterhead != nullptr) {
+    auto& file = acceptance.letterhead_file;
+    auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / file, directory);
+    if (outside)
+      table.complain(*letterhead,
+                     fmt::format("letterhead: {} leads outside, to {}", in_quotes(file), outside->generic_string()),
+                     "a file in the folder of the lot file or below it",
+                     "copying the file there, or --allow-outside on the command line");
+    file = (directory / file).string();
+  }
   auto const* rules = table.find("rules");
   if (rules == nullptr || acceptance.rules_file.empty()) return;
   auto const name = std::exchange(acceptance.rules_file, {});
@@ -389,6 +399,7 @@ void insert_reading(toml::table& table, data::ReadOptions const& read, Json cons
 toml::table written_acceptance(Lot const& lot, std::filesystem::path const& directory) {
   auto asked = lot.acceptance;
   if (lot.rules_are_file && !asked.rules_file.empty()) asked.rules_file = relative_name(asked.rules_file, directory);
+  if (!asked.letterhead_file.empty()) asked.letterhead_file = relative_name(asked.letterhead_file, directory);
   toml::table table;
   for (auto const& option : acceptance_table()) insert(table, option.option(), option.get(asked));
   return table;

@@ -64,6 +64,7 @@ void refuse_device(Device& device, std::string why) {  // keeps only the record'
   nothing.file = device.file;
   nothing.sha256 = device.raw.sha256;
   device.raw = std::move(nothing);
+  device.uncorrected = {};
   device.record = {};
 }
 
@@ -100,10 +101,24 @@ data::TestRecord read_tests(DeviceInput const& input) {
   return data::record_of_tests(std::move(tests));
 }
 
+// Reads a device's tests without the corrections by hand, but keeps the factor of the force, which says what the rig
+// measures. Returns an empty record if there are no corrections.
+data::TestRecord read_uncorrected(DeviceInput input) {
+  bool any = false;
+  for (auto& test : input.tests) {
+    auto& corrections = test.read.corrections;
+    data::Corrections const kept{.force_factor = corrections.force_factor};
+    any = any || corrections != kept;
+    corrections = kept;
+  }
+  return any ? read_tests(input) : data::TestRecord();
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = input.name, .file = input.shown_file(), .info = input.info};
   try {
     device.raw = read_tests(input);
+    device.uncorrected = read_uncorrected(input);
     clean(device, cleaning, false_signals);
     show_files(device.raw.recognised, input.directory);
     show_files(device.raw.warnings, input.directory);

@@ -61,6 +61,7 @@ std::string tests_to_json(Device const& device) {
                      {"sha256", test.sha256},
                      {"first_raw", device.raw.starts[t]},
                      {"first_fit", device.record.starts[t]}});
+    if (!device.uncorrected.starts.empty()) tests.back()["first_uncorrected"] = device.uncorrected.starts[t];
   }
   return tests.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -72,6 +73,9 @@ void take_tests(std::string const& json, Device& device) {
                                 .sha256 = test.at("sha256").get<std::string>()});
     device.raw.starts.push_back(test.at("first_raw").get<std::size_t>());
     device.record.starts.push_back(test.at("first_fit").get<std::size_t>());
+    if (!test.contains("first_uncorrected")) continue;
+    device.uncorrected.starts.push_back(test.at("first_uncorrected").get<std::size_t>());
+    device.uncorrected.tests.push_back(device.raw.tests.back());
   }
 }
 
@@ -87,6 +91,10 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("raw", "disp_mm", device.raw.disp_mm);
   visit("raw", "force_kN", device.raw.force_kN);
   visit("raw", "load_kN", device.raw.load_kN);
+  visit("raw", "uncorrected_time_s", device.uncorrected.time_s);
+  visit("raw", "uncorrected_disp_mm", device.uncorrected.disp_mm);
+  visit("raw", "uncorrected_force_kN", device.uncorrected.force_kN);
+  visit("raw", "uncorrected_load_kN", device.uncorrected.load_kN);
   for_each_vertical_series(device, visit);
   visit("fit", "time_s", device.record.time_s);
   visit("fit", "disp_mm", device.record.disp_mm);
@@ -256,13 +264,16 @@ void write_analysis(Connection const& db, char const* insert, Analysis const& an
 }
 
 // The entries of the table meta that Store::describe() may change, with their keys.
-std::array<std::pair<char const*, std::string>, 5> descriptions(Contents const& contents) {
+std::array<std::pair<char const*, std::string>, 8> descriptions(Contents const& contents) {
   auto const& a = contents.acceptance;
   return {{{"title", contents.title},
            {"rules", a.rules},
            {"rules-file", a.rules_file},
            {"design", a.design},
-           {"lot-size", a.lot_size ? std::to_string(*a.lot_size) : std::string()}}};
+           {"lot-size", a.lot_size ? std::to_string(*a.lot_size) : std::string()},
+           {"letterhead", a.letterhead},
+           {"letterhead-file", a.letterhead_file},
+           {"report-units", std::string(a.report_units)}}};
 }
 
 void read_descriptions(Connection const& db, Contents& contents) {
@@ -272,6 +283,9 @@ void read_descriptions(Connection const& db, Contents& contents) {
   a.rules_file = meta(db, "rules-file");
   a.design = meta(db, "design");
   if (auto const size = meta(db, "lot-size"); !size.empty()) a.lot_size = parse_lot_size(size);
+  a.letterhead = meta(db, "letterhead");
+  a.letterhead_file = meta(db, "letterhead-file");
+  if (auto const units = meta(db, "report-units"); !units.empty()) a.report_units = find_unit_system(units).id;
   contents.part = read_part(db);
 }
 

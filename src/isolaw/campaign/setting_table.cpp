@@ -27,6 +27,9 @@ constexpr std::pair<std::string_view, std::optional<data::Weighting>> weightings
                                                                                    {"swing", data::Weighting::swing},
                                                                                    {"travel", data::Weighting::travel}};
 constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", false}};
+constexpr std::pair<std::string_view, std::string_view> unit_ids[]{{unit_systems[0].id, unit_systems[0].id},
+                                                                   {unit_systems[1].id, unit_systems[1].id},
+                                                                   {unit_systems[2].id, unit_systems[2].id}};
 constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 
 void set_laws(S& s, Json const& value) {
@@ -232,6 +235,12 @@ void set_rules(Acceptance& to, Json const& value) {
 
 std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
+  auto report_units = word<Acceptance>("report-units", "units of what reports show (default kN-mm)",
+                                       at(&Acceptance::report_units), unit_ids)
+                          .under(Heading::everyday);
+  report_units.get = [](Acceptance const& a) {
+    return a.report_units == record_units.id ? Json() : Json(a.report_units);
+  };
   return {
       {{.key = "rules",
         .help = "rule set to check the tests against: a name from isolaw rules, such as ntc-2018, or a file",
@@ -249,6 +258,16 @@ std::vector<Option<Acceptance>> make_acceptance() {
       number<Acceptance>("lot-size", "devices in the production lot, tested or not", at(&Acceptance::lot_size),
                          {.least = 1, .most = 1e7})
           .under(Heading::acceptance),
+      report_units,
+      {{.key = "letterhead",
+        .help = "file with the laboratory's letterhead for the certificate: .svg, .png, .jpg or .txt",
+        .type = "str | PathLike[str]",
+        .heading = Heading::acceptance},
+       [=](Acceptance const& a) { return unless_empty(a.letterhead_file); },
+       [](Acceptance& to, Json const& value) {
+         to.letterhead_file = text_in(value);
+         to.letterhead.clear();
+       }},
   };
 }
 
@@ -307,7 +326,8 @@ std::span<Option<Acceptance> const> acceptance_table() {
 
 int parse_lot_size(std::string_view text) {
   Acceptance acceptance;
-  acceptance_table().back().set(acceptance, value_of(Kind::whole, {std::string(text)}));
+  auto const row = std::ranges::find(acceptance_table(), "lot-size", &Option<Acceptance>::key);
+  row->set(acceptance, value_of(Kind::whole, {std::string(text)}));
   return *acceptance.lot_size;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "isolaw/programs/subject.hpp"
-#include "isolaw/programs/unit_system.hpp"
+#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);

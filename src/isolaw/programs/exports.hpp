@@ -9,7 +9,7 @@
 #include "isolaw/programs/realise.hpp"
 #include "isolaw/programs/script_addition.hpp"
 #include "isolaw/programs/subject.hpp"
-#include "isolaw/programs/unit_system.hpp"
+#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::programs {
 

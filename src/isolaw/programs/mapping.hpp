@@ -7,7 +7,7 @@
 
 #include "isolaw/programs/materials.hpp"
 #include "isolaw/programs/subject.hpp"
-#include "isolaw/programs/unit_system.hpp"
+#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::programs {
 

@@ -17,7 +17,6 @@ namespace isolaw::programs {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-UnitSystem const& record_units = unit_systems[0];
 
 double peak_of(std::span<double const> force) {
   double peak = 0.0;

@@ -266,8 +266,8 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
   for (auto& fact : measured_facts(subject)) result.push_back(std::move(fact));
-  result.push_back({"Prediction", wording::remark(subject.doubts.prediction)});
-  for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law))
+  result.push_back({"Prediction", wording::remark(subject.doubts.prediction, units)});
+  for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     result.push_back({"Warning", std::move(warning)});
   result.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});
   result.push_back({"Fidelity", fmt::format("{}: {}", name(realisation.fidelity), realisation.explanation)});

@@ -113,7 +113,7 @@ inline constexpr Result<OverallVerdict> verdict_results[]{
     {"requirements", "", "",
      "each requirement of the set once: `name` and `verdict`, a pass where every device and side passes",
      nested<OverallVerdict>},
-    {"mark", "", "", "words across a certificate that must not be signed", word<&OverallVerdict::mark>},
+    {"mark", "", "", "words across a certificate that is no proof of a pass", word<&OverallVerdict::mark>},
     {"mark_is_red", "", "", "red where tests fail or are incomplete, else grey", get<&OverallVerdict::is_red>},
 };
 inline constexpr Result<DeviceRemark> remark_results[]{

@@ -14,6 +14,7 @@
 #include "isolaw/data/cycles/swing_sizes.hpp"
 #include "isolaw/data/properties/properties.hpp"
 #include "isolaw/data/properties/swing_properties.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/robustness.hpp"
 #include "isolaw/num/statistics.hpp"
@@ -22,6 +23,7 @@
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/range_test.hpp"
+#include "isolaw/study/uncorrected.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -82,7 +84,20 @@ rules::VerticalValue vertical_value(DeviceResult const& device) {
   return value;
 }
 
-DeviceResult device_result(campaign::Device const& device, int smooth) {
+// For each sample, whether it lies in the large swings that laws predict from a fit to the small ones.
+std::vector<bool> in_large_swings(data::FitRecord const& record, std::optional<data::Weighting> weighting) {
+  auto const sizes = data::swing_sizes(data::tests_of(record), weighting.value_or(data::Weighting::swing));
+  if (!sizes.tell) return {};
+  std::vector<bool> inside;
+  auto const ranges = data::test_ranges(record.starts, record.size());
+  for (std::size_t t = 0; t < ranges.size(); ++t)
+    for (std::size_t i = 0; i < ranges[t].size(); ++i)
+      inside.push_back(i < sizes.tests[t].large.size() && sizes.tests[t].large[i] > 0.0);
+  return inside;
+}
+
+DeviceResult device_result(campaign::Device const& device, data::CleanOptions const& clean) {
+  int const smooth = clean.smooth;
   DeviceResult result;
   result.name = device.name;
   result.file = device.file;
@@ -98,7 +113,13 @@ DeviceResult device_result(campaign::Device const& device, int smooth) {
   result.rubber_area_mm2 = device.info.rubber_area_mm2;
   result.raw = device.raw;
   result.record = device.record;
+  if (device.record.size() > 0) result.in_large_swings = in_large_swings(device.record, clean.weights);
   result.vertical_test = device.vertical;
+  if (auto uncorrected = device.uncorrected; uncorrected.size() > 0) {
+    // Stores do not hold the faults of a signal, such as the spikes that a correction repaired.
+    uncorrected.faults = data::signal_faults(uncorrected.disp_mm, uncorrected.force_kN, uncorrected.time_s);
+    result.uncorrected = data::cyclic_properties(uncorrected);
+  }
   if (device.usable())
     result.properties = data::cyclic_properties(device.raw);
   else
@@ -263,6 +284,8 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   fitted.refinement = best->refinement;
   compare_tests(fitted, device.record, device.raw.tests);
   add_analysis(fitted, contents, search);
+  if (auto const* found = contents.analysis_of(search.device, search.law); found != nullptr && found->larger_swings)
+    fitted.larger_swings_force_kN = model.force_kN(found->larger_swings->parameters);
   return fitted;
 }
 
@@ -342,6 +365,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
+  add_uncorrected(summary, std::move(tests));
 }
 
 Summary build_summary(campaign::Contents const& contents) {
@@ -359,7 +383,7 @@ Summary build_summary(campaign::Contents const& contents) {
   for (auto const& [key, json] : campaign::to_pairs(contents.settings))
     if (key != "seed") summary.settings.push_back({key, json});
   for (auto const& device : contents.devices)
-    summary.devices.push_back(device_result(device, contents.settings.clean.smooth));
+    summary.devices.push_back(device_result(device, contents.settings.clean));
 
   for (auto const& id : contents.settings.laws) {
     auto const& entry = laws::find_law(id);

@@ -96,6 +96,7 @@ struct DeviceFit {
   // Objective on the large swings of the test with parameters fitted to its small swings: the largest among equally
   // good fits, and the least. Infinite if a force is not finite; empty if the test does not tell.
   std::optional<double> larger_swings_objective, larger_swings_least;
+  std::vector<double> larger_swings_force_kN;  // the force of that fit to the small swings, at the same samples
   // Objectives of the law's form as springs around a circle (fit/as_springs.hpp) on the device's tests: with parameters
   // fitted to these springs, and with the law's own parameters.
   std::optional<double> springs_objective, springs_given_objective;
@@ -183,7 +184,9 @@ struct DeviceResult {
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
   data::TestRecord raw;                             // empty if the device was refused
   data::FitRecord record;                           // the record that the laws were fitted to
+  std::vector<bool> in_large_swings;                // for each sample of `record`; empty without such a prediction
   data::Properties properties;                      // of the raw record
+  std::optional<data::Properties> uncorrected;      // of the raw record without corrections by hand, if it had any
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
   std::optional<data::VerticalStiffness> vertical;  // of the raw test
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
@@ -212,6 +215,7 @@ struct Summary {
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
   campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
+  std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
@@ -219,6 +223,7 @@ struct Summary {
   std::size_t expected_here = 0;            // runs of this part, or of the whole campaign
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
+  UnitSystem const& units() const { return find_unit_system(asked.report_units); }  // in which reports show values
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 

@@ -52,7 +52,8 @@ struct OverallVerdict {
   std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict
   std::vector<DeviceRemark> failing, not_assessed;
   std::vector<Requirement> requirements;
-  // The words printed across a certificate that nobody may sign, and whether they are red. Empty if it may be signed.
+  // The words printed across a certificate that is no proof of a pass. They are red if a test failed or is missing; such
+  // a certificate may be signed as a report of the tests. Grey words, such as "NOT MEASURED", mean that nobody may sign.
   std::string mark;
   bool is_red = false;
 

@@ -32,6 +32,7 @@ class Collector {
   std::vector<Finding> collect() && {
     missing();
     refused_devices();
+    if (summary_.without_corrections) add(*summary_.without_corrections);
     copies();
     degradation();
     for (auto const* law : laws_) {

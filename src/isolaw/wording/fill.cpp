@@ -44,25 +44,26 @@ constexpr Phrase phrases[]{
     {"fitted_to", "devices", "a device that it was not fitted to"},
     {"larger", "unknown", " Nothing shows how it goes on to a larger amplitude."},
     {"larger", "known", ""},
-    {"rule", "not-finite", "its force is not finite in cycles of {amplitude_mm:4} mm"},
+    {"rule", "not-finite", "its force is not finite in cycles of {amplitude_mm:4 mm}"},
     {"rule", "not-finite-larger",
      "fitted to the smaller swings of the tests, its force is not finite in the larger ones"},
-    {"rule", "gives-energy", "it gives back energy in cycles of {amplitude_mm:4} mm"},
-    {"rule", "not-stiff", "its stiffness is not positive in cycles of {amplitude_mm:4} mm"},
+    {"rule", "gives-energy", "it gives back energy in cycles of {amplitude_mm:4 mm}"},
+    {"rule", "not-stiff", "its stiffness is not positive in cycles of {amplitude_mm:4 mm}"},
     {"rule", "stiffness",
-     "its stiffness at {amplitude_mm:4} mm is {value:.2f} times that at {tested_mm:4} mm, where the tests end"},
+     "its stiffness at {amplitude_mm:4 mm} is {value:.2f} times that at {tested_mm:4 mm}, where the tests end"},
     {"rule", "damping",
-     "its damping at {amplitude_mm:4} mm is {value:.2f} times that at {tested_mm:4} mm, where the tests end"},
+     "its damping at {amplitude_mm:4 mm} is {value:.2f} times that at {tested_mm:4 mm}, where the tests end"},
     {"rule", "overdamped",
-     "its damping in cycles of {amplitude_mm:4} mm and {period_s:3} s is {value:%}[, but {measured:%} in the tests]"},
+     "its damping in cycles of {amplitude_mm:4 mm} and {period_s:3} s is {value:%}[, but {measured:%} in the tests]"},
     {"rule", "overshoots",
-     "in cycles of {amplitude_mm:4} mm its largest force is {value:.1f} times its force at the peaks"},
-    {"rule", "jumps", "in cycles of {amplitude_mm:4} mm its force jumps by {value:%} of that at the peaks"},
+     "in cycles of {amplitude_mm:4 mm} its largest force is {value:.1f} times its force at the peaks"},
+    {"rule", "jumps", "in cycles of {amplitude_mm:4 mm} its force jumps by {value:%} of that at the peaks"},
     {"rule", "speed",
-     "in cycles of {amplitude_mm:4} mm and {period_s:3} s its damping is {value:.2f} times that at the tested speed"},
+     "in cycles of {amplitude_mm:4 mm} and {period_s:3} s its damping is {value:.2f} times that at the tested speed"},
     {"sure", "weak", ", with care"},
     {"sure", "tie", ""},
     {"sure", "clear", ""},
+    {"verdict_same", "yes", " The verdict would be the same."},
     {"several_laws", "yes", ""},
     {"only_law", "yes", ""},
     {"some", "yes", ""},
@@ -79,14 +80,14 @@ constexpr Phrase phrases[]{
     {"factors", "near", "factors within {grid_step:0%} of 1, the step of the search, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
     {"than_any", "longer", "no isolator goes that far"},
-    {"than_any", "stiffer", "{stiffness_kN_per_mm:4} kN/mm is stiffer than any isolator"},
-    {"than_any", "softer", "{stiffness_kN_per_mm:4} kN/mm is softer than any isolator"},
+    {"than_any", "stiffer", "{stiffness_kN_per_mm:4 kN/mm} is stiffer than any isolator"},
+    {"than_any", "softer", "{stiffness_kN_per_mm:4 kN/mm} is softer than any isolator"},
     {"whole", "yes", "the whole record, which has no cycle to report"},
 };
 
 class Filler {
  public:
-  explicit Filler(Group group) : group_(group) {}
+  Filler(Group group, UnitSystem const& units) : group_(group), units_(units) {}
 
   std::string operator()(std::string_view text) {
     std::string out;
@@ -102,7 +103,7 @@ class Filler {
       else if (close == ']')
         out += has_all(inner) ? (*this)(inner) : std::string();
       else if (close == '>')
-        out += each(group_, [&](Finding const& finding) { return Filler(Group(&finding, 1))(inner); });
+        out += each(group_, [&](Finding const& finding) { return Filler(Group(&finding, 1), units_)(inner); });
       else
         out += each_part(inner);
       text.remove_prefix(end + 1);
@@ -135,7 +136,7 @@ class Filler {
   std::string each_part(std::string_view inner) const {
     constexpr std::size_t most = 6;
     std::vector<std::string> parts;
-    for (auto const& finding : group_) parts.push_back(Filler(Group(&finding, 1))(inner));
+    for (auto const& finding : group_) parts.push_back(Filler(Group(&finding, 1), units_)(inner));
     return enumerate(parts, most);
   }
 
@@ -160,11 +161,15 @@ class Filler {
     if (inner == "law") return std::string(laws::called(first().word(name)));
     bool const in_unit = inner.starts_with("unit");
     if (!in_unit && !first().has_number(name)) return word(name);
-    auto const unit = std::string(first().word("unit"));
-    auto const number = in_unit ? fmt::format("{}_{}", name, unit) : std::string(name);
+    auto const number = in_unit ? fmt::format("{}_{}", name, first().word("unit")) : std::string(name);
     if (in_unit) inner.remove_prefix(4);
+    auto const spec = take_part(inner, ' ');
+    auto const stored = in_unit || inner == "unit" ? first().word("unit") : inner;
     count_ = first().number(number);
-    return range(group_, number, [&](double value) { return print(value, inner); }) + (in_unit ? " " + unit : "");
+    bool const named = !stored.starts_with('(');
+    auto const shown = shown_unit(named ? stored : stored.substr(1, stored.size() - 2), units_);
+    auto const text = range(group_, number, [&](double value) { return print(value, spec, shown); });
+    return named && !shown.unit.empty() ? text + " " + shown.unit : text;
   }
 
   std::string word(std::string_view name) {
@@ -174,7 +179,8 @@ class Filler {
     return found != std::end(phrases) ? (*this)(found->text) : on_one_line(std::string(word));
   }
 
-  static std::string print(double value, std::string_view spec) {
+  static std::string print(double value, std::string_view spec, ShownUnit const& shown) {
+    value *= shown.factor;
     if (spec.empty()) return fmt::format("{}", value);
     if (spec == "%") return percent(value);
     if (spec == "few%") return value == 0.0 ? "none" : "only " + percent(value);
@@ -186,23 +192,27 @@ class Filler {
       return text;
     }
     if (auto const digits = number_in<int>(spec)) return number_text(value, *digits);
+    if (shown.factor != 1.0 && spec.starts_with('.') && spec.ends_with('f'))
+      if (auto const decimals = number_in<int>(spec.substr(1, spec.size() - 2)))
+        return fmt::format("{:.{}f}", value, shown.decimals(*decimals));
     return fmt::format(fmt::runtime(fmt::format("{{:{}}}", spec)), value);
   }
 
   Group group_;
+  UnitSystem const& units_;
   double count_ = 0.0;  // the last number printed, or the length of the last list
 };
 
 }  // namespace
 
-std::string fill(std::string_view text, Group group) {
-  return Filler(group)(text);
+std::string fill(std::string_view text, Group group, UnitSystem const& units) {
+  return Filler(group, units)(text);
 }
 
-std::string remark(Group group) {
+std::string remark(Group group, UnitSystem const& units) {
   auto const part = group.front().word("part");
   auto const& about = row(group.front().kind);
   return (part.empty() ? std::string() : std::string(part) + ": ") +
-         (about.compose != nullptr ? about.compose(group) : fill(about.text, group));
+         (about.compose != nullptr ? about.compose(group, units) : fill(about.text, group, units));
 }
 }  // namespace isolaw::wording

@@ -1,9 +1,12 @@
 // Makes a sentence from a text that holds fields of findings in braces, such as "{law} is {error:%} off {measure}".
 //   {name}        a word of the finding (or its phrase, if fill.cpp has one for it), or a number
-//   {name:SPEC}   a number in the form SPEC: `3` prints 3 significant digits, `unit3` also the unit of its channel, `,`
-//                 a whole number with commas at thousands, `.1f` what fmt prints. `%` prints 0.042 as "4.2 %", `%1` as
-//                 well but always with one decimal, `0%` as "4 %", and `few%` as "only 4.2 %", or 0 as "none".
-//                 {name:law} is the name of the law whose id is the word `name`
+//   {name:SPEC}   a number in the form SPEC: `3` prints 3 significant digits, `,` a whole number with commas at
+//                 thousands, `.1f` what fmt prints. `%` prints 0.042 as "4.2 %", `%1` as well but always with one
+//                 decimal, `0%` as "4 %", and `few%` as "only 4.2 %", or 0 as "none". {name:law} is the name of the law
+//                 whose id is the word `name`
+//   {name:3 mm}   a number that is stored in mm, in the reader's unit of length, followed by this unit, which
+//                 {name:3 (mm)} leaves out. {name:3 unit} does so for the unit that is the word `unit`; without such a
+//                 word it prints no unit. {name:unit3} prints the number {name}_UNIT, where UNIT is the word `unit`
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
 //   [ ... ]       left out if a field inside is absent, or if a number {name} inside is 0
@@ -19,6 +22,6 @@
 
 namespace isolaw::wording {
 
-std::string fill(std::string_view text, Group group);
+std::string fill(std::string_view text, Group group, UnitSystem const& units);
 
 }  // namespace isolaw::wording

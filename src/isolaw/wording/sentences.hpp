@@ -8,18 +8,18 @@
 
 namespace isolaw::wording {
 
-std::string signal_clipped(Group);
-std::string signal_stuck(Group);
-std::string signal_without_sign(Group);
-std::string signal_interrupted(Group);
-std::string signal_spike(Group);
-std::string no_complete_cycle(Group);
-std::string force_late(Group);
-std::string force_early(Group);
-std::string jump_of_force(Group);
-std::string largest_speed(Group);
-std::string spikes_repaired(Group);
-std::string skew_removed(Group);
-std::string all_samples_kept(Group);
+std::string signal_clipped(Group, UnitSystem const&);
+std::string signal_stuck(Group, UnitSystem const&);
+std::string signal_without_sign(Group, UnitSystem const&);
+std::string signal_interrupted(Group, UnitSystem const&);
+std::string signal_spike(Group, UnitSystem const&);
+std::string no_complete_cycle(Group, UnitSystem const&);
+std::string force_late(Group, UnitSystem const&);
+std::string force_early(Group, UnitSystem const&);
+std::string jump_of_force(Group, UnitSystem const&);
+std::string largest_speed(Group, UnitSystem const&);
+std::string spikes_repaired(Group, UnitSystem const&);
+std::string skew_removed(Group, UnitSystem const&);
+std::string all_samples_kept(Group, UnitSystem const&);
 
 }  // namespace isolaw::wording

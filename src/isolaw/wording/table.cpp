@@ -54,22 +54,22 @@ Row const* find_row(std::string_view key) {
   return found == rows().end() ? nullptr : &*found;
 }
 
-std::string remark(Finding const& finding) {
-  return remark(Group(&finding, 1));
+std::string remark(Finding const& finding, UnitSystem const& units) {
+  return remark(Group(&finding, 1), units);
 }
-std::string sentence(Group group, std::size_t most_names) {
-  return subject_of(group, most_names) + remark(group);
+std::string sentence(Group group, UnitSystem const& units, std::size_t most_names) {
+  return subject_of(group, most_names) + remark(group, units);
 }
-std::string sentence(Finding const& finding) {
-  return sentence(Group(&finding, 1));
+std::string sentence(Finding const& finding, UnitSystem const& units) {
+  return sentence(Group(&finding, 1), units);
 }
 
-std::vector<std::string> remarks(std::vector<Finding> const& findings) {
+std::vector<std::string> remarks(std::vector<Finding> const& findings, UnitSystem const& units) {
   std::vector<std::string> all;
-  for (auto const& finding : findings) all.push_back(remark(finding));
+  for (auto const& finding : findings) all.push_back(remark(finding, units));
   return all;
 }
-std::string reasons(std::vector<Finding> const& findings) {
+std::string reasons(std::vector<Finding> const& findings, UnitSystem const& units) {
   std::vector<std::vector<Finding>> groups;
   for (auto const& finding : findings) {
     auto const group = std::ranges::find_if(
@@ -80,7 +80,7 @@ std::string reasons(std::vector<Finding> const& findings) {
       group->push_back(finding);
   }
   std::string text;
-  for (auto const& group : groups) text += text.empty() ? remark(group) : " " + capitalised(remark(group));
+  for (auto const& group : groups) text += text.empty() ? remark(group, units) : " " + capitalised(remark(group, units));
   return text;
 }
 
@@ -100,17 +100,18 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
   return groups;
 }
 
-std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place) {
+std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place, UnitSystem const& units) {
   std::vector<std::string> all;
-  for (auto const& group : grouped(findings, place)) all.push_back(sentence(group));
+  for (auto const& group : grouped(findings, place)) all.push_back(sentence(group, units));
   return all;
 }
 
-std::string paragraph(std::vector<Finding> const& findings, std::string_view between, bool with_subject) {
+std::string paragraph(std::vector<Finding> const& findings, UnitSystem const& units, std::string_view between,
+                      bool with_subject) {
   std::string text;
   for (auto const& finding : findings) {
     if (!text.empty()) text += between;
-    text += with_subject ? sentence(finding) : remark(finding);
+    text += with_subject ? sentence(finding, units) : remark(finding, units);
   }
   return text;
 }

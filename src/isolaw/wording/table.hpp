@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "isolaw/base/finding.hpp"
+#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::wording {
 
@@ -47,30 +48,33 @@ struct Row {
   unsigned appears;
   Subject subject;
   std::string_view text;  // the sentence without its subject, with fields in braces (wording/fill.hpp)
-  std::string (*compose)(Group) = nullptr;  // makes the sentence if `text` is not enough
+  std::string (*compose)(Group, UnitSystem const&) = nullptr;  // makes the sentence if `text` is not enough
 };
 
 std::span<Row const> rows();
 Row const& row(FindingKind kind);
 Row const* find_row(std::string_view key);  // nullptr if no kind has this key
 
-// "device-01 and device-02: noise of 0.1 to 0.3 mm ..."; names at most `most_names` devices.
-std::string sentence(Group group, std::size_t most_names = 5);
-std::string sentence(Finding const& finding);
+// "device-01 and device-02: noise of 0.1 to 0.3 mm ..."; names at most `most_names` devices. This function and those
+// below convert numbers to `units`.
+std::string sentence(Group group, UnitSystem const& units = record_units, std::size_t most_names = 5);
+std::string sentence(Finding const& finding, UnitSystem const& units = record_units);
 // sentence() without the devices or the law at its start, for a place that names them already.
-std::string remark(Group group);
-std::string remark(Finding const& finding);
+std::string remark(Group group, UnitSystem const& units = record_units);
+std::string remark(Finding const& finding, UnitSystem const& units = record_units);
 // remarks() gives one remark for each finding, for a list. reasons() joins them into one text to follow a colon.
-std::vector<std::string> remarks(std::vector<Finding> const& findings);
-std::string reasons(std::vector<Finding> const& findings);
+std::vector<std::string> remarks(std::vector<Finding> const& findings, UnitSystem const& units = record_units);
+std::string reasons(std::vector<Finding> const& findings, UnitSystem const& units = record_units);
 
 // The findings that may appear in `place`, in the order of the table. Each inner list makes one sentence.
 std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, unsigned place = in_report);
-std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report);
+std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report,
+                                   UnitSystem const& units = record_units);
 
 // One sentence for each finding, in the order given, joined by `between`. `with_subject` is false for a place that
 // names the devices or the law already.
-std::string paragraph(std::vector<Finding> const& findings, std::string_view between = " ", bool with_subject = true);
+std::string paragraph(std::vector<Finding> const& findings, UnitSystem const& units = record_units,
+                      std::string_view between = " ", bool with_subject = true);
 
 // The devices, parameters or blocks that the findings of a group name, each once, in the order of first appearance.
 std::vector<std::string> devices_of(Group group);

@@ -9,7 +9,8 @@
 
 namespace isolaw::render {
 
-std::vector<Figure> building_figures(building::Answers const& answers);
-FigureOutcome write_building_figures(building::Answers const& answers, std::filesystem::path const& dir);
+std::vector<Figure> building_figures(building::Answers const& answers, UnitSystem const& units);
+FigureOutcome write_building_figures(building::Answers const& answers, UnitSystem const& units,
+                                     std::filesystem::path const& dir);
 
 }  // namespace isolaw::render

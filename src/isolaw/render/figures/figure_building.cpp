@@ -20,10 +20,10 @@ building::Distribution const& distribution_of(building::LawAnswer const& law, bu
   return law.distributions[static_cast<std::size_t>(&quantity - building::quantities().data())];
 }
 
-std::string axis_label(building::Quantity const& quantity) {
+std::string axis_label(building::Quantity const& quantity, std::string_view unit) {
   auto title = std::string(quantity.title);
   title.front() = static_cast<char>(title.front() - 'a' + 'A');
-  return gnuplot_label(fmt::format("{} ({})", title, quantity.unit));
+  return gnuplot_label(fmt::format("{} ({})", title, unit));
 }
 
 struct Line {
@@ -31,7 +31,7 @@ struct Line {
   int style = black, dash = 1;
 };
 
-Figure histograms_figure(building::Answers const& answers) {
+Figure histograms_figure(building::Answers const& answers, UnitSystem const& units) {
   std::string const name = "building_histograms";
   std::string const about = "draws of the building between the bound analyses";
   auto const columns = drawn.size();
@@ -53,7 +53,7 @@ Figure histograms_figure(building::Answers const& answers) {
       auto const& h = d.histogram;
       for (double const v :
            {d.lower, d.nominal, d.upper, h.from, h.from + h.width * static_cast<double>(h.counts.size())})
-        ranges[q].add(v);
+        ranges[q].add(shown_unit(drawn_quantity(q).unit, units).factor * v);
     }
   std::size_t panel = 0;
   for (std::size_t l = 0; l < answers.laws.size(); ++l)
@@ -61,10 +61,11 @@ Figure histograms_figure(building::Answers const& answers) {
       auto const& law = answers.laws[l];
       auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
+      auto const [unit, factor] = shown_unit(drawn_quantity(q).unit, units);
       double all = 0.0;
       for (auto const count : h.counts) all += static_cast<double>(count);
       for (std::size_t i = 0; i < h.counts.size(); ++i)
-        table.row(h.from + (static_cast<double>(i) + 0.5) * h.width, h.width,
+        table.row(factor * (h.from + (static_cast<double>(i) + 0.5) * h.width), factor * h.width,
                   all > 0.0 ? 100.0 * static_cast<double>(h.counts[i]) / all : 0.0);
       table.end_block();
       script.place(grid, panel);
@@ -72,14 +73,14 @@ Figure histograms_figure(building::Answers const& answers) {
       script.line("set xrange [{}:{}]; set yrange [0:{}]", number(range.low), number(range.high),
                   number(all > 0.0 ? 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all : 1.0));
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
-                  axis_label(drawn_quantity(q)));
+                  axis_label(drawn_quantity(q), unit));
       script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
       int arrow = 0;
       for (auto const& line : {Line{d.lower, vermillion, 1}, Line{d.nominal, black, 3}, Line{d.upper, vermillion, 2}}) {
         ++arrow;
         if (std::isfinite(line.at))
           script.line("set arrow {0} from first {1},graph 0 to first {1},graph 1 nohead front ls {2} dt {3}", arrow,
-                      number(line.at), line.style, line.dash);
+                      number(factor * line.at), line.style, line.dash);
         else
           script.line("unset arrow {}", arrow);  // that of the panel before would stay
       }
@@ -126,13 +127,14 @@ Figure variance_figure(building::Answers const& answers) {
 
 }  // namespace
 
-std::vector<Figure> building_figures(building::Answers const& answers) {
+std::vector<Figure> building_figures(building::Answers const& answers, UnitSystem const& units) {
   if (answers.laws.empty()) return {};
-  return {histograms_figure(answers), variance_figure(answers)};
+  return {histograms_figure(answers, units), variance_figure(answers)};
 }
 
-FigureOutcome write_building_figures(building::Answers const& answers, std::filesystem::path const& dir) {
-  return write_figures(building_figures(answers), dir);
+FigureOutcome write_building_figures(building::Answers const& answers, UnitSystem const& units,
+                                     std::filesystem::path const& dir) {
+  return write_figures(building_figures(answers, units), dir);
 }
 
 }  // namespace isolaw::render

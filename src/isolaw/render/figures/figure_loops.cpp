@@ -29,19 +29,20 @@ LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
   return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
 
-std::string loops_data(DeviceResult const& device, std::vector<LoopPanel> const& panels, std::string const& about) {
+std::string loops_data(UnitSystem const& units, DeviceResult const& device, std::vector<LoopPanel> const& panels,
+                       std::string const& about) {
   auto const& record = device.record;
   DataTable table;
   table.comment(about);
-  table.comment(loop_units(record.has_time()));
+  table.comment(loop_units(record.has_time(), units));
   table.comment("computed forces in the order of the panels; NaN if a law has no fit");
   for (auto const& panel : panels) table.comment(panel.title + (panel.fit == nullptr ? ", " + panel.absence : ""));
   table.comment("time disp measured_force computed_force ...");
   for (auto const i : drawn_samples(record.size(), most_samples)) {
     std::vector<MaybeNumber> computed;
     for (auto const& panel : panels)
-      computed.push_back(panel.fit == nullptr ? MaybeNumber() : MaybeNumber(panel.fit->force_kN[i]));
-    table.row(record.time_s[i], record.disp_mm[i], record.force_kN[i], computed);
+      computed.push_back(panel.fit == nullptr ? MaybeNumber() : MaybeNumber(units.from_kN(panel.fit->force_kN[i])));
+    table.row(record.time_s[i], units.from_mm(record.disp_mm[i]), units.from_kN(record.force_kN[i]), computed);
   }
   return table.take();
 }
@@ -90,18 +91,18 @@ void draw_head(Script& script, Grid const& grid, std::string const& device, std:
   script.line("unset key; unset label 1; set border 31 lw 0.8; set tics scale 0.6");
 }
 
-std::string loops_script(std::string const& name, std::string const& about, DeviceResult const& device,
-                         std::vector<LoopPanel> const& panels) {
+std::string loops_script(UnitSystem const& units, std::string const& name, std::string const& about,
+                         DeviceResult const& device, std::vector<LoopPanel> const& panels) {
   auto grid = grid_of(panels.size(), 32.0, {.left = 13.0, .right = 3.0, .bottom = 9.0, .top = 5.0});
   grid.head_mm = 5.0;
   Range disp, force;
-  for (double const x : device.record.disp_mm) disp.add(x);
-  for (double const f : device.record.force_kN) force.add(f);
+  for (double const x : device.record.disp_mm) disp.add(units.from_mm(x));
+  for (double const f : device.record.force_kN) force.add(units.from_kN(f));
   // The axis extends beyond the measured forces by half their range on each side. A law with larger forces is cut off.
   double const spare = 0.5 * (force.high - force.low), lowest = force.low - spare, highest = force.high + spare;
   for (auto const& panel : panels)
     if (panel.fit != nullptr)
-      for (double const f : panel.fit->force_kN) force.add(std::clamp(f, lowest, highest));
+      for (double const f : panel.fit->force_kN) force.add(std::clamp(units.from_kN(f), lowest, highest));
   disp = disp.padded(0.05);
   force = force.padded(0.05);
   Script script(name, about, grid.width_mm, grid.height_mm());
@@ -110,7 +111,8 @@ std::string loops_script(std::string const& name, std::string const& about, Devi
   script.line("set xrange [{}:{}]; set yrange [{}:{}]", number(disp.low), number(disp.high), number(force.low),
               number(force.high));
   if (disp.high > disp.low) script.line("set xtics {}", number(nice_step(disp.high - disp.low, 4)));
-  script.line("set xlabel 'Displacement (mm)' offset 0,raise; set ylabel 'Force (kN)' offset inward,0");
+  script.line("set xlabel 'Displacement ({})' offset 0,raise; set ylabel 'Force ({})' offset inward,0",
+              units.length.symbol, units.force.symbol);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     script.place(grid, i);
     script.line("set grid lc rgb '#e2e2e2' lt 1 lw 0.5");
@@ -138,7 +140,8 @@ MaybeFigure loops_of_laws_figure(Summary const& summary, DeviceResult const& dev
   auto const name = "loops_" + stem;
   std::string const about =
       "measured and computed loop of every law on a device, Fig. 5; OF is the objective of the best run";
-  return Figure{name, loops_data(device, panels, about), loops_script(name, about, device, panels)};
+  return Figure{name, loops_data(summary.units(), device, panels, about),
+                loops_script(summary.units(), name, about, device, panels)};
 }
 
 }  // namespace isolaw::render

@@ -41,12 +41,17 @@ struct PropertyPanel {
 };
 
 PropertyPanel property_panel(Summary const& summary, rules::Quantity quantity, std::string label) {
+  auto const shown = shown_unit(rules::unit(quantity), summary.units());
   PropertyPanel panel{.name = std::string(rules::name(quantity)),
                       .label = std::move(label),
-                      .unit = std::string(rules::unit(quantity)),
+                      .unit = shown.unit,
                       .limits = limits_of(summary, quantity)};
   for (auto const& device : summary.devices)
     if (device.status == "ok") panel.values.push_back(property_values(device, quantity));
+  for (auto& values : panel.values)
+    for (double& value : values) value *= shown.factor;
+  for (auto* limit : {&panel.limits.design, &panel.limits.lower, &panel.limits.upper})
+    if (*limit) **limit *= shown.factor;
   return panel;
 }
 

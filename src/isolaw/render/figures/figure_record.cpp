@@ -8,16 +8,18 @@
 namespace isolaw::render {
 namespace {
 
-void write_history(DataTable& table, std::string_view title, std::span<double const> time,
+void write_history(UnitSystem const& units, DataTable& table, std::string_view title, std::span<double const> time,
                    std::span<double const> disp_mm, std::span<double const> force_kN) {
   table.comment(title);
-  table.comment(time.empty() ? "sample disp_mm force_kN" : "time_s disp_mm force_kN");
+  table.comment(fmt::format("{} disp_{} force_{}", time.empty() ? "sample" : "time_s", units.length.symbol,
+                            units.force.symbol));
   for (auto const i : drawn_samples(disp_mm.size(), most_samples))
-    table.row(time.empty() ? static_cast<double>(i) : time[i], disp_mm[i], force_kN[i]);
+    table.row(time.empty() ? static_cast<double>(i) : time[i], units.from_mm(disp_mm[i]),
+              units.from_kN(force_kN[i]));
   table.end_block();
 }
 
-std::string record_script(std::string const& name, std::string const& about, std::string const& title, bool has_time) {
+std::string record_script(UnitSystem const& units, std::string const& name, std::string const& about, std::string const& title, bool has_time) {
   Grid const grid{.columns = 1,
                   .rows = 2,
                   .width_mm = double_column_mm,
@@ -30,7 +32,8 @@ std::string record_script(std::string const& name, std::string const& about, std
   script.line("set multiplot");
   for (std::size_t i = 0; i < 2; ++i) {
     script.place(grid, i);
-    script.line("set ylabel '{}' offset inward,0", i == 0 ? "Displacement (mm)" : "Force (kN)");
+    script.line("set ylabel '{} ({})' offset inward,0", i == 0 ? "Displacement" : "Force",
+                i == 0 ? units.length.symbol : units.force.symbol);
     if (i == 0) script.line("set label 1 {} noenhanced at graph 0,1.06", gnuplot_string(shortened(title, 100.0)));
     script.line(
         "plot '{0}.dat' index 0 using 1:{1} with lines ls {2} dt 1 lw 2 title 'before cleaning', '' index 1 using 1:{1} with lines ls {3} dt 2 title 'after cleaning'",
@@ -43,15 +46,15 @@ std::string record_script(std::string const& name, std::string const& about, std
 
 }  // namespace
 
-MaybeFigure record_figure(DeviceResult const& device, std::string const& stem) {
+MaybeFigure record_figure(UnitSystem const& units, DeviceResult const& device, std::string const& stem) {
   if (device.raw.size() == 0 || device.record.size() == 0) return std::nullopt;
   auto const name = "record_" + stem;
   std::string const about = "a record before and after cleaning, Fig. 4";
   DataTable table;
   table.comment(about);
-  write_history(table, "before cleaning", device.raw.time_s, device.raw.disp_mm, device.raw.force_kN);
-  write_history(table, "after cleaning", device.record.time_s, device.record.disp_mm, device.record.force_kN);
-  return Figure{name, table.take(), record_script(name, about, device.name, device.record.has_time())};
+  write_history(units, table, "before cleaning", device.raw.time_s, device.raw.disp_mm, device.raw.force_kN);
+  write_history(units, table, "after cleaning", device.record.time_s, device.record.disp_mm, device.record.force_kN);
+  return Figure{name, table.take(), record_script(units, name, about, device.name, device.record.has_time())};
 }
 
 }  // namespace isolaw::render

@@ -75,9 +75,9 @@ constexpr std::string_view time_label(bool has_time) {
   return has_time ? "Time (s)" : "Sample";
 }
 
-constexpr std::string_view loop_units(bool has_time) {
-  return has_time ? "time in s, displacement in mm, forces in kN"
-                  : "time as samples of the file, displacement in mm, forces in kN";
+inline std::string loop_units(bool has_time, UnitSystem const& units) {
+  return fmt::format("time {}, displacement in {}, forces in {}", has_time ? "in s" : "as samples of the file",
+                     units.length.symbol, units.force.symbol);
 }
 
 struct Range {

@@ -44,7 +44,7 @@ MaybeFigure loops_of_one_device(Summary const& summary) {
 void for_each_device_figure(Summary const& summary, std::function<void(MaybeFigure const&)> const& use) {
   auto const stems = device_stems(summary);
   for (std::size_t d = 0; d < summary.devices.size(); ++d) {
-    use(record_figure(summary.devices[d], stems[d]));
+    use(record_figure(summary.units(), summary.devices[d], stems[d]));
     use(loops_of_laws_figure(summary, summary.devices[d], stems[d]));
     for (auto const& law : summary.laws) use(loops_figure(summary, summary.devices[d], law, stems[d]));
   }

@@ -38,6 +38,6 @@ MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, Law
 // A panel for each law with the measured and the computed loop of a device, as in Fig. 5.
 MaybeFigure loops_of_laws_figure(Summary const& summary, DeviceResult const& device, std::string const& stem);
 // The record before and after cleaning, as in Fig. 4.
-MaybeFigure record_figure(DeviceResult const& device, std::string const& stem);
+MaybeFigure record_figure(UnitSystem const& units, DeviceResult const& device, std::string const& stem);
 
 }  // namespace isolaw::render

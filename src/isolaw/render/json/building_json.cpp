@@ -22,11 +22,15 @@ class BuildingWriter {
   void operator()() {
     auto const& s = study_.file.settings;
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
-    out_.member("verdict", wording::paragraph(answers_.verdict)).key("bounds_are_enough");
+    UnitSystems const systems = digits_ == Digits::all ? stored_units : UnitSystems(unit_systems);
+    write_said(out_.key("verdict"), systems,
+               [&](auto const& units) { return wording::paragraph(answers_.verdict, units); });
+    out_.key("bounds_are_enough");
     answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
-    out_.member("enough", building::wanted_share).member("warnings", building_warnings(answers_));
-    write_findings(out_, "findings", answers_.warnings, wording::with_building);
-    write_findings(out_, "calibration", answers_.calibration, wording::with_building);
+    out_.member("enough", building::wanted_share).key("warnings");
+    warnings(systems);
+    write_findings(out_, "findings", answers_.warnings, wording::with_building, systems);
+    write_findings(out_, "calibration", answers_.calibration, wording::with_building, systems);
     out_.member("assumed", answers_.assumed);
     number("weight_kN", answers_.weight_kN);
     write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
@@ -42,6 +46,15 @@ class BuildingWriter {
   }
 
  private:
+  void warnings(UnitSystems systems) {
+    std::vector<std::vector<std::string>> texts;  // [system][warning]
+    for (auto const& units : systems) texts.push_back(building_warnings(answers_, units));
+    out_.begin_array();
+    for (std::size_t i = 0; i < texts.front().size(); ++i)
+      write_said(out_, systems,
+                 [&](auto const& units) { return texts[static_cast<std::size_t>(&units - systems.data())][i]; });
+    out_.end_array();
+  }
   std::optional<int> rounding() const { return digits_ == Digits::all ? std::nullopt : std::optional(shown_digits); }
   void number(std::string_view key, std::optional<double> const& value) {
     write_value(out_.key(key), value ? Value(*value) : Value(), rounding());
@@ -176,9 +189,9 @@ void write_building(JsonWriter& out, building::Study const& study, building::Ans
   BuildingWriter(out, study, answers, digits)();
 }
 
-std::vector<std::string> building_warnings(building::Answers const& answers) {
-  auto sentences = wording::sentences(answers.warnings, wording::with_building);
-  for (auto const& sentence : wording::sentences(answers.calibration, wording::with_building))
+std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units) {
+  auto sentences = wording::sentences(answers.warnings, wording::with_building, units);
+  for (auto const& sentence : wording::sentences(answers.calibration, wording::with_building, units))
     sentences.push_back("From the calibration: " + sentence);
   return sentences;
 }

@@ -11,7 +11,7 @@ namespace isolaw::render {
 
 // Writes the members of building.json into the open object.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
-std::vector<std::string> building_warnings(building::Answers const& answers);
+std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units = record_units);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);
 

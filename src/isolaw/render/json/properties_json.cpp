@@ -32,13 +32,13 @@ void write_block(JsonWriter& out, DeviceResult const& device, data::Block const&
   });
 }
 
-void write_vertical(JsonWriter& out, DeviceResult const& device) {
+void write_vertical(JsonWriter& out, DeviceResult const& device, UnitSystems systems) {
   out.key("vertical");
   if (!device.vertical_test.given()) return void(out.null());
   out.object([&] {
     write_results(out, vertical_results, device, Digits::shown, [&](std::string_view key) {
       if (key == "recognised")
-        out.value(wording::remarks(device.vertical_test.recognised));
+        write_remarks(out, device.vertical_test.recognised, systems);
       else
         write_values(out, device.vertical ? device.vertical->loadings_kN_per_mm : std::vector<double>(), shown_digits);
     });
@@ -97,7 +97,8 @@ void write_tests(JsonWriter& out, DeviceResult const& device) {
   });
 }
 
-void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device) {
+void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
+                      UnitSystems systems) {
   auto const& acceptance = device.acceptance;
   auto const& properties = device.properties;
   out.key("blocks").objects(properties.blocks, [&](auto const& block) { write_block(out, device, block); });
@@ -106,12 +107,14 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
     out.object([&] { out.member("block", reported->block).member("number", reported->number); });
   else
     out.null();
-  out.member("properties_refusal", wording::reasons(properties.refusal));
+  write_said(out.key("properties_refusal"), systems,
+             [&](auto const& units) { return wording::reasons(properties.refusal, units); });
   out.key("samples_per_cycle").rounded(properties.samples_per_cycle, 6);
-  write_members(out, "notes", wording::remarks(device.notes), "corrections", wording::remarks(device.raw.corrections),
-                "counting_block", acceptance.block, "counting_block_choice", acceptance.choice);
+  write_remarks(out.key("notes"), device.notes, systems);
+  write_remarks(out.key("corrections"), device.raw.corrections, systems);
+  write_members(out, "counting_block", acceptance.block, "counting_block_choice", acceptance.choice);
   write_rows(out.key("levels"), level_results, study::levels_of(device), Digits::shown);
-  write_vertical(out, device);
+  write_vertical(out, device, systems);
   auto const verdict = verdict_on(lot, device);
   auto const sentence = device_verdict(acceptance);
   write_members(out, "verdict", verdict, "verdict_brief", verdict ? sentence.brief() : std::string(), "verdict_text",

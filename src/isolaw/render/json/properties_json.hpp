@@ -3,6 +3,7 @@
 #pragma once
 
 #include "isolaw/base/json.hpp"
+#include "isolaw/render/json/results_json.hpp"
 #include "isolaw/render/results.hpp"
 #include "isolaw/study/verdict.hpp"
 
@@ -10,7 +11,8 @@ namespace isolaw::render {
 
 // Adds to a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
 // counting_block, levels, vertical, verdict, copy_of, doubts, assessments.
-void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device);
+void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
+                      UnitSystems systems = stored_units);
 // Adds the member `tests`: one object for each test of the device, or an empty list if it has one test.
 void write_tests(JsonWriter& out, DeviceResult const& device);
 // Adds the overall verdict as the member `result`.

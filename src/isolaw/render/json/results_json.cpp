@@ -56,10 +56,12 @@ void write_settings(JsonWriter& out, study::Summary const& summary) {
 }
 
 void write_recommendation(JsonWriter& out, study::Summary const& summary,
-                          std::optional<study::Recommendation> const& recommendation) {
+                          std::optional<study::Recommendation> const& recommendation, UnitSystems systems) {
+  auto const said = [&](std::string_view key, auto const& say) { write_said(out.key(key), systems, say); };
   auto const write_reasons = [&](std::string_view key, std::vector<Finding> const& findings) {
     out.key(key).objects(findings, [&](Finding const& finding) {
-      out.member("kind", wording::row(finding.kind).key).member("sentence", wording::remark(finding));
+      out.member("kind", wording::row(finding.kind).key);
+      said("sentence", [&](auto const& units) { return wording::remark(finding, units); });
     });
   };
   out.key("recommendation");
@@ -70,9 +72,12 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
   auto const& advice = *recommendation;
   out.begin_object().key("law");
   advice.law ? out.value(summary.laws[*advice.law].id) : out.null();
-  out.member("headline", wording::sentence(advice.answer.front()));
-  out.member("explanation", wording::paragraph({advice.answer.begin() + 1, advice.answer.end()}));
-  out.member("answer", wording::paragraph(advice.answer)).member("sure", study::name(advice.sure));
+  said("headline", [&](auto const& units) { return wording::sentence(advice.answer.front(), units); });
+  said("explanation", [&](auto const& units) {
+    return wording::paragraph({advice.answer.begin() + 1, advice.answer.end()}, units);
+  });
+  said("answer", [&](auto const& units) { return wording::paragraph(advice.answer, units); });
+  out.member("sure", study::name(advice.sure));
   write_reasons("reasons", advice.why);
   write_reasons("weak", advice.law ? advice.weak() : std::vector<Finding>());
   write_reasons("surer", advice.surer);
@@ -93,7 +98,9 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
     out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
     out.member("error", standing.error).member("fits", standing.fits).member("new_device", standing.new_device);
     out.member("predicts", standing.predicts).member("parameters", std::uint64_t{standing.parameters});
-    out.member("reason", standing.reason ? wording::remark(*standing.reason) : std::string());
+    said("reason", [&](auto const& units) {
+      return standing.reason ? wording::remark(*standing.reason, units) : std::string();
+    });
     out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
     write_reasons("weak", standing.weak);
   });
@@ -113,14 +120,22 @@ void write_published(JsonWriter& out, study::Summary const& summary, Digits digi
   out.end_object();
 }
 
-void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings, unsigned place) {
+void write_remarks(JsonWriter& out, std::vector<Finding> const& findings, UnitSystems systems) {
+  out.array(findings, [&](Finding const& finding) {
+    write_said(out, systems, [&](auto const& units) { return wording::remark(finding, units); });
+  });
+}
+
+void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings, unsigned place,
+                    UnitSystems systems) {
   auto const write_list = [&](std::string_view name, auto const& values) {
     if (!values.empty()) out.key(name).array(values, [&](auto const& value) { out.value(value); });
   };
   out.key(key).objects(wording::grouped(findings, place), [&](auto const& group) {
     auto const& row = wording::row(group.front().kind);
     out.member("kind", row.key).member("topic", row.topic);
-    out.member("severity", wording::name(row.severity)).member("sentence", wording::sentence(group));
+    out.member("severity", wording::name(row.severity));
+    write_said(out.key("sentence"), systems, [&](auto const& units) { return wording::sentence(group, units); });
     out.member("certificate", (row.appears & wording::on_certificate) != 0)
         .member("action", row.action)
         .member("law", group.front().law);

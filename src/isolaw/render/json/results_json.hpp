@@ -1,8 +1,11 @@
 // Writes results as members of a JSON object. A row of study/results.hpp gives the key, unit and value of one result.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -58,8 +61,28 @@ void write_rows(JsonWriter& out, Result<Object> const (&rows)[count], Items cons
 
 void write_profile(JsonWriter& out, ParameterAnalysis const& analysis, std::optional<int> digits = std::nullopt);
 void write_settings(JsonWriter& out, study::Summary const& summary);
+
+// JSON files hold sentences in kN and mm. The page's data hold them in every system of units, since the page offers the
+// reader all of them.
+using UnitSystems = std::span<UnitSystem const>;
+inline constexpr UnitSystems stored_units(unit_systems.data(), 1);
+// Writes what `say` says in each system: one text if it is the same in all, else {"said": [...]} with a text for each.
+template <class Say>
+void write_said(JsonWriter& out, UnitSystems systems, Say const& say) {
+  std::vector<std::string> texts;
+  for (auto const& units : systems) texts.push_back(say(units));
+  if (std::ranges::adjacent_find(texts, std::not_equal_to()) == texts.end())
+    out.value(texts.front());
+  else
+    out.object([&] { out.member("said", texts); });
+}
+// Writes an array with the remark of each finding.
+void write_remarks(JsonWriter& out, std::vector<Finding> const& findings,
+                   UnitSystems systems = stored_units);
+
 void write_recommendation(JsonWriter& out, study::Summary const& summary,
-                          std::optional<study::Recommendation> const& recommendation);
+                          std::optional<study::Recommendation> const& recommendation,
+                          UnitSystems systems = stored_units);
 // Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
 // Writes an array with one object for each sentence. One sentence may join several findings of a kind. The object has
@@ -67,6 +90,6 @@ void write_published(JsonWriter& out, study::Summary const& summary, Digits digi
 // parameters and blocks. Its array `each` has one object for each joined finding, with the devices, parameters, blocks
 // and numbers of that finding.
 void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> const& findings,
-                    unsigned place = wording::in_report);
+                    unsigned place = wording::in_report, UnitSystems systems = stored_units);
 
 }  // namespace isolaw::render

@@ -78,6 +78,7 @@ std::string building_html(building::Study const& study, building::Answers const&
   JsonWriter out;
   out.begin_object();
   write_building(out, study, answers, Digits::shown);
+  write_units(out, study.units());
   write_notation(out, {});
   out.end_object();
   auto const& title = study.file.settings.title;

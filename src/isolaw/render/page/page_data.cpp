@@ -14,6 +14,7 @@
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/build_analysis.hpp"
+#include "isolaw/study/building_results.hpp"
 #include "isolaw/study/command.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/drawn_samples.hpp"
@@ -22,6 +23,7 @@
 #include "isolaw/study/law_look.hpp"
 #include "isolaw/study/published_results.hpp"
 #include "isolaw/study/typical_device.hpp"
+#include "isolaw/study/value_doubts.hpp"
 #include "isolaw/study/verdict.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -58,7 +60,9 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
 // Divides about two million points among all curves, so that a page of 160 devices stays small. A curve gets from 300
 // to 2400 points.
 std::size_t points_per_curve(Summary const& summary) {
-  std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (summary.laws.size() + 5));
+  bool const predicts = std::ranges::any_of(summary.laws, [](auto const& law) { return law.larger_swings_objective; });
+  std::size_t const of_laws = (predicts ? 2 : 1) * summary.laws.size();
+  std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (of_laws + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
 }
 
@@ -83,17 +87,29 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   });
 }
 
-// The time ranges that the laws were fitted to; null if that is the whole record.
-void write_scored(JsonWriter& out, data::FitRecord const& record) {
-  out.key("scored");
-  if (record.scored.empty()) return void(out.null());
+// The time ranges of the samples that are `inside`.
+template <class Inside>
+void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& inside) {
   out.begin_array();
   for (std::size_t i = 0; i < record.size(); ++i) {
     auto const first = i;
-    while (i < record.size() && record.is_scored(i)) ++i;
+    while (i < record.size() && inside(i)) ++i;
     if (i > first) out.object([&] { write_members(out, "from", record.time_s[first], "to", record.time_s[i - 1]); });
   }
   out.end_array();
+}
+
+// What the laws were fitted to, or null if that is the whole record, and the large swings that laws predict from a fit
+// to the small ones.
+void write_parts(JsonWriter& out, DeviceResult const& device) {
+  auto const& record = device.record;
+  out.key("scored");
+  if (record.scored.empty())
+    out.null();
+  else
+    write_ranges(out, record, [&](std::size_t i) { return record.is_scored(i); });
+  write_ranges(out.key("large_swings"), record,
+               [&](std::size_t i) { return i < device.in_large_swings.size() && device.in_large_swings[i]; });
 }
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
@@ -103,15 +119,17 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
                 "message", device.message, "serial", device.serial, "lot", device.lot, "test_date", device.test_date);
   out.member("temperature_C", device.temperature_C).member("rubber_thickness_mm", device.rubber_thickness_mm);
   out.member("rubber_area_mm2", device.rubber_area_mm2);
-  write_properties(out, lot, device);
+  write_properties(out, lot, device, unit_systems);
   write_tests(out, device);
   write_raw(out, device.raw, most);
   out.key("recognised").objects(device.raw.recognised, [&](Finding const& finding) {
-    out.member("sentence", wording::remark(finding)).member("option", finding.word("option"));
+    write_said(out.key("sentence"), unit_systems, [&](auto const& units) { return wording::remark(finding, units); });
+    out.member("option", finding.word("option"));
   });
-  write_members(out, "warnings", wording::remarks(findings), "cleaning", wording::remarks(record.cleaning));
-  write_findings(out, "findings", findings, wording::anywhere);
-  write_scored(out, record);
+  write_remarks(out.key("warnings"), findings, unit_systems);
+  write_remarks(out.key("cleaning"), record.cleaning, unit_systems);
+  write_findings(out, "findings", findings, wording::anywhere, unit_systems);
+  write_parts(out, device);
   out.key("record").object([&] {
     write_members(out, "samples", record.size(), "drawn", drawn.size(), "has_time", record.has_time());
     write_curves(out, record, drawn);
@@ -190,10 +208,14 @@ void write_fit(JsonWriter& out, DeviceFit const& fit, int device, std::vector<st
   });
   write_determination(out, fit);
   write_convergence(out, fit);
-  if (!drawn.empty() && drawn.back() < fit.force_kN.size())
-    write_curve(out, "force_kN", fit.force_kN, drawn);
-  else
-    out.key("force_kN").null();
+  auto const write_force = [&](std::string_view key, std::vector<double> const& force) {
+    if (!drawn.empty() && drawn.back() < force.size())
+      write_curve(out, key, force, drawn);
+    else
+      out.key(key).null();
+  };
+  write_force("force_kN", fit.force_kN);
+  write_force("larger_swings_force_kN", fit.larger_swings_force_kN);
 }
 
 void write_lot_law(JsonWriter& out, LotLaw const& lot) {
@@ -253,13 +275,13 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
 
 void write_conclusions(JsonWriter& out, Summary const& summary) {
   auto const found = findings(summary);
-  write_recommendation(out, summary, found.recommendation);
+  write_recommendation(out, summary, found.recommendation, unit_systems);
   out.member("headline", wording::paragraph(found.headline)).member("beta_note", found.beta_note);
   out.key("verdicts").objects(found.verdicts, [&](auto const& verdict) {
     write_members(out, "law", verdict.law, "role", verdict.role, "sentence",
-                  wording::paragraph(verdict.findings, " ", false), "dominated_by", verdict.dominated_by);
+                  wording::paragraph(verdict.findings, record_units, " ", false), "dominated_by", verdict.dominated_by);
   });
-  write_findings(out, "warnings", found.warnings);
+  write_findings(out, "warnings", found.warnings, wording::in_report, unit_systems);
   // The places, in the list of warnings, of those that concern the answer.
   std::uint64_t place = 0;
   out.key("answer_warnings").array(wording::grouped(found.warnings), [&](auto const& group) {
@@ -269,7 +291,7 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
       out.value(place);
     ++place;
   });
-  write_findings(out, "converged", found.converged, wording::anywhere);
+  write_findings(out, "converged", found.converged, wording::anywhere, unit_systems);
 }
 
 void write_shown(JsonWriter& out, Summary const& summary) {
@@ -350,6 +372,31 @@ Notation notation_of(Summary const& summary) {
 
 }  // namespace
 
+void write_units(JsonWriter& out, UnitSystem const& shown) {
+  out.key("units").begin_object().member("chosen", shown.id);
+  out.key("systems").objects(unit_systems, [&](UnitSystem const& system) {
+    out.member("id", system.id).key("units").object([&] {
+      for (auto const& [ending, stored] : unit_endings)
+        out.key(stored).object([&] {
+          auto const [unit, factor] = shown_unit(stored, system);
+          out.member("unit", unit).member("factor", factor);
+        });
+    });
+  });
+  out.key("endings").array(unit_endings, [&](auto const& each) {
+    out.begin_array().value(each[0]).value(each[1]).end_array();
+  });
+  std::set<std::string_view> own{"o", "s", "from", "width"};  // parts of curves and of histograms
+  auto const add = [&](auto const& rows) {
+    for (auto const& row : rows)
+      if (row.unit == study::own_unit) own.insert(row.key);
+  };
+  add(assessment_results), add(quantity_results), add(lot_outlier_results), add(factor_results);
+  add(doubt_results), add(outlier_results), add(study::distribution_results);
+  out.key("own").array(own, [&](auto key) { out.value(key); });
+  out.end_object();
+}
+
 void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
   // True for a name with a digit, such as "a10", that is no device's name. Such a name can only mean the parameter.
@@ -385,9 +432,10 @@ std::string page_data_json(Summary const& summary) {
   auto const seed = std::to_string(summary.seed);  // as text, since a JavaScript number does not hold 64 bits
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
-                "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
+                "letterhead", summary.asked.letterhead, "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
   write_settings(out, summary);
   out.key("findings").object([&] { write_conclusions(out, summary); });
+  write_units(out, summary.units());
   write_shown(out, summary);
   write_rows(out.key("outliers"), outlier_results, summary.outliers, Digits::shown);
   write_published(out, summary, Digits::shown);

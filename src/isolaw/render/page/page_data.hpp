@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "isolaw/base/json.hpp"
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/render/results.hpp"
 
 namespace isolaw::render {
@@ -14,6 +15,10 @@ namespace isolaw::render {
 // {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]) with integers d and step = range /
 // 20,000.
 std::string page_data_json(Summary const& summary);
+
+// Writes into the open object how the page converts its numbers: the units of every system, the endings of keys that
+// name units, and the keys of numbers whose object names their unit. The page opens in the units `shown`.
+void write_units(JsonWriter& out, UnitSystem const& shown);
 
 // The names to typeset on a page. write_notation() writes the markers of the laws and the symbols of these names into
 // the open object. A parameter's name such as a10 is not typeset if a device has the same name.

@@ -27,13 +27,14 @@ std::string bold_head(std::string_view law) {
 
 }  // namespace
 
-std::string building_csv(building::Answers const& answers) {
-  CsvTable table;
+std::string building_csv(building::Study const& study, building::Answers const& answers) {
+  CsvTable table(study.units());
   table.add("law", "quantity", "unit").head(distribution_columns).end_row();
   for (auto const& law : answers.laws)
     for (std::size_t q = 0; q < law.distributions.size(); ++q) {
       auto const& row = building::quantities()[q];
-      table.add(law.law, row.key, row.unit).cells(distribution_columns, law.distributions[q]).end_row();
+      table.add(law.law, name_in(row.key, study.units()), shown_unit(row.unit, study.units()).unit);
+      table.cells(distribution_columns, law.distributions[q], row.unit).end_row();
     }
   return table.take();
 }
@@ -48,7 +49,7 @@ std::string coverage_csv(building::Answers const& answers) {
 }
 
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers) {
-  CsvTable table;
+  CsvTable table(study.units());
   table.add("law", "motion").head(checked_columns).end_row();
   for (auto const& law : answers.laws)
     for (std::size_t m = 0; m < law.checked.size(); ++m)
@@ -74,11 +75,12 @@ std::string building_tex(building::Study const& study, building::Answers const& 
     for (std::size_t q = 0; q < law.distributions.size(); ++q) {
       auto const& row = building::quantities()[q];
       auto const& d = law.distributions[q];
-      auto const unit = latex_unit(row.unit);
+      auto const shown = shown_unit(row.unit, study.units());
+      auto const unit = latex_unit(shown.unit);
       text += latex_text(row.title) + (unit.empty() ? "" : " (" + unit + ")");
       for (double const value :
            {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += " & " + latex_number(value, 3);
+        text += " & " + latex_number(shown.factor * value, 3);
       text += " & " + latex_number(d.lot_std_ln, 2) + " & " + latex_number(d.motion_std_ln, 2) + " \\\\\n";
     }
     for (std::size_t i = 0; i < law.coverage.size(); ++i) {
@@ -87,7 +89,7 @@ std::string building_tex(building::Study const& study, building::Answers const& 
           "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}}} \\\\\n",
           100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high,
           latex_text(building::quantity(c.quantity).title),
-          latex_text(wording::sentence(building::covering_factors(c))));
+          latex_text(wording::sentence(building::covering_factors(c), study.units())));
     }
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

@@ -8,18 +8,23 @@ namespace isolaw::render {
 namespace {
 
 struct Cells {
+  double factor;  // converts numbers to the table's units
+
+  std::string number(std::optional<double> const& value) const {
+    return to_text(value ? std::optional(factor * *value) : value, 6);
+  }
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(bool flag) const { return flag ? "yes" : "no"; }
   std::string operator()(std::integral auto number) const { return std::to_string(number); }
-  std::string operator()(double number) const { return to_text(number, 6); }
+  std::string operator()(double value) const { return number(value); }
   std::string operator()(std::string_view text) const { return csv_cell(text); }
   std::string operator()(std::vector<std::string> const* texts) const {
     return csv_cell(wording::enumerate(*texts, 99));
   }
   std::string operator()(Statistic const& statistic) const {
-    return to_text(statistic.mean, 6) + ',' + to_text(statistic.std, 6) + ',' + to_text(statistic.best, 6);
+    return number(statistic.mean) + ',' + number(statistic.std) + ',' + number(statistic.best);
   }
-  std::string operator()(Ends const& ends) const { return to_text(ends.lower, 6) + ',' + to_text(ends.upper, 6); }
+  std::string operator()(Ends const& ends) const { return number(ends.lower) + ',' + number(ends.upper); }
   std::string operator()(study::Nested) const { return {}; }
 };
 
@@ -40,10 +45,10 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-void CsvTable::put(Value const& value) {
+void CsvTable::put(Value const& value, double factor) {
   if (!at_start_) text_ += ',';
   at_start_ = false;
-  text_ += std::visit(Cells{}, value);
+  text_ += std::visit(Cells{factor}, value);
 }
 
 }  // namespace isolaw::render

@@ -1,4 +1,5 @@
-// A CSV table that is written cell by cell, after RFC 4180. Numbers have six significant digits.
+// A CSV table that is written cell by cell, after RFC 4180. Numbers have six significant digits. Columns made from rows
+// of results show their values in the table's units.
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@ namespace isolaw::render {
 
 class CsvTable {
  public:
+  explicit CsvTable(UnitSystem const& units = record_units) : units_(units) {}
   // Adds the cells of each value: a Statistic has three (mean, std, best), Ends has two (lower, upper), any other value
   // one. The cell of an undefined value is empty.
   template <class... Of>
@@ -28,12 +30,22 @@ class CsvTable {
   template <class Of, std::size_t count>
   CsvTable& head(std::array<Result<Of>, count> const& columns) {
     for (auto const& column : columns)
-      for (auto const& heading : study::headings(column)) add(heading.text());
+      for (auto heading : study::headings(column)) {
+        heading.unit = shown_unit(heading.unit, units_).unit;
+        add(heading.text());
+      }
     return *this;
   }
+  // `unit` is the unit of the columns whose unit differs between objects.
   template <class Of, std::size_t count>
-  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object) {
-    for (auto const& column : columns) put(column.of(object));
+  CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object, std::string_view unit = {}) {
+    for (auto const& column : columns) {
+      auto const shown = shown_unit(column.unit == study::own_unit ? unit : column.unit, units_);
+      if (column.key == "unit")
+        put(shown_unit(unit, units_).unit);
+      else
+        put(column.of(object), shown.factor);
+    }
     return *this;
   }
   CsvTable& empty(std::size_t count) {
@@ -47,8 +59,9 @@ class CsvTable {
   std::string take() { return std::move(text_); }
 
  private:
-  void put(Value const& value);
+  void put(Value const& value, double factor = 1.0);
 
+  UnitSystem const& units_;
   std::string text_;
   bool at_start_ = true;
 };

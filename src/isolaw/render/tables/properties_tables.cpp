@@ -37,7 +37,7 @@ constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "first",
                                                    "last"});
 
-void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& block, data::Cycle const& c) {
+void cycle_row(CsvTable& table, UnitSystem const& units, DeviceResult const& device, data::Block const& block, data::Cycle const& c) {
   auto const& reported = device.properties.reported;
   bool const is_reported = reported && reported->block == block.number && reported->number == c.number && c.counts();
   auto const number = c.counts() ? std::optional(c.number) : std::nullopt;
@@ -46,23 +46,23 @@ void cycle_row(CsvTable& table, DeviceResult const& device, data::Block const& b
   table.cells(strain, row)
       .add(block.frequency_Hz)
       .cells(of_cycles, row)
-      .row(wording::reasons(device.properties.refusal));
+      .row(wording::reasons(device.properties.refusal, units));
 }
 
 }  // namespace
 
 std::string cycles_csv(Summary const& summary) {
-  CsvTable table;
+  CsvTable table(summary.units());
   table.add("device", "block", "cycle", "counts", "why not", "reported");
   table.head(strain).add("frequency [Hz]").head(of_cycles).row("no properties");
   constexpr std::size_t width = 9 + of_cycles.size();
   for (auto const& device : summary.devices) {
     for (auto const& block : device.properties.blocks)
-      for (auto const& cycle : block.cycles) cycle_row(table, device, block, cycle);
+      for (auto const& cycle : block.cycles) cycle_row(table, summary.units(), device, block, cycle);
     if (device.properties.blocks.empty())
       table.add(device.name)
           .empty(width - 2)
-          .row(device.status == "ok" ? wording::reasons(device.properties.refusal) : device.message);
+          .row(device.status == "ok" ? wording::reasons(device.properties.refusal, summary.units()) : device.message);
   }
   return table.take();
 }
@@ -70,11 +70,11 @@ std::string cycles_csv(Summary const& summary) {
 std::string tests_csv(Summary const& summary) {
   constexpr auto of_test = columns(assessment_results, {"block", "quantity", "clause", "formula", "value", "unit",
                                                         "nominal", "deviation_percent", "limit", "verdict", "reason"});
-  CsvTable table;
+  CsvTable table(summary.units());
   table.add("device").head(of_test).end_row();
   for (auto const& device : summary.devices)
     for (auto const& assessment : device.acceptance.assessments)
-      table.add(device.name).cells(of_test, AssessmentOf{assessment, device.acceptance.block}).end_row();
+      table.add(device.name).cells(of_test, AssessmentOf{assessment, device.acceptance.block}, assessment.unit).end_row();
   return table.take();
 }
 
@@ -82,7 +82,7 @@ std::string levels_csv(Summary const& summary) {
   constexpr auto of_level = columns(level_results, {"block", "amplitude_mm", "strain_percent", "frequency_Hz",
                                                     "N_mean_kN", "cycle", "K_eff_kN_per_mm", "damping_percent",
                                                     "energy_kN_mm", "K_eff_ratio", "damping_ratio", "reference"});
-  CsvTable table;
+  CsvTable table(summary.units());
   table.add("device").head(of_level).end_row();
   for (auto const& device : summary.devices)
     for (auto const& level : study::levels_of(device)) table.add(device.name).cells(of_level, level).end_row();
@@ -92,7 +92,7 @@ std::string levels_csv(Summary const& summary) {
 std::string vertical_csv(Summary const& summary) {
   constexpr auto of_device = columns(vertical_results, {"K_v_kN_per_mm", "how", "low_kN", "high_kN", "disp_low_mm",
                                                         "disp_high_mm", "loading", "file", "sha256", "refusal"});
-  CsvTable table;
+  CsvTable table(summary.units());
   table.add("device").head(of_device).end_row();
   for (auto const& device : summary.devices)
     if (device.vertical_test.given()) table.add(device.name).cells(of_device, device).end_row();
@@ -105,7 +105,7 @@ std::string lot_csv(Summary const& summary) {
       columns(quantity_results, {"n", "mean", "sd", "cov_percent", "min", "min_device", "max", "max_device", "nominal",
                                  "deviation_of_mean_percent", "worst_deviation_percent", "worst_device", "fractile_5",
                                  "fractile_95", "tolerance_k", "tolerance_lower", "tolerance_upper", "no_lower_bound"});
-  CsvTable table;
+  CsvTable table(summary.units());
   table.head(quantity).add("lot size", "tested", "required").head(spread);
   table.row("limit on the mean", "verdict", "reason", "outliers");
   auto const& lot = summary.acceptance.lot;
@@ -118,7 +118,7 @@ std::string lot_csv(Summary const& summary) {
     }
     for (auto const& outlier : q.outliers) outliers.push_back(outlier.device + ": " + outlier.reason);
     if (!q.outlier_note.empty()) outliers.push_back(q.outlier_note);
-    table.cells(quantity, q).add(lot.lot_size, lot.devices, lot.required).cells(spread, q);
+    table.cells(quantity, q, q.unit).add(lot.lot_size, lot.devices, lot.required).cells(spread, q, q.unit);
     table.row(joined(limits, "; "), joined(verdicts, "; "), joined(reasons, "; "), joined(outliers, "; "));
   }
   return table.take();
@@ -129,12 +129,12 @@ std::string lambda_csv(Summary const& summary) {
   constexpr auto of_test = columns(test_factor_results, {"min", "max", "min_cycle", "max_cycle"});
   constexpr auto bounds =
       columns(factor_results, {"lambda_min", "lambda_max", "lower", "upper", "note", "no_lower_bound"});
-  CsvTable table;
+  CsvTable table(summary.units());
   table.head(of_supply).head(of_test).head(bounds).end_row();
   for (auto const& quantity : summary.acceptance.lot.quantities)
     for (auto const& bound : quantity.bounds) {
       FactorOf const row{quantity, bound};
-      table.cells(of_supply, row).cells(of_test, quantity).cells(bounds, row).end_row();
+      table.cells(of_supply, row, quantity.unit).cells(of_test, quantity).cells(bounds, row, quantity.unit).end_row();
     }
   return table.take();
 }

@@ -33,10 +33,11 @@ void print_list(std::string& text, char const* title, std::vector<std::string> c
   for (auto const& line : lines) add(text, "  {}\n", line);
 }
 
-void print_channel(std::string& text, char const* name, std::vector<double> const& values, char const* unit) {
+void print_channel(std::string& text, char const* name, std::vector<double> const& values, ShownUnit const& shown) {
   if (values.empty()) return;
   auto const [least, largest] = std::ranges::minmax(values);
-  add(text, "  {:<14}{:>12} to {:>10} {}\n", name, number_text(least), number_text(largest), unit);
+  add(text, "  {:<14}{:>12} to {:>10} {}\n", name, number_text(shown.factor * least),
+      number_text(shown.factor * largest), shown.unit);
 }
 
 std::string number(std::optional<double> const& value, int decimals) {
@@ -60,31 +61,38 @@ void print_ratios(std::string& text, std::string_view name, data::Stability cons
   text += '\n';
 }
 
-void print_block(std::string& text, DeviceResult const& device, data::Block const& block) {
+void print_block(std::string& text, UnitSystem const& units, DeviceResult const& device, data::Block const& block) {
+  auto const length = shown_unit("mm", units), stiff = shown_unit("kN/mm", units), work = shown_unit("kN mm", units),
+             force = shown_unit("kN", units), speed = shown_unit("mm/s", units);
   auto const counted = block.counted();
   add(text, "\nBlock {}: ", block.number);
   if (counted.empty())
     text += "no complete cycle";
   else
-    add(text, "{} cycle{} of {:.4g} mm", counted.size(), counted.size() == 1 ? "" : "s", block.amplitude_mm);
+    add(text, "{} cycle{} of {:.4g} {}", counted.size(), counted.size() == 1 ? "" : "s",
+        length.factor * block.amplitude_mm, length.unit);
   if (block.frequency_Hz) add(text, " at {:.4g} Hz", *block.frequency_Hz);
   if (!block.waveform.empty()) add(text, ", {}", block.waveform);
-  if (block.v_max_mm_s) add(text, ", v max {:.4g} mm/s", *block.v_max_mm_s);
+  if (block.v_max_mm_s) add(text, ", v max {:.4g} {}", speed.factor * *block.v_max_mm_s, speed.unit);
   if (device.rubber_thickness_mm && !counted.empty())
     add(text, ", shear strain {:.3g} %", 100.0 * block.amplitude_mm / *device.rubber_thickness_mm);
   text += ", from raw values\n";
   bool const loads = std::ranges::any_of(block.cycles, [](auto const& c) { return c.N_mean_kN.has_value(); });
   add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "cycle", "amplitude", "K_eff", "K+", "K-",
       "energy", "damping", "Q_d", "K_d", loads ? "         N" : "");
-  add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "", "mm", "kN/mm", "kN/mm", "kN/mm",
-      "kN mm", "%", "kN", "kN/mm", loads ? "        kN" : "");
+  add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}{}\n", "", length.unit, stiff.unit, stiff.unit,
+      stiff.unit, work.unit, "%", force.unit, stiff.unit, loads ? fmt::format("{:>10}", force.unit) : "");
   for (auto const& c : block.cycles) {
-    int const stiffness = decimals_for(std::abs(c.K_eff_kN_per_mm));
-    add(text, "  {:>5} {:>9.2f} {:>9.{}f} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9.{}f}",
-        c.counts() ? fmt::to_string(c.number) : "-", c.amplitude_mm, c.K_eff_kN_per_mm, stiffness,
-        number(c.K_plus(), stiffness), number(c.K_minus(), stiffness), number_text(c.energy_kN_mm),
-        number(c.damping(), 2), number_text(c.Q_d_kN), c.K_d_kN_per_mm, stiffness);
-    if (loads) add(text, " {:>9}", number(c.N_mean_kN, 1));
+    int const stiffness = decimals_for(stiff.factor * std::abs(c.K_eff_kN_per_mm));
+    auto const in = [](ShownUnit const& shown, std::optional<double> const& value, int decimals) {
+      return number(value ? std::optional(shown.factor * *value) : value, decimals);
+    };
+    add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}",
+        c.counts() ? fmt::to_string(c.number) : "-", in(length, c.amplitude_mm, length.decimals(2)),
+        in(stiff, c.K_eff_kN_per_mm, stiffness), in(stiff, c.K_plus(), stiffness), in(stiff, c.K_minus(), stiffness),
+        number_text(work.factor * c.energy_kN_mm), number(c.damping(), 2), number_text(force.factor * c.Q_d_kN),
+        in(stiff, c.K_d_kN_per_mm, stiffness));
+    if (loads) add(text, " {:>9}", in(force, c.N_mean_kN, force.decimals(1)));
     if (device.properties.is_reported(c)) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';
@@ -103,11 +111,11 @@ void print_rule_set(std::string& text, LotAcceptance const& acceptance) {
     add(text, "  the limits of this set are not verified: deviations are information, no verdict\n");
 }
 
-void print_assessment(std::string& text, rules::Assessment const& a) {
+void print_assessment(std::string& text, UnitSystem const& units, rules::Assessment const& a) {
   std::vector<std::string> parts;
-  if (a.value)
-    parts.push_back(a.unit.empty() ? fmt::format("{:.5g}", *a.value) : fmt::format("{:.5g} {}", *a.value, a.unit));
-  if (a.nominal) parts.push_back(fmt::format("design {:.5g}", *a.nominal));
+  auto const [unit, factor] = shown_unit(a.unit, units);
+  if (a.value) parts.push_back(fmt::format("{:.5g}{}{}", factor * *a.value, unit.empty() ? "" : " ", unit));
+  if (a.nominal) parts.push_back(fmt::format("design {:.5g}", factor * *a.nominal));
   if (!a.deviation.empty()) parts.push_back(a.deviation);
   if (!a.limit.empty()) parts.push_back("limit " + printable(a.limit));
   if (!a.clause.empty()) parts.push_back(printable(a.clause));
@@ -121,26 +129,29 @@ std::size_t longest_name(Summary const& summary) {
   return std::min<std::size_t>(longest, 32);
 }
 
-std::string vertical_text(DeviceResult const& device) {
+std::string vertical_text(UnitSystem const& units, DeviceResult const& device) {
   auto const& test = device.vertical_test;
   if (!device.vertical) return "no vertical stiffness K_v, see the warnings";
   auto const file = test.file.empty() ? std::string()
                                       : fmt::format("; {}, sha256 {}", printable(test.file), test.sha256.substr(0, 16));
-  return fmt::format("vertical stiffness K_v: {:.5g} kN/mm, {}{}", device.vertical->K_v_kN_per_mm, device.vertical->how,
-                     file);
+  auto const [unit, factor] = shown_unit("kN/mm", units);
+  return fmt::format("vertical stiffness K_v: {:.5g} {}, {}{}", factor * device.vertical->K_v_kN_per_mm, unit,
+                     device.vertical->how, file);
 }
 
-void print_vertical(std::string& text, DeviceResult const& device) {
+void print_vertical(std::string& text, UnitSystem const& units, DeviceResult const& device) {
   if (!device.vertical_test.given()) {
     if (device.acceptance.assessments.empty()) add(text, "\n{}\n", no_vertical_stiffness);
     return;
   }
-  add(text, "\n{}\n", vertical_text(device));
-  print_list(text, "Recognised in the vertical test", wording::remarks(device.vertical_test.recognised));
+  add(text, "\n{}\n", vertical_text(units, device));
+  print_list(text, "Recognised in the vertical test", wording::remarks(device.vertical_test.recognised, units));
   if (!device.vertical) return;
   for (auto const& turned : device.vertical->turned) add(text, "  {}\n", turned);
-  if (device.vertical->loadings_kN_per_mm.size() > 1)
-    add(text, "  K_v of each loading: {:.5g} kN/mm\n", fmt::join(device.vertical->loadings_kN_per_mm, ", "));
+  auto loadings = device.vertical->loadings_kN_per_mm;
+  auto const [unit, factor] = shown_unit("kN/mm", units);
+  for (auto& loading : loadings) loading *= factor;
+  if (loadings.size() > 1) add(text, "  K_v of each loading: {:.5g} {}\n", fmt::join(loadings, ", "), unit);
 }
 
 void print_verticals(std::string& text, Summary const& summary) {
@@ -153,40 +164,43 @@ void print_verticals(std::string& text, Summary const& summary) {
   auto const width = longest_name(summary);
   for (auto const& device : summary.devices)
     add(text, "  {:<{}}  {}\n", printable(device.name), width,
-        device.vertical_test.given() ? vertical_text(device) : std::string("none"));
+        device.vertical_test.given() ? vertical_text(summary.units(), device) : std::string("none"));
 }
 
-void print_device_in_full(std::string& text, DeviceResult const& device) {
+void print_device_in_full(std::string& text, UnitSystem const& units, DeviceResult const& device) {
   auto const& acceptance = device.acceptance;
   add(text, "{}: {}, sha256 {}\n", printable(device.file), counted(device.raw.size(), "sample"),
       device.sha256.substr(0, 16));
-  print_list(text, "Recognised", wording::remarks(device.raw.recognised));
-  print_list(text, "Corrected, as asked for", wording::remarks(device.raw.corrections));
+  print_list(text, "Recognised", wording::remarks(device.raw.recognised, units));
+  print_list(text, "Corrected, as asked for", wording::remarks(device.raw.corrections, units));
   text += "\nChannels\n";
-  print_channel(text, "time", device.raw.time_s, "s");
-  print_channel(text, "displacement", device.raw.disp_mm, "mm");
-  print_channel(text, "force", device.raw.force_kN, "kN");
-  print_channel(text, "vertical load", device.raw.load_kN, "kN");
-  for (auto const& block : device.properties.blocks) print_block(text, device, block);
+  print_channel(text, "time", device.raw.time_s, {"s"});
+  print_channel(text, "displacement", device.raw.disp_mm, shown_unit("mm", units));
+  print_channel(text, "force", device.raw.force_kN, shown_unit("kN", units));
+  print_channel(text, "vertical load", device.raw.load_kN, shown_unit("kN", units));
+  for (auto const& block : device.properties.blocks) print_block(text, units, device, block);
   auto const& refusal = device.properties.refusal;
-  if (!refusal.empty()) add(text, "\nNo cyclic properties: {}\n", wording::reasons(refusal));
+  if (!refusal.empty()) add(text, "\nNo cyclic properties: {}\n", wording::reasons(refusal, units));
   if (!acceptance.assessments.empty()) {
     add(text, "\nAssessed on block {}, {}\n", *acceptance.block, acceptance.choice);
-    for (auto const& assessment : acceptance.assessments) print_assessment(text, assessment);
+    for (auto const& assessment : acceptance.assessments) print_assessment(text, units, assessment);
     add(text, "  device: {}\n", device_verdict(acceptance).text());
   }
-  print_vertical(text, device);
+  print_vertical(text, units, device);
   auto warnings = device.raw.warnings;
   std::erase_if(warnings, [&](auto const& each) { return std::ranges::find(refusal, each) != refusal.end(); });
-  print_list(text, "Warnings", wording::remarks(warnings));
-  print_list(text, "Notes", wording::remarks(device.notes));
+  print_list(text, "Warnings", wording::remarks(warnings, units));
+  print_list(text, "Notes", wording::remarks(device.notes, units));
 }
 
 void print_devices(std::string& text, Summary const& summary) {
+  auto const& units = summary.units();
+  auto const length = shown_unit("mm", units), stiff = shown_unit("kN/mm", units), work = shown_unit("kN mm", units);
   auto const width = longest_name(summary);
   add(text, "\n{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}  {}\n", "device", width, "block", "cycle", "amplitude",
       "K_eff", "energy", "damping", summary.acceptance.has_rules() ? "verdict" : "");
-  add(text, "{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}\n", "", width, "", "", "mm", "kN/mm", "kN mm", "%");
+  add(text, "{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}\n", "", width, "", "", length.unit, stiff.unit,
+      work.unit, "%");
   for (auto const& device : summary.devices) {
     auto const& acceptance = device.acceptance;
     add(text, "{:<{}} ", printable(device.name), width);
@@ -194,38 +208,42 @@ void print_devices(std::string& text, Summary const& summary) {
     if (device.status != "ok")
       add(text, "refused: {}\n", on_one_line(device.message));
     else if (cycle == nullptr)
-      add(text, "no cyclic properties: {}\n", wording::reasons(device.properties.refusal));
+      add(text, "no cyclic properties: {}\n", wording::reasons(device.properties.refusal, units));
     else
-      add(text, "{:>5} {:>5} {:>9.2f} {:>9.4f} {:>10} {:>8}  {}\n", cycle->block, cycle->number, cycle->amplitude_mm,
-          cycle->K_eff_kN_per_mm, number_text(cycle->energy_kN_mm), number(cycle->damping(), 2),
+      add(text, "{:>5} {:>5} {:>9.{}f} {:>9.{}f} {:>10} {:>8}  {}\n", cycle->block, cycle->number,
+          length.factor * cycle->amplitude_mm, length.decimals(2), stiff.factor * cycle->K_eff_kN_per_mm,
+          stiff.decimals(4), number_text(work.factor * cycle->energy_kN_mm), number(cycle->damping(), 2),
           summary.acceptance.has_rules() ? device_verdict(acceptance).text() : "");
   }
 }
 
-void print_quantities(std::string& text, rules::LotView const& lot) {
+void print_quantities(std::string& text, UnitSystem const& units, rules::LotView const& lot) {
   add(text, "\n{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "lot", "unit", "n", "mean", "CoV %",
       "min", "max", "design", "mean %", "worst %");
-  auto const significant = [](std::optional<double> const& v) { return v ? number_text(*v) : "-"; };
   auto const percent = [](std::optional<double> const& v) { return v ? fmt::format("{:+.1f}", *v) : "-"; };
-  for (auto const& q : lot.quantities)
-    add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), q.unit,
+  for (auto const& q : lot.quantities) {
+    auto const [unit, factor] = shown_unit(q.unit, units);
+    auto const significant = [factor](std::optional<double> const& v) { return v ? number_text(factor * *v) : "-"; };
+    add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), unit,
         q.count, significant(q.mean), number(q.cov_percent, 2), significant(q.min), significant(q.max),
         significant(q.nominal), percent(q.mean_deviation_percent), percent(q.worst_deviation_percent));
+  }
   for (auto const& q : lot.quantities)
     for (auto const& outlier : q.outliers)
       add(text, "outlier: {}: {}\n", printable(outlier.device), printable(outlier.reason));
 }
 
-void print_factors(std::string& text, rules::LotView const& lot) {
+void print_factors(std::string& text, UnitSystem const& units, rules::LotView const& lot) {
   bool const any = std::ranges::any_of(lot.quantities, [](auto const& q) { return !q.bounds.empty(); });
   if (!any) return;
   add(text, "\nProperty modification factors\n  {:<9} {:<28} {:>7} {:>7} {:>10} {:>10}\n", "property", "source", "min",
       "max", "lower", "upper");
   for (auto const& q : lot.quantities)
     for (auto const& b : q.bounds) {
+      auto const [unit, factor] = shown_unit(q.unit, units);
       add(text, "  {:<9} {:<28} {:>7} {:>7.3f} {:>10} {:>10} {}", rules::name(q.quantity), b.source,
           b.no_lower.empty() ? fmt::format("{:.3f}", b.combined.min) : "-", b.combined.max,
-          b.no_lower.empty() ? number_text(b.lower) : "-", number_text(b.upper), q.unit);
+          b.no_lower.empty() ? number_text(factor * b.lower) : "-", number_text(factor * b.upper), unit);
       if (!b.no_lower.empty()) add(text, "  {} (k = {:.4g})", b.no_lower, *q.tolerance_factor);
       text += '\n';
     }
@@ -240,23 +258,23 @@ void print_warnings(std::string& text, Summary const& summary) {
   std::vector<std::string> lines;
   auto findings = study::warnings(summary);
   std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::device_refused; });
-  for (auto const& sentence : wording::sentences(findings)) lines.push_back(printable(sentence));
+  for (auto const& sentence : wording::sentences(findings, wording::in_report, summary.units())) lines.push_back(printable(sentence));
   print_list(text, "Warnings", lines);
 }
 
-void print_lot_verdicts(std::string& text, LotAcceptance const& acceptance) {
+void print_lot_verdicts(std::string& text, UnitSystem const& units, LotAcceptance const& acceptance) {
   if (!acceptance.has_rules()) return;
   text += "\nLot\n";
-  print_assessment(text, acceptance.lot.sample);
+  print_assessment(text, units, acceptance.lot.sample);
   for (auto const& q : acceptance.lot.quantities)
-    for (auto const& limit : q.mean_limits) print_assessment(text, limit);
+    for (auto const& limit : q.mean_limits) print_assessment(text, units, limit);
 }
 
 void print_lot(std::string& text, Summary const& summary) {
   auto const& lot = summary.acceptance.lot;
-  print_quantities(text, lot);
-  print_lot_verdicts(text, summary.acceptance);
-  print_factors(text, lot);
+  print_quantities(text, summary.units(), lot);
+  print_lot_verdicts(text, summary.units(), summary.acceptance);
+  print_factors(text, summary.units(), lot);
   if (!lot.note.empty()) add(text, "\n{}\n", lot.note);
   if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
 }
@@ -266,9 +284,9 @@ void print_lot(std::string& text, Summary const& summary) {
 std::string inspection_text(Summary const& summary) {
   auto text = study::capitalised(overall_verdict(summary).text()) + "\n\n";
   if (summary.devices.size() == 1) {
-    print_device_in_full(text, summary.devices.front());
+    print_device_in_full(text, summary.units(), summary.devices.front());
     print_rule_set(text, summary.acceptance);
-    print_lot_verdicts(text, summary.acceptance);
+    print_lot_verdicts(text, summary.units(), summary.acceptance);
     if (summary.acceptance.has_rules() && !summary.acceptance.lot.note.empty())
       add(text, "\n{}\n", summary.acceptance.lot.note);
     return text;

@@ -314,19 +314,20 @@ std::string heading(Summary const& summary, int width) {
 std::string answers(Summary const& summary, Findings const& found, int width) {
   if (!found.recommendation) return {};
   auto const& advice = *found.recommendation;
-  auto text = wrapped("", wording::paragraph(advice.answer), 0, width);
-  std::string line = wording::paragraph(advice.why);
+  auto const& units = summary.units();
+  auto text = wrapped("", wording::paragraph(advice.answer, units), 0, width);
+  std::string line = wording::paragraph(advice.why, units);
   if (advice.law && !advice.weak().empty())
-    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), "; ", false));
-  if (!advice.reach.empty()) line += " " + wording::paragraph(advice.reach);
-  if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, "; "));
+    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), units, "; ", false));
+  if (!advice.reach.empty()) line += " " + wording::paragraph(advice.reach, units);
+  if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, units, "; "));
   text += wrapped("", line, 2, width);
-  if (advice.programs) text += wrapped("", wording::sentence(*advice.programs) + ".", 2, width);
+  if (advice.programs) text += wrapped("", wording::sentence(*advice.programs, units) + ".", 2, width);
   for (auto const& standing : advice.standings)
     if (standing.reason)
       text += wrapped("",
                       fmt::format("{} is ruled out: {}.", laws::called(summary.laws[standing.law].id),
-                                  wording::remark(*standing.reason)),
+                                  wording::remark(*standing.reason, units)),
                       2, width);
   return text + '\n';
 }
@@ -401,15 +402,16 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   auto text = heading(summary, width) + '\n';
   if (!found.recommendation) return text;
   auto const& shown = *found.recommendation;
+  auto const& units = summary.units();
   auto const* law = shown.law ? &summary.laws[*shown.law] : nullptr;
   auto const weak = law != nullptr ? shown.weak() : std::vector<Finding>();
-  text += wrapped("", wording::paragraph(shown.answer), 0, width);
-  if (law == nullptr) text += wrapped("", wording::paragraph(shown.why), 2, width);
+  text += wrapped("", wording::paragraph(shown.answer, units), 0, width);
+  if (law == nullptr) text += wrapped("", wording::paragraph(shown.why, units), 2, width);
   if (!weak.empty())
-    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, "; ", false)), 2, width);
+    text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, units, "; ", false)), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
-  if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach), margin, width);
-  if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, "; ") + ".", margin, width);
+  if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach, units), margin, width);
+  if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, units, "; ") + ".", margin, width);
   // Warnings that do not concern the answer are shown only with --details.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });
@@ -418,7 +420,7 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   constexpr auto screen = 25, below = 3;  // lines; `below` are those after the warnings
   std::size_t told = 0;
   for (; told < std::min(most, groups.size()); ++told) {
-    auto const warning = wrapped(told == 0 ? "Look at" : "", wording::sentence(groups[told], 3), margin, width);
+    auto const warning = wrapped(told == 0 ? "Look at" : "", wording::sentence(groups[told], units, 3), margin, width);
     if (std::ranges::count(text + warning, '\n') + below > screen) break;
     text += warning;
   }
@@ -441,11 +443,11 @@ std::string ranking(Summary const& summary, int width) {
   if (auto const converged = converged_table(summary, width); !converged.empty()) text += '\n' + converged;
   if (auto const prediction = prediction_table(summary); !prediction.empty()) text += '\n' + prediction;
   if (!found.converged.empty()) text += '\n';
-  for (auto const& sentence : wording::sentences(found.converged, wording::anywhere))
+  for (auto const& sentence : wording::sentences(found.converged, wording::anywhere, summary.units()))
     text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
-    for (auto const& sentence : wording::sentences(found.warnings)) text += wrapped("  -", sentence, 4, width);
+    for (auto const& sentence : wording::sentences(found.warnings, wording::in_report, summary.units())) text += wrapped("  -", sentence, 4, width);
   }
   text += '\n';
   if (found.beta_note.empty()) return text + front_plot(summary, width);

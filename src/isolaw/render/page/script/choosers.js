@@ -7,6 +7,7 @@ import {
   devices, drawable, examinedLaws, firstExamined, laws, lotLaws, predictedByFit, ranking, report, tested,
 } from './report.js';
 import { firstLaw } from './recommendation.js';
+import { UNITS, isOtherThanReported } from './units.js';
 import { FIRST_VIEW } from './views.js';
 
 const shownFirst = (among) => among.find((device) => device.index === report.typical_device) ?? among[0];
@@ -62,13 +63,14 @@ export function readAddress() {
   if (device) chooseDevice(device.index);
 }
 
-let isChosen = false; // true once a law or device was chosen
+let isChosen = isOtherThanReported; // true once a law, a device or units were chosen
 export function writeAddress() {
   if (!isChosen) return;
   const asked = new URLSearchParams();
   if (laws[chosen.law]) asked.set('law', laws[chosen.law].id);
   const device = devices[chosen.device ?? chosen.tested];
   if (device) asked.set('device', device.name);
+  if (isOtherThanReported) asked.set('units', UNITS);
   history.replaceState(null, '', (location.hash.split('?')[0] || '#decision') + '?' + asked);
 }
 

@@ -1,6 +1,7 @@
 import { chosen } from './choice.js';
 import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
+import { MM } from './units.js';
 
 // The properties that the page shows from cycle to cycle. A cycle's object names them by `key`, a rule set by `name`.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
@@ -17,7 +18,7 @@ export const chosenBlocks = (device) =>
   device.blocks.filter((block) => chosen.block === 'all' || block.number === chosen.block);
 
 export const amplitudeText = (block) =>
-  counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + 'mm' : 'no complete cycle';
+  counted(block).length > 0 ? '±' + significant(block.amplitude_mm, 3) + THIN + MM : 'no complete cycle';
 
 // Describes a block, with its number first: "2, ±60 mm, 0.5 Hz, sine".
 export function blockFacts(block) {

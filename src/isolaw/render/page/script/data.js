@@ -1,1 +1,3 @@
-export const data = JSON.parse(document.getElementById('isolaw-data').textContent);
+import { shownData } from './units.js';
+
+export const data = shownData;

@@ -47,8 +47,8 @@ import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
 import { VIEWS } from './views.js';
 
-// An inspection's page begins with the verdict and the strips of the lot. A single device needs no strips.
-const alone = inspection && devices.length === 1;
+// An inspection's page begins with the verdict and the strips of the lot. A single device needs no figures of a lot.
+const alone = devices.length === 1;
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [
   { id: 'verdict', title: 'Verdict', figures: inspection ? [verdictFigure, alone ? assessmentsFigure : lotStripsFigure] : [] },

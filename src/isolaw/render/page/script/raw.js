@@ -1,5 +1,6 @@
 import { chosen } from './choice.js';
 import { curve, devices } from './report.js';
+import { KN, MM } from './units.js';
 
 export const rawIndex = (raw, k) => Math.min(k * raw.stride, raw.samples - 1);
 
@@ -36,7 +37,7 @@ export function rawData() {
   let position = 0;
   const spans = device.blocks.flatMap((block) => block.cycles.map((cycle) => ({ block, cycle })));
   return {
-    columns: ['sample', ...(axis.timed ? ['time [s]'] : []), 'displacement [mm]', 'force [kN]', 'block', 'cycle'],
+    columns: ['sample', ...(axis.timed ? ['time [s]'] : []), 'displacement [' + MM + ']', 'force [' + KN + ']', 'block', 'cycle'],
     rows: x.map((value, k) => {
       const index = rawIndex(raw, k);
       while (position < spans.length && spans[position].cycle.last < index) ++position;

@@ -2,6 +2,7 @@ import { element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
+import { UNITS, UNIT_SYSTEMS } from './units.js';
 
 // Builds the sections of a page from objects {id, title, short, figures, controls, adorn}. Before the figures of a
 // section exist, adorn(element) may change the section's look, and opened(section, element) is called. onChoice(f)
@@ -18,6 +19,7 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
     { rootMargin: '300px 0px' },
   );
 
+  document.querySelector('.masthead').append(unitsChooser());
   const main = document.getElementById('report'),
     contents = document.getElementById('contents');
   for (const section of sections) {
@@ -45,6 +47,19 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   // now that it exists.
   const [section] = location.hash.slice(1).split('?');
   if (section) document.getElementById(section)?.scrollIntoView();
+}
+
+// The page is loaded again in the chosen units, because every number, sentence and plot changes.
+function unitsChooser() {
+  const follow = () => {
+    const [section, rest] = location.hash.slice(1).split('?');
+    const address = new URLSearchParams(rest ?? '');
+    address.set('units', select.value);
+    history.replaceState(null, '', '#' + section + '?' + address);
+    location.reload();
+  };
+  const select = element('select', { id: 'units', change: follow }, UNIT_SYSTEMS.map((id) => element('option', { value: id, selected: id === UNITS }, id)));
+  return element('label', { class: 'units screen' }, 'Units', select);
 }
 
 function markCurrentSection(main, contents) {

@@ -21,7 +21,7 @@ export const VERDICTS = {
     tone: 'muted', filled: false, path: 'M6 .9 L11.1 6 L6 11.1 L.9 6 Z', mark: 'M6 5.4 V8.2 M6 3.4 V4.2',
     symbol: 'diamond-open',
   },
-  'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'line-ew-open' },
+  'not assessed': { tone: 'muted', filled: false, path: 'M1.5 6 H10.5', mark: '', symbol: 'triangle-up-open' },
 };
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 

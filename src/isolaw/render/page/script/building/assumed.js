@@ -1,9 +1,10 @@
 import { sentences, termList } from '../dom.js';
 import { fixed, sentence, significant } from '../text.js';
 import { grouped, laws, study } from './study.js';
+import { KN } from '../units.js';
 
 const facts = () => [
-  ['weight', grouped(Math.round(study.weight_kN)) + ' kN'],
+  ['weight', grouped(Math.round(study.weight_kN)) + ' ' + KN],
   ['periods on a fixed base', study.fixed_base_periods_s.slice(0, 3).map((s) => fixed(s, 3)).join(', ') + ' s'],
   ['factors of the bounds', study.lower_factor + ', ' + study.upper_factor],
   ['draws', grouped(study.draws) + ', seed ' + study.seed],

@@ -1,6 +1,7 @@
 import { tableOf } from '../tables.js';
 import { deviation, fixed, mean, significant } from '../text.js';
 import { laws, study } from './study.js';
+import { MM, decimalsIn } from '../units.js';
 
 const rows = laws.flatMap((law) => law.checked.map((checked, motion) => ({ law, checked, motion: study.motions[motion].name })));
 const NUMBERS = ['isolator_mm', 'energy_error', 'step_s', 'missed_mm', 'lanes_off_percent', 'equivalent_mm', 'equivalent_error_percent', 'equivalent_period_s', 'equivalent_damping'];
@@ -26,11 +27,11 @@ export const checksSection = {
           [
             ...(laws.length > 1 ? [{ title: 'Law', cell: ({ law }) => law.name }] : []),
             { title: 'Motion', cell: ({ motion }) => motion },
-            { title: 'Bearing', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.isolator_mm, 1) },
-            { title: 'Step error', unit: 'mm', number: true, cell: ({ checked }) => significant(checked.missed_mm, 1) },
+            { title: 'Bearing', unit: MM, number: true, cell: ({ checked }) => fixed(checked.isolator_mm, decimalsIn('mm', 1)) },
+            { title: 'Step error', unit: MM, number: true, cell: ({ checked }) => significant(checked.missed_mm, 1) },
             { title: 'Energy error', number: true, cell: ({ checked }) => significant(checked.energy_error, 1) },
             { title: 'Draws deviate', number: true, cell: ({ checked }) => deviation(checked.lanes_off_percent, 2) },
-            { title: 'Hand method', unit: 'mm', number: true, cell: ({ checked }) => fixed(checked.equivalent_mm, 1) },
+            { title: 'Hand method', unit: MM, number: true, cell: ({ checked }) => fixed(checked.equivalent_mm, decimalsIn('mm', 1)) },
             { title: 'Its error', number: true, cell: ({ checked }) => deviation(checked.equivalent_error_percent, 0) },
             { title: 'Period', unit: 's', number: true, cell: ({ checked }) => fixed(checked.equivalent_period_s, 2) },
             { title: 'Damping', number: true, cell: ({ checked }) => fixed(100 * checked.equivalent_damping, 0) + '\u202f%' },

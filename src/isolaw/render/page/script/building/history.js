@@ -1,8 +1,9 @@
 import { choose, chosen, lawBoxes } from '../choice.js';
 import { element } from '../dom.js';
 import { LEGEND, dashOf } from '../plotting.js';
-import { plain } from '../text.js';
+import { fixed, plain } from '../text.js';
 import { laws, placeChooser, study } from './study.js';
+import { KN, LOOP_HOVER, MM, decimalsIn, hovered } from '../units.js';
 
 const shown = () => laws.filter((law) => chosen.laws.has(law.index));
 const of = (law) => law.histories[chosen.motion];
@@ -29,12 +30,12 @@ export const historySection = {
       depends: DEPENDS,
       caption: () =>
         study.motions[chosen.motion].name + ', along ' + chosen.axis + ': the nominal building, without draws' +
-        (shown().length > 0 ? '; at most ' + shown().map((law) => Math.round(largest(law)) + ' mm (' + law.name + ')').join(', ') + ' in any direction.' : '. Choose a law above.'),
+        (shown().length > 0 ? '; at most ' + shown().map((law) => fixed(largest(law), decimalsIn('mm', 0)) + ' ' + MM + ' (' + law.name + ')').join(', ') + ' in any direction.' : '. Choose a law above.'),
       csv,
       height: () => 300,
       draw: (look) => ({
-        traces: lines(look, (h) => h.x_mm.map((_, i) => i * h.step_s), (h) => h[chosen.axis + '_mm'], '%{x:.2f} s, %{y:.1f} mm'),
-        layout: layout('time [s]', chosen.axis + ' [mm]'),
+        traces: lines(look, (h) => h.x_mm.map((_, i) => i * h.step_s), (h) => h[chosen.axis + '_mm'], '%{x:.2f} s, ' + hovered('y', 'mm', 1)),
+        layout: layout('time [s]', chosen.axis + ' [' + MM + ']'),
       }),
     },
     {
@@ -46,8 +47,8 @@ export const historySection = {
       csv,
       height: () => 380,
       draw: (look) => ({
-        traces: lines(look, (h) => h[chosen.axis + '_mm'], (h) => h['shear_' + chosen.axis + '_kN'].map((kN) => kN / 1e3), '%{x:.1f} mm, %{y:.2f} MN'),
-        layout: layout('displacement of the centre [mm]', 'force [MN]'),
+        traces: lines(look, (h) => h[chosen.axis + '_mm'], (h) => h['shear_' + chosen.axis + '_kN'], LOOP_HOVER),
+        layout: layout('displacement of the centre [' + MM + ']', 'force [' + KN + ']'),
       }),
     },
     {
@@ -59,8 +60,8 @@ export const historySection = {
       csv,
       height: () => 380,
       draw: (look) => ({
-        traces: lines(look, (h) => h.x_mm, (h) => h.y_mm, '%{x:.1f} mm, %{y:.1f} mm'),
-        layout: layout('x [mm]', 'y [mm]', { yaxis: { scaleanchor: 'x' } }),
+        traces: lines(look, (h) => h.x_mm, (h) => h.y_mm, hovered('x', 'mm', 1) + ', ' + hovered('y', 'mm', 1)),
+        layout: layout('x [' + MM + ']', 'y [' + MM + ']', { yaxis: { scaleanchor: 'x' } }),
       }),
     },
     {
@@ -102,7 +103,7 @@ function controls() {
 
 function csv() {
   return {
-    columns: ['law', 'time [s]', 'x [mm]', 'y [mm]', 'force x [kN]', 'force y [kN]'],
+    columns: ['law', 'time [s]', 'x [' + MM + ']', 'y [' + MM + ']', 'force x [' + KN + ']', 'force y [' + KN + ']'],
     rows: shown().flatMap((law) => {
       const h = of(law);
       return h.x_mm.map((x, i) => [law.id, i * h.step_s, x, h.y_mm[i], h.shear_x_kN[i], h.shear_y_kN[i]]);

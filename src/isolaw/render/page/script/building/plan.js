@@ -3,6 +3,7 @@ import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
 import { laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+import { KN, LOOP_HOVER, MM, inUnits } from '../units.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
@@ -50,8 +51,8 @@ const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + number
 function wayOf(law, place) {
   const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops,
     { centre, bearings } = study.plan;
-  const dx = 1e3 * (bearings[place].x_m - centre.x_m),
-    dy = 1e3 * (bearings[place].y_m - centre.y_m);
+  const dx = inUnits(1e3, 'mm') * (bearings[place].x_m - centre.x_m),
+    dy = inUnits(1e3, 'mm') * (bearings[place].y_m - centre.y_m);
   return { x: x.map((mm, i) => mm - dy * turned[i]), y: y.map((mm, i) => mm + dx * turned[i]) };
 }
 
@@ -63,11 +64,11 @@ function loop(look) {
   return {
     traces: axes.map((axis, i) => ({
       name: 'along ' + axis, mode: 'lines', x: way[axis], y: force[axis + '_kN'], line: { color: look.colour(i === 0 ? 'accent' : 'muted'), width: 1.4 },
-      hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>along ' + axis + '</extra>',
+      hovertemplate: LOOP_HOVER + '<extra>along ' + axis + '</extra>',
     })),
     layout: {
       showlegend: axes.length > 1, legend: LEGEND, margin: { l: 60, r: 12, t: axes.length > 1 ? 30 : 10, b: 44 },
-      xaxis: { title: 'displacement of the bearing [mm]' }, yaxis: { title: 'force [kN]' },
+      xaxis: { title: 'displacement of the bearing [' + MM + ']' }, yaxis: { title: 'force [' + KN + ']' },
     },
   };
 }
@@ -77,7 +78,7 @@ function loopData() {
     way = wayOf(law, chosen.bearing),
     force = law.loops.bearings[chosen.bearing];
   return {
-    columns: ['time [s]', 'x [mm]', 'y [mm]', 'force x [kN]', 'force y [kN]'],
+    columns: ['time [s]', 'x [' + MM + ']', 'y [' + MM + ']', 'force x [' + KN + ']', 'force y [' + KN + ']'],
     rows: way.x.map((x, i) => [i * law.loops.step_s, x, way.y[i], force.x_kN[i], force.y_kN[i]]),
   };
 }
@@ -86,7 +87,7 @@ function caption() {
   const { displacement_mm: moved } = laws[chosen.law].bearings;
   return (
     laws[chosen.law].name + ': averaged over draws and motions, bearings move ' +
-    rangeText([Math.min(...moved), Math.max(...moved)], 'mm') + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
+    rangeText([Math.min(...moved), Math.max(...moved)], MM) + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
   );
 }
 
@@ -116,7 +117,7 @@ function plan(look) {
             symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => 0.5 + (0.5 * (moved[i] - usual)) / most), cmin: 0, cmax: 1,
             colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: some.map(({ i }) => look.colour(i === chosen.bearing ? 'ink' : 'accent')), width: some.map(({ i }) => (i === chosen.bearing ? 3 : 1)) },
           },
-          text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' mm, ' + numberText(100 * share[i]) + ' % of the work'),
+          text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' ' + MM + ', ' + numberText(100 * share[i]) + ' % of the work'),
           hovertemplate: '%{text}<extra></extra>',
         };
       }),
@@ -151,7 +152,7 @@ function torsion() {
 
 function planData() {
   return {
-    columns: ['x [m]', 'y [m]', 'is', ...laws.flatMap((law) => [law.id + ': displacement [mm]', law.id + ': share of the work'])],
+    columns: ['x [m]', 'y [m]', 'is', ...laws.flatMap((law) => [law.id + ': displacement [' + MM + ']', law.id + ': share of the work'])],
     rows: study.plan.bearings.map((bearing, i) => [
       bearing.x_m, bearing.y_m, bearing.is, ...laws.flatMap((law) => [law.bearings.displacement_mm[i], law.bearings.energy_share[i]]),
     ]),

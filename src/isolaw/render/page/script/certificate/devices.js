@@ -6,6 +6,7 @@ import { tableOf } from '../tables.js';
 import { DASH, enumerate, fixed, sentence, significant, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
 import { commonlyOpen, deviceVerdict, sameRecord } from './verdict.js';
+import { MM, decimalsIn } from '../units.js';
 
 export const certificateDevicesFigure = {
   id: 'certificate-devices',
@@ -55,7 +56,7 @@ function certificateCaption() {
       : unjudged.length > 0 || lotQuantities.length === 0
         ? 'Outliers not assessed' + (unjudged.length > 0 ? ': ' + unjudged.join('; ') : '') + '.'
         : 'No device is an outlier of the lot.') +
-    conditions.map((condition) => ' ' + letter(condition) + ': if ' + sentence(condition) + '.').join('')
+    conditions.map((condition) => ' ' + letter(condition) + ': another value if ' + sentence(condition) + '.').join('')
   );
 }
 
@@ -85,29 +86,24 @@ function certificateTable() {
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
-  const doubted = (device, quantity, value) =>
-    element(
+  // The page of each device says what its values would be under the conditions that the letters name.
+  const doubted = (device, quantity, value) => {
+    const doubts = doubtsOf(device, quantity);
+    return element(
       'td',
       { class: 'number' },
       significant(value, 4),
-      doubtsOf(device, quantity).length > 0
-        ? element(
-            'small',
-            {},
-            'or ',
-            ...doubtsOf(device, quantity).flatMap(({ otherwise, condition }, i) => [
-              (i > 0 ? ', ' : '') + significant(otherwise, 3),
-              element('sup', {}, letter(condition)),
-            ]),
-          )
-        : null,
+      ...(devices.length > 1
+        ? [element('sup', {}, doubts.map(({ condition }) => letter(condition)).join(','))]
+        : doubts.map(({ otherwise, condition }) => element('small', {}, 'or ' + significant(otherwise, 3), element('sup', {}, letter(condition))))),
     );
+  };
   const hash = (device) =>
     element('span', {}, ...recordsOf(device).map(({ sha256 }, i) => element('span', { class: 'hash', title: sha256 }, (i > 0 ? ' ' : '') + sha256.slice(0, 8))));
   const columns = [
     { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     ...certificateColumns(),
-    ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: 'mm', number: true, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, 1) }]),
+    ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: MM, number: true, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, decimalsIn('mm', 1)) }]),
     ...(sameFrequency ? [] : [{ title: 'Frequency', unit: 'Hz', number: true, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) }]),
     ...certificateProperties().map(({ title, quantity = title, unit, value }) => ({
       title, unit: unitText(unit), number: true, cell: (device) => doubted(device, quantity, value(device)),
@@ -122,7 +118,7 @@ function certificateData() {
   const properties = certificateProperties();
   return {
     columns: [
-      'device', 'serial', 'lot', 'tested', 'temperature [°C]', 'amplitude [mm]', 'frequency [Hz]',
+      'device', 'serial', 'lot', 'tested', 'temperature [°C]', 'amplitude [' + MM + ']', 'frequency [Hz]',
       ...properties.map(({ title, unit }) => title + ' [' + (unit || '-') + ']'),
       'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'in doubt', 'file', 'sha256',
     ],

@@ -1,9 +1,11 @@
 import { counted, reportedBlock, reportedCycle } from '../cycles.js';
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';
-import { THIN, count, enumerate, isNumber, sentence, significant, spanText, trimmed } from '../text.js';
+import { THIN, count, enumerate, isNumber, sentence, significant, spanText, trimmed, unitText } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
 import { blank } from './blank.js';
+import { letterhead } from './letterhead.js';
+import { KN, MM, decimalsIn, unitShown } from '../units.js';
 
 export const certificateHeadFigure = {
   id: 'certificate-head',
@@ -20,24 +22,24 @@ function certificateHead() {
     dates = allDevices('test_date').sort(),
     temperature = spanText(devices.map((device) => device.temperature_C), 1);
   const tests = devices.map(reportedBlock),
-    amplitude = spanText(tests.map((block) => block?.amplitude_mm), 1),
+    amplitude = spanText(tests.map((block) => block?.amplitude_mm), decimalsIn('mm', 1)),
     frequency = spanText(tests.map((block) => block?.frequency_Hz), 2);
   const conditions = [
-    amplitude ? 'amplitude ' + amplitude + THIN + 'mm' : '',
+    amplitude ? 'amplitude ' + amplitude + THIN + MM : '',
     frequency ? frequency + THIN + 'Hz' : '',
   ].filter(Boolean);
   const tested = devices.flatMap((device) => device.blocks.filter((block) => counted(block).length > 0));
   const steps = [...new Set(tested.map((block) => significant(block.amplitude_mm, 3)))];
-  const load = spanText(devices.map((device) => reportedCycle(device)?.N_mean_kN), 0);
-  const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), 1),
-    area = spanText(devices.map((device) => device.rubber_area_mm2), 0);
+  const load = spanText(devices.map((device) => reportedCycle(device)?.N_mean_kN), decimalsIn('kN', 0));
+  const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), decimalsIn('mm', 1)),
+    area = spanText(devices.map((device) => device.rubber_area_mm2), decimalsIn('mm^2', 0));
   const rubber = [
-    thickness ? 'thickness ' + thickness + THIN + 'mm' : '',
-    area ? 'area ' + area + THIN + 'mm\u00b2' : '',
+    thickness ? 'thickness ' + thickness + THIN + MM : '',
+    area ? 'area ' + area + THIN + unitText(unitShown('mm^2')) : '',
   ].filter(Boolean);
   const compressed = devices.filter((device) => device.vertical?.file).length;
   const facts = [
-    ['Laboratory', blank('Laboratory')],
+    ...(report.letterhead ? [] : [['Laboratory', blank('Laboratory')]]),
     ['Client, project', blank('Client, project')],
     ['Certificate no.', blank('Certificate number', { input: echoNumber })],
     ['Test', 'cyclic shear of ' + count(devices.filter((device) => !device.copy_of).length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
@@ -48,13 +50,13 @@ function certificateHead() {
     ],
     ['Temperature', temperature ? temperature + THIN + '\u00b0C' : blank('Temperature')],
     ...(conditions.length > 0 ? [['Conditions', conditions.join(', ')]] : []),
-    ...(steps.length > 1 ? [['Blocks tested', '\u00b1' + steps.join(', \u00b1') + THIN + 'mm']] : []),
-    ...(load ? [['Vertical load', load + THIN + 'kN (mean of the cycle)']] : []),
+    ...(steps.length > 1 ? [['Blocks tested', '\u00b1' + steps.join(', \u00b1') + THIN + MM]] : []),
+    ...(load ? [['Vertical load', load + THIN + KN + ' (mean of the cycle)']] : []),
     ...(rubber.length > 0 ? [['Rubber', rubber.join(', ')]] : []),
     [
       'Held to',
       rules
-        ? rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? '' : ' (limits not verified: no verdict)')
+        ? rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? ' (text verified)' : ' (limits not verified: no verdict)')
         : 'no rule set: values, no verdict',
     ],
     ...(report.assessment?.design?.length > 0
@@ -65,12 +67,12 @@ function certificateHead() {
           ],
         ]
       : []),
-    ['Result', certificateResult()],
   ];
-  const long = new Set(['Blocks tested', 'Held to', 'Design values', 'Result']);
+  const long = new Set(['Blocks tested', 'Held to', 'Design values']);
   return element(
     'div',
     {},
+    letterhead(),
     element('p', { class: 'certificate-title' }, 'Test certificate: ' + (report.title || 'isolation devices')),
     element(
       'dl',
@@ -80,6 +82,7 @@ function certificateHead() {
         return [element('dt', whole, term), element('dd', whole, typeof said === 'string' ? sentence(said) : said)];
       }),
     ),
+    certificateResult(),
   );
 }
 
@@ -89,8 +92,7 @@ function echoNumber({ currentTarget }) {
 
 function certificateResult() {
   const { word, sentence: said } = report.result;
-  if (!word) return sentence(said) + '.';
-  const badge = verdictBadge(WORDS[word].verdict, word);
-  badge.classList.add('word', WORDS[word].tone);
-  return element('div', {}, badge, ' ' + sentence(said) + '.');
+  const badge = word ? verdictBadge(WORDS[word].verdict, word) : null;
+  badge?.classList.add('word', WORDS[word].tone);
+  return element('div', { class: 'verdict-box' }, badge, ' ' + sentence(said) + '.');
 }

@@ -11,6 +11,7 @@ export const certificateRemarksFigure = {
 };
 
 // The signer must know the doubts about the records, the corrections, and what the user told isolaw about the records.
+// Doubts about single records are on the pages of their devices.
 function certificateRemarks() {
   // "all devices" replaces the list of names if the lot has at least `fewest` devices.
   const withDevices = (textsOf, fewest) => {
@@ -23,7 +24,7 @@ function certificateRemarks() {
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [
-    ...report.findings.warnings.filter((warning) => warning.certificate).map((warning) => warning.sentence),
+    ...report.findings.warnings.filter(({ certificate, topic }) => certificate && (topic !== 'record' || devices.length === 1)).map((warning) => warning.sentence),
     ...withDevices(({ corrections }) => corrections, 2).map((text) => 'corrected, ' + text),
     ...withDevices(told, 1),
   ];

@@ -1,9 +1,11 @@
 import { button, element } from '../dom.js';
 import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';
+import { certificateDeviceFigure, devicePages } from './device_page.js';
 import { certificateDevicesFigure } from './devices.js';
 import { certificateHeadFigure } from './head.js';
 import { certificateLimitsFigure } from './limits.js';
+import { certificateLoopFigure } from './loop.js';
 import { certificateRemarksFigure } from './remarks.js';
 import { certificateRecordsFigure, certificateSignatureFigure } from './signatures.js';
 
@@ -12,11 +14,14 @@ export const certificateSection = {
   title: 'Certificate',
   controls: certificateControls,
   adorn: mark,
-  // The signatures come right after the values, so that both are on one printed page.
-  figures: [certificateHeadFigure, certificateLimitsFigure, certificateDevicesFigure, certificateSignatureFigure, certificateRemarksFigure, certificateBoundsFigure, certificateRecordsFigure],
+  // The lot's page comes first, then a page for each device, then the tables that may be long.
+  figures: [
+    certificateHeadFigure, certificateLimitsFigure, certificateDevicesFigure, certificateLoopFigure, certificateRemarksFigure, certificateSignatureFigure,
+    certificateDeviceFigure, certificateBoundsFigure, certificateRecordsFigure,
+  ],
 };
 
-// A certificate that must not be signed carries a mark. As a background the mark repeats on every printed page.
+// A certificate that is no proof of a pass carries a mark. As a background the mark repeats on every printed page.
 function mark(section) {
   const { mark: text, mark_is_red: red } = report.result;
   if (!text) return;
@@ -32,8 +37,13 @@ function mark(section) {
 function certificateControls() {
   const print = () => {
     document.documentElement.dataset.only = 'certificate';
+    devicePages()?.showAll();
     window.print();
   };
-  window.addEventListener('afterprint', () => delete document.documentElement.dataset.only);
-  return [button('Print the certificate alone', print, { class: 'action' }), element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
+  window.addEventListener('afterprint', () => {
+    if (!document.documentElement.dataset.only) return;
+    delete document.documentElement.dataset.only;
+    devicePages()?.showChosen();
+  });
+  return [button('Print the certificate', print, { class: 'action' }), element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
 }

@@ -18,19 +18,26 @@ export const certificateRecordsFigure = {
   build: recordsTable,
 };
 
-function signatureBlock() {
+// Lines for signatures. A grey mark, unlike a red one for tests that did not pass, means that nobody may sign.
+export function signatures() {
   const signer = (role) =>
     element(
       'div',
       { class: 'signer' },
       element('b', {}, role),
-      ...['Name', 'Rank, date', 'Signature'].map((label) =>
+      ...['Name, rank', 'Date', 'Signature'].map((label) =>
         element('div', {}, element('span', { class: 'muted' }, label), blank(role + ': ' + label.toLowerCase())),
       ),
     );
+  return report.result.mark && !report.result.mark_is_red
+    ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark + '.')
+    : element('div', { class: 'signers' }, signer('Tested by'), signer('Approved by'), report.result.word === 'PASS' ? signer('Accepted by') : null);
+}
+
+function signatureBlock() {
   return element(
     'div',
-    {},
+    { class: 'page-foot' },
     element(
       'p',
       { class: 'bound' },
@@ -38,9 +45,7 @@ function signatureBlock() {
       element('span', { class: 'certificate-number' }),
       ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
     ),
-    report.result.mark
-      ? element('p', { class: 'unsigned' }, 'Not for signature: ' + report.result.mark + '.')
-      : element('div', { class: 'signers' }, signer('Tested by'), signer('Checked by'), report.result.word === 'PASS' ? signer('Accepted by') : null),
+    signatures(),
     element(
       'p',
       { class: 'fine' },

@@ -2,6 +2,7 @@ import { commandLine, element } from '../dom.js';
 import { recommendation, standings } from '../recommendation.js';
 import { devices, laws, report } from '../report.js';
 import { THIN, count, errorText, sentence, significant } from '../text.js';
+import { MM } from '../units.js';
 
 export const answerFigure = { id: 'answer', title: '', width: 'narrow', build: answer };
 
@@ -36,7 +37,7 @@ function numbersOfAnswer() {
   if (!recommendation.law)
     return [[String(laws.length), laws.length === 1 ? 'law tried' : 'laws tried'], [errorText(first?.error), 'least error'], ofDevices];
   return [
-    ...(recommendation.valid_mm === null ? [] : [[significant(recommendation.valid_mm) + THIN + 'mm', 'shown up to']]),
+    ...(recommendation.valid_mm === null ? [] : [[significant(recommendation.valid_mm) + THIN + MM, 'shown up to']]),
     [String(first.parameters), first.parameters === 1 ? 'parameter' : 'parameters'],
     ofDevices,
   ];

@@ -3,10 +3,11 @@ import { deviceChooser } from '../choosers.js';
 import { counted } from '../cycles.js';
 import { element } from '../dom.js';
 import { drawn } from '../figure.js';
-import { forceRange, isScored, record } from '../loops/fits.js';
+import { forceRange, isLargeSwing, isScored, record } from '../loops/fits.js';
 import { rawTime } from '../raw.js';
 import { curve, devices, drawable, laws } from '../report.js';
 import { THIN, errorText, fixed, plain, significant } from '../text.js';
+import { KN, LOOP_HOVER, MM, decimalsIn } from '../units.js';
 
 const THIRD = 3;
 export const MOST_LOOPS = 24; // a lot of more devices is shown as points, not as small loops
@@ -39,28 +40,30 @@ function shown() {
     { t, x, F } = record(device);
   const fit = law?.fitOn.get(device.index),
     force = fit?.force_kN ? curve(fit.force_kN) : null,
+    predicted = fit?.larger_swings_force_kN && !device.scored ? curve(fit.larger_swings_force_kN) : null,
     parts = cyclesShown(device);
   const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
-    fitted = t.map((time) => isScored(device, time));
-  return { device, law, fit, t, x, F, force, parts, inside, fitted };
+    fitted = t.map((time) => (predicted ? !isLargeSwing(device, time) : isScored(device, time)));
+  return { device, law, fit, t, x, F, force, predicted, parts, inside, fitted };
 }
 
 // The values where `wanted` holds, and one sample beyond on both sides, so that neighbouring lines meet.
 const where = (values, wanted) => values.map((value, i) => (wanted[i] || wanted[i - 1] || wanted[i + 1] ? value : null));
 
 function loopCaption() {
-  const { device, law, fit, force, parts } = shown();
+  const { device, law, fit, force, predicted, parts } = shown();
   const misfit = fit?.objective.best;
   return (
     device.name + (parts ? ', third cycles; other cycles grey.' : ', whole record.') +
     (force ? ' The law was fitted to this device: misfit ' + errorText(misfit) + '.' + (device.scored ? ' Dashed: not fitted.' : '') : '') +
+    (predicted ? ' Dashed: fitted to the smaller swings alone, it predicts these.' : '') +
     (law && !force ? ' ' + law.name + ' has no fit' + (fit?.message ? ': ' + fit.message : '') + '.' : '')
   );
 }
 
 function drawLoop(look) {
-  const { device, law, t, x, F, force, parts, inside, fitted } = shown();
-  const hover = (name) => '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(name) + '</extra>';
+  const { device, law, t, x, F, force, predicted, parts, inside, fitted } = shown();
+  const hover = (name) => LOOP_HOVER + '<extra>' + plain(name) + '</extra>';
   const all = (some) => some.every((value) => value);
   const measured = look.colour('ink'),
     line = (color, width, more = {}) => ({ color, width, ...more });
@@ -72,10 +75,10 @@ function drawLoop(look) {
   ];
   if (force) {
     const colour = look.law(law);
-    traces.push({ name: plain(law.name) + ', fitted', mode: 'lines', x, y: where(force, both(inside, fitted)), line: line(colour, 2), hovertemplate: hover(law.name) });
+    traces.push({ name: plain(law.name) + ', fitted', mode: 'lines', x, y: where(force, predicted ? inside : both(inside, fitted)), line: line(colour, 2), hovertemplate: hover(law.name) });
     if (!all(fitted))
       traces.push({
-        name: plain(law.name) + ', never saw this', mode: 'lines', x, y: where(force, both(inside, not(fitted))), line: line(colour, 2, { dash: 'dash' }),
+        name: plain(law.name) + ', never saw this', mode: 'lines', x, y: where(predicted ?? force, both(inside, not(fitted))), line: line(colour, 2, { dash: 'dash' }),
         hovertemplate: hover(law.name + ', not fitted to this'),
       });
   }
@@ -95,10 +98,10 @@ function drawLoop(look) {
         ? [{ type: 'rect', layer: 'below', yref: 'paper', x0: -reach, x1: reach, y0: 0, y1: 1, line: { width: 0 }, fillcolor: look.colour('tint') }]
         : [],
       annotations: beyond
-        ? [{ x: reach, y: 1, yref: 'paper', xanchor: 'right', yanchor: 'top', showarrow: false, text: 'fitted within ±' + significant(reach) + THIN + 'mm ', font: { size: 11.5, color: look.colour('muted') } }]
+        ? [{ x: reach, y: 1, yref: 'paper', xanchor: 'right', yanchor: 'top', showarrow: false, text: (predicted ? 'smaller swings: ' : 'fitted within ') + '±' + significant(reach) + THIN + MM + ' ', font: { size: 11.5, color: look.colour('muted') } }]
         : [],
-      xaxis: { title: 'displacement [mm]' },
-      yaxis: { title: 'force [kN]', range: forceRange(F, force ? [force] : []) },
+      xaxis: { title: 'displacement [' + MM + ']' },
+      yaxis: { title: 'force [' + KN + ']', range: forceRange(F, force ? [force] : []) },
       uirevision: device.index, // the reader's zoom stays when the law changes
     },
   };
@@ -120,8 +123,8 @@ function timeSlider() {
     const { device, law, t, x, F, force } = shown(),
       i = sampleAt(t);
     output.textContent =
-      (device.record.has_time ? fixed(t[i], 2) + THIN + 's' : 'sample ' + fixed(t[i], 0)) + ', ' + fixed(x[i], 1) + THIN + 'mm: measured ' + fixed(F[i], 1) + THIN + 'kN' +
-      (force ? ', ' + law.name + ' ' + fixed(force[i], 1) + THIN + 'kN' : '');
+      (device.record.has_time ? fixed(t[i], 2) + THIN + 's' : 'sample ' + fixed(t[i], 0)) + ', ' + fixed(x[i], decimalsIn('mm', 1)) + THIN + MM + ': measured ' + fixed(F[i], decimalsIn('kN', 1)) + THIN + KN +
+      (force ? ', ' + law.name + ' ' + fixed(force[i], decimalsIn('kN', 1)) + THIN + KN : '');
   };
   slider.oninput = () => {
     place = Number(slider.value);

@@ -3,6 +3,7 @@ import { rawIndex, rawTime } from '../raw.js';
 import { curve, devices, drawable } from '../report.js';
 import { sentence } from '../text.js';
 import { record } from './fits.js';
+import { MM, hovered } from '../units.js';
 
 export const cleaningFigure = {
   id: 'cleaning',
@@ -35,14 +36,14 @@ function cleaningData() {
   const { axis, recorded, cleaned } = series();
   const rows = (name, { x, y }) => y.map((value, k) => [name, x[k], value]);
   return {
-    columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [mm]'],
+    columns: ['series', axis.timed ? 'time [s]' : 'sample', 'displacement [' + MM + ']'],
     rows: [...rows('as recorded', recorded), ...rows('after cleaning', cleaned)],
   };
 }
 
 function drawCleaning(look) {
   const { axis, recorded, cleaned } = series();
-  const hover = axis.timed ? '%{x:.3f} s, %{y:.2f} mm' : 'sample %{x}, %{y:.2f} mm';
+  const hover = (axis.timed ? '%{x:.3f} s, ' : 'sample %{x}, ') + hovered('y', 'mm', 2);
   return {
     traces: [
       {
@@ -55,6 +56,6 @@ function drawCleaning(look) {
         line: { color: look.colour('accent'), width: 1.2 }, hovertemplate: hover + '<extra>after cleaning</extra>',
       },
     ],
-    layout: { showlegend: true, xaxis: { title: axis.title, zeroline: false }, yaxis: { title: 'displacement [mm]' } },
+    layout: { showlegend: true, xaxis: { title: axis.title, zeroline: false }, yaxis: { title: 'displacement [' + MM + ']' } },
   };
 }

@@ -4,6 +4,7 @@ import { emptyPlot, namedAxis, symbolOf } from '../plotting.js';
 import { rawTime } from '../raw.js';
 import { THIN, enumerate, fixed, isNumber, plain, signed } from '../text.js';
 import { LOOP_HEIGHT, shownLoops } from './fits.js';
+import { KN_MM, decimalsIn, hovered } from '../units.js';
 
 export const energyFigure = {
   id: 'loop-energy',
@@ -76,7 +77,7 @@ function energyCaption() {
 function energyData() {
   const { fits, cycles } = energies();
   return {
-    columns: ['block', 'cycle', 'measured energy [kN mm]', ...fits.map(({ law }) => law.name + ' energy [kN mm]')],
+    columns: ['block', 'cycle', 'measured energy [' + KN_MM + ']', ...fits.map(({ law }) => law.name + ' energy [' + KN_MM + ']')],
     rows: cycles.map(({ block, cycle, measured, computed }) => [block.number, cycle.number, measured, ...computed]),
   };
 }
@@ -94,7 +95,7 @@ function drawEnergy(look, width) {
       {
         type: 'bar', name: 'measured', x, y: cycles.map(({ measured }) => measured), width: 0.7, opacity: 0.75,
         marker: { color: look.colour('measured') }, customdata: places,
-        hovertemplate: '%{customdata}: %{y:.0f} kN mm<extra>measured</extra>',
+        hovertemplate: '%{customdata}: ' + hovered('y', 'kN mm', 0) + '<extra>measured</extra>',
       },
       ...fits.map(({ law }, place) => ({
         name: plain(law.name), mode: 'markers', y: cycles.map(({ computed }) => computed[place]),
@@ -103,7 +104,7 @@ function drawEnergy(look, width) {
         marker: { color: look.law(law), symbol: symbolOf(law), size: 8, line: { color: look.colour('paper'), width: 1 } },
         customdata: cycles.map(
           ({ measured, computed }, i) =>
-            places[i] + ': ' + fixed(computed[place], 0) + ' kN mm' + against(computed[place], measured),
+            places[i] + ': ' + fixed(computed[place], decimalsIn('kN mm', 0)) + ' ' + KN_MM + against(computed[place], measured),
         ),
         hovertemplate: '%{customdata}<extra>' + plain(law.name) + '</extra>',
       })),
@@ -112,7 +113,7 @@ function drawEnergy(look, width) {
       showlegend: true,
       xaxis: { ...namedAxis(names, Math.floor(width / 30)), title: several ? 'block.cycle' : 'cycle' },
       yaxis: {
-        title: 'energy [kN mm]',
+        title: 'energy [' + KN_MM + ']',
         ...(fits.some((_, place) => runsAway(cycles, place)) ? { range: [0, highest(cycles)] } : { rangemode: 'tozero' }),
       },
     },

@@ -2,6 +2,7 @@ import { chosen } from '../choice.js';
 import { dashOf, paddedRange } from '../plotting.js';
 import { curve, devices, ranking } from '../report.js';
 import { THIN, enumerate, plain, significant } from '../text.js';
+import { KN, MM } from '../units.js';
 
 export const LOOP_HEIGHT = 400;
 
@@ -33,6 +34,8 @@ export const fitCurves = (look, fits, x, hover) =>
 export const isScored = (device, time) =>
   !device.scored || device.scored.some(({ from, to }) => time >= from && time <= to);
 
+export const isLargeSwing = (device, time) => device.large_swings.some(({ from, to }) => time >= from && time <= to);
+
 // The range of the measured forces, wider by half on both sides. A law with larger forces is cut off.
 export function forceRange(measured, computed) {
   const low = Math.min(...measured),
@@ -54,15 +57,15 @@ export function cutOff(among) {
   const { fits, range: [low, high] } = shownLoops(among);
   const away = fits.filter(({ force }) => force.some((f) => f < low || f > high));
   if (away.length === 0) return '';
-  const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + 'kN';
+  const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...force.map(Math.abs)), 2) + THIN + KN;
   return ' Off the scale: ' + enumerate(away.map(largest)) + '.';
 }
 
 export function loopData(among) {
   const { device, measured, fits } = shownLoops(among);
-  const forces = ['measured', ...fits.map(({ law }) => law.name)].map((name) => name + ' force [kN]');
+  const forces = ['measured', ...fits.map(({ law }) => law.name)].map((name) => name + ' force [' + KN + ']');
   return {
-    columns: [device.record.has_time ? 'time [s]' : 'sample', 'displacement [mm]', ...forces],
+    columns: [device.record.has_time ? 'time [s]' : 'sample', 'displacement [' + MM + ']', ...forces],
     rows: measured.x.map((x, i) => [measured.t[i], x, measured.F[i], ...fits.map(({ force }) => force[i])]),
   };
 }

@@ -2,6 +2,7 @@ import { chosen } from '../choice.js';
 import { onScreen } from '../dom.js';
 import { THIN, enumerate, fixed, signed } from '../text.js';
 import { LOOP_HEIGHT, chosenLaws, cutOff, fitCurves, isScored, loopData, measuredCurve, shownLoops } from './fits.js';
+import { KN, LOOP_HOVER, MM } from '../units.js';
 
 export const loopFigure = {
   id: 'loop',
@@ -49,7 +50,7 @@ function parted(values, inside) {
 
 function drawLoop(look) {
   const { device, measured, fits, range } = shownLoops();
-  const hover = '%{x:.1f} mm, %{y:.1f} kN';
+  const hover = LOOP_HOVER;
   const halves = parted(measured.F, measured.t.map((t) => isScored(device, t)));
   return {
     traces: [
@@ -63,8 +64,8 @@ function drawLoop(look) {
     ],
     layout: {
       showlegend: true,
-      xaxis: { title: 'displacement [mm]' },
-      yaxis: { title: 'force [kN]', range },
+      xaxis: { title: 'displacement [' + MM + ']' },
+      yaxis: { title: 'force [' + KN + ']', range },
     },
   };
 }

@@ -4,6 +4,7 @@ import { devices, laws } from '../report.js';
 import { fixed, plain } from '../text.js';
 import { cutOff, loopData, shownLoops } from './fits.js';
 import { inOrder, orderText } from './table.js';
+import { KN, LOOP_HOVER, MM } from '../units.js';
 
 export const loopOverviewFigure = {
   id: 'loop-overview',
@@ -50,11 +51,11 @@ function drawOverview(look, width) {
       top = 1 - (heading + row * (panel + between)) / plotHeight;
     const lowest = i + columns >= fits.length;
     layout['xaxis' + suffix] = {
-      domain: [left, left + w], anchor: 'y' + suffix, nticks: wide ? 6 : 4, tickangle: 0, title: lowest ? 'mm' : '',
+      domain: [left, left + w], anchor: 'y' + suffix, nticks: wide ? 6 : 4, tickangle: 0, title: lowest ? MM : '',
       matches: i > 0 ? 'x' : undefined, showticklabels: lowest,
     };
     layout['yaxis' + suffix] = {
-      domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range, title: column === 0 ? 'kN' : '',
+      domain: [top - h, top], anchor: 'x' + suffix, nticks: 5, range, title: column === 0 ? KN : '',
       matches: i > 0 ? 'y' : undefined, showticklabels: column === 0,
     };
     layout.annotations.push(panelHeading(look, left, top, '<b>' + plain(law.name) + '</b>  OF ' + fixed(fit.objective.best, 4)));
@@ -66,7 +67,7 @@ function drawOverview(look, width) {
       },
       {
         ...axes, x: measured.x, y: force, line: { color: look.law(law), width: 1.5 },
-        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.name) + '</extra>',
+        hovertemplate: LOOP_HOVER + '<extra>' + plain(law.name) + '</extra>',
       },
     );
   });

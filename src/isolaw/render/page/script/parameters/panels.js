@@ -12,7 +12,7 @@ export const parameterPanelsFigure = {
   id: 'parameter-panels',
   title: 'Every parameter over the devices',
   depends: ['law'],
-  wanted: () => chosen.law !== null && panelPlaces(laws[chosen.law]).length > 0,
+  wanted: () => usable.length > 1 && chosen.law !== null && panelPlaces(laws[chosen.law]).length > 0,
   caption: panelsCaption,
   csv: parameterData,
   height: (width) => panelGrid(panelPlaces(laws[chosen.law]).length, width).height,

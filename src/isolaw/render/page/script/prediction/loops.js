@@ -6,6 +6,7 @@ import { NARROW, emptyPlot, panelHeading } from '../plotting.js';
 import { rawTime } from '../raw.js';
 import { devices, drawable, laws, predictedByFit } from '../report.js';
 import { THIN, enumerate, fixed, mean, plain, significant } from '../text.js';
+import { KN, LOOP_HOVER, MM } from '../units.js';
 
 const PANEL_HEIGHT = 300;
 
@@ -57,7 +58,7 @@ function predictedCaption() {
   const said = fits.map((one) => one.law.name + ': OF ' + (objective(one) < 10 ? fixed(objective(one), 4) : significant(objective(one), 3)));
   const [low, high] = rangeOf(all);
   const away = fits.filter(({ force }) => ends(force).some((f) => f < low || f > high));
-  const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...ends(force).map(Math.abs)), 2) + THIN + 'kN';
+  const largest = ({ law, force }) => law.name + ' to ' + significant(Math.max(...ends(force).map(Math.abs)), 2) + THIN + KN;
   return (
     device.name + ', ' + enumerate(blocks.map(blockText)) + ', left out of the fit: measured (grey) and predicted loops, the best prediction first. ' +
     said.join('; ') + '.' + (away.length > 0 ? ' Off the scale: ' + enumerate(away.map(largest)) + '.' : '')
@@ -67,7 +68,7 @@ function predictedCaption() {
 function predictedData() {
   const { fits, t, x, F } = predicted();
   return {
-    columns: ['time [s] or sample', 'displacement [mm]', 'measured force [kN]', ...fits.map(({ law }) => law.name + ' force [kN]')],
+    columns: ['time [s] or sample', 'displacement [' + MM + ']', 'measured force [' + KN + ']', ...fits.map(({ law }) => law.name + ' force [' + KN + ']')],
     rows: t.map((time, i) => [time, x[i], F[i], ...fits.map(({ force }) => force[i])]).filter(([time]) => time !== null),
   };
 }
@@ -86,10 +87,10 @@ function drawPredicted(look, width) {
       along = [i * (size + gap), i * (size + gap) + size],
       up = [1 - along[1], 1 - along[0]];
     layout['xaxis' + suffix] = {
-      domain: stacked ? [0, 1] : along, anchor: 'y' + suffix, title: stacked && i === 0 && fits.length > 1 ? '' : 'displacement [mm]',
+      domain: stacked ? [0, 1] : along, anchor: 'y' + suffix, title: stacked && i === 0 && fits.length > 1 ? '' : 'displacement [' + MM + ']',
     };
     layout['yaxis' + suffix] = {
-      domain: stacked ? up : [0, 1], anchor: 'x' + suffix, range, title: stacked || i === 0 ? 'force [kN]' : '', automargin: false,
+      domain: stacked ? up : [0, 1], anchor: 'x' + suffix, range, title: stacked || i === 0 ? 'force [' + KN + ']' : '', automargin: false,
     };
     layout.annotations.push(panelHeading(look, stacked ? 0 : along[0], stacked ? up[1] : 1, '<b>' + plain(law.name) + '</b>', 12.5));
     const axes = { xaxis: 'x' + suffix, yaxis: 'y' + suffix, mode: 'lines', x };
@@ -97,7 +98,7 @@ function drawPredicted(look, width) {
       { ...axes, y: F, hoverinfo: 'skip', opacity: 0.75, line: { color: look.colour('measured'), width: 3 } },
       {
         ...axes, y: force, line: { color: look.law(law), width: 1.7 },
-        hovertemplate: '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(law.name) + '</extra>',
+        hovertemplate: LOOP_HOVER + '<extra>' + plain(law.name) + '</extra>',
       },
     ];
   });

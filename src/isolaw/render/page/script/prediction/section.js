@@ -3,6 +3,7 @@ import { devices, predictedByFit, predictedLaws, report, resultColumns } from '.
 import { tableOf } from '../tables.js';
 import { DASH, THIN, enumerate, fixed, mean, short, significant } from '../text.js';
 import { predictedLoopsFigure } from './loops.js';
+import { MM } from '../units.js';
 
 const predictionsFigure = {
   id: 'predictions',
@@ -91,7 +92,7 @@ function predictionTable() {
     ...blocks.map((block) => ({
       title: 'Block ' + block.block,
       unit:
-        (block.amplitudes.length > 0 ? '±' + significant(mean(block.amplitudes), 3) + THIN + 'mm, ' : '') +
+        (block.amplitudes.length > 0 ? '±' + significant(mean(block.amplitudes), 3) + THIN + MM + ', ' : '') +
         (block.fitted ? 'fitted' : 'predicted'),
       number: true,
       cell: (law) => score(law, block),

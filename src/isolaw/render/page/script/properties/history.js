@@ -4,6 +4,7 @@ import { rawData, rawIndex, rawTime } from '../raw.js';
 import { curve, devices, inspection } from '../report.js';
 import { THIN, count, enumerate, isNumber, plain, significant } from '../text.js';
 import { cycleScale, shareOf } from './scale.js';
+import { MM, hovered } from '../units.js';
 
 export const cycleHistoryFigure = {
   id: 'cycle-history',
@@ -96,8 +97,8 @@ function drawCycleHistory(look, width) {
         y: x,
         line: { color: look.colour('measured'), width: 1.3 },
         hovertemplate: axis.timed
-          ? '%{x:.2f} s, %{y:.1f} mm<extra></extra>'
-          : 'sample %{x}, %{y:.1f} mm<extra></extra>',
+          ? '%{x:.2f} s, ' + hovered('y', 'mm', 1) + '<extra></extra>'
+          : 'sample %{x}, ' + hovered('y', 'mm', 1) + '<extra></extra>',
       },
       {
         mode: 'markers', x: marks.x, y: marks.x.map(() => 0.2), yaxis: 'y2', text: marks.text,
@@ -109,7 +110,7 @@ function drawCycleHistory(look, width) {
       shapes,
       annotations,
       xaxis: { title: axis.title, zeroline: false, range: [axis.of(0), axis.of(raw.samples - 1)] },
-      yaxis: { title: 'displacement [mm]', domain: [0, STRIP - 0.03], automargin: false },
+      yaxis: { title: 'displacement [' + MM + ']', domain: [0, STRIP - 0.03], automargin: false },
       yaxis2: { domain: [STRIP, 1], range: [0, 1], visible: false, fixedrange: true },
     },
   };

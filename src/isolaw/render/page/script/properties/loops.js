@@ -5,6 +5,7 @@ import { rawData, slice } from '../raw.js';
 import { curve, devices } from '../report.js';
 import { count, isNumber, plain } from '../text.js';
 import { cycleScale, shareOf } from './scale.js';
+import { KN, LOOP_HOVER, MM } from '../units.js';
 
 export const CYCLES_HEIGHT = 470;
 
@@ -44,7 +45,7 @@ function drawCycles(look, width) {
   const x = curve(raw.disp_mm),
     F = curve(raw.force_kN);
   const blocks = chosenBlocks(device);
-  const hover = (name) => '%{x:.1f} mm, %{y:.1f} kN<extra>' + plain(name) + '</extra>';
+  const hover = (name) => LOOP_HOVER + '<extra>' + plain(name) + '</extra>';
   const traces = [],
     labels = [];
   if (device.blocks.length === 0)
@@ -91,8 +92,8 @@ function drawCycles(look, width) {
     traces,
     layout: {
       margin,
-      xaxis: { title: 'displacement [mm]', range: xRange, automargin: false },
-      yaxis: { title: 'force [kN]', range: yRange, automargin: false },
+      xaxis: { title: 'displacement [' + MM + ']', range: xRange, automargin: false },
+      yaxis: { title: 'force [' + KN + ']', range: yRange, automargin: false },
       annotations: peakLabels(labels, pixel, 26, plotHeight).map((label) => ({
         ...label, color: undefined, text: '<b>' + label.text + '</b>', arrowhead: 0, arrowwidth: 0.8,
         arrowcolor: look.colour('muted'), font: { size: 11.5, color: label.color }, bgcolor: look.colour('paper'),

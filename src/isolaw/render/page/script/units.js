@@ -1,0 +1,49 @@
+// The units in which the page shows values. Its data are stored in kN, mm and s, and give for each system of units the
+// factor and the name of every other unit. The address of the page names the system: "#SECTION?units=kip-in".
+
+const stored = JSON.parse(document.getElementById('isolaw-data').textContent);
+const { systems, chosen, endings, own } = stored.units;
+const asked = new URLSearchParams(location.hash.split('?')[1] ?? '').get('units');
+const place = Math.max(0, systems.findIndex(({ id }) => id === (asked ?? chosen)));
+const system = systems[place].units;
+
+export const unitShown = (unit) => system[unit]?.unit ?? unit;
+export const MM = unitShown('mm');
+export const KN = unitShown('kN');
+export const KN_MM = unitShown('kN mm');
+export const UNIT_SYSTEMS = systems.map(({ id }) => id);
+export const UNITS = UNIT_SYSTEMS[place];
+export const isOtherThanReported = UNITS !== chosen;
+
+// The number of decimals that shows a converted value as precisely as `decimals` show it in the stored unit.
+export const decimalsIn = (unit, decimals) => Math.max(0, decimals - Math.round(Math.log10(system[unit]?.factor ?? 1)));
+export const inUnits = (value, unit) => value * (system[unit]?.factor ?? 1);
+// A number in a plot's label: "%{x:.1f} mm".
+export const hovered = (axis, unit, decimals) => '%{' + axis + ':.' + decimalsIn(unit, decimals) + 'f} ' + unitShown(unit);
+export const LOOP_HOVER = hovered('x', 'mm', 1) + ', ' + hovered('y', 'kN', 1);
+
+const unitOf = (key) => endings.find(([ending]) => ('_' + key).endsWith(ending))?.[1];
+
+// Converts a value with everything in it. The end of a key names the unit of its numbers; an object may name the unit
+// of some of its members, which are listed in `own`. Parameters stay in the units of their law's formula. A sentence
+// that holds values is stored once for each system.
+function converted(value, key, unit) {
+  if (typeof value === 'number') return unit ? inUnits(value, unit) : value;
+  if (value === null || typeof value !== 'object' || key === 'parameters') return value;
+  if (Array.isArray(value)) return value.map((item) => converted(item, key, unit));
+  if (value.said) return value.said[place];
+  const inside = value.unit ?? unit;
+  const result = {};
+  for (const [name, member] of Object.entries(value)) {
+    const holdsObjects = typeof member === 'object' && typeof member?.[0] !== 'number';
+    const inherits = own.includes(name) || holdsObjects;
+    result[name] = converted(member, name, unitOf(name) ?? (inherits ? inside : undefined));
+  }
+  if (system[value.unit]) {
+    result.unit = unitShown(value.unit);
+    if ('decimals' in value) result.decimals = decimalsIn(value.unit, value.decimals);
+  }
+  return result;
+}
+
+export const shownData = converted(stored);

@@ -1,0 +1,86 @@
+#include "isolaw/study/uncorrected.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
+
+namespace isolaw::study {
+namespace {
+
+// A verdict for a sentence, with the reasons of a failure: "fail: K_eff +23.0 %".
+std::string text_of(DeviceAcceptance const& acceptance) {
+  auto const verdict = device_verdict(acceptance);
+  return verdict.verdict == rules::Verdict::fail ? verdict.text() : std::string(name(verdict.verdict));
+}
+
+Finding values_of(DeviceResult const& device, DeviceAcceptance const& acceptance, bool has_rules) {
+  Finding finding{.kind = FindingKind::values_uncorrected, .devices = {device.name}};
+  if (!device.uncorrected) {
+    finding.kind = FindingKind::uncorrected_not_known;
+    return finding;
+  }
+  auto const* without = counting_cycle(*device.uncorrected, acceptance.block);
+  auto const* with = counting_cycle(device.properties, device.acceptance.block);
+  if (without == nullptr || with == nullptr) {
+    finding.kind = FindingKind::uncorrected_without_properties;
+    finding.words.push_back({"reason", wording::reasons(device.uncorrected->refusal)});
+    return finding;
+  }
+  auto const add = [&](std::string const& name, std::optional<double> value, std::optional<double> now) {
+    if (value && now) finding.numbers.insert(finding.numbers.end(), {{name, *value}, {"now_" + name, *now}});
+  };
+  add("K_eff_kN_per_mm", without->K_eff_kN_per_mm, with->K_eff_kN_per_mm);
+  add("energy_kN_mm", without->energy_kN_mm, with->energy_kN_mm);
+  add("damping_percent", without->damping(), with->damping());
+  if (!has_rules) return finding;
+  auto const then = text_of(acceptance), now = text_of(device.acceptance);
+  if (then == now)
+    finding.words = {{"verdict_same", "yes"}};
+  else
+    finding.words = {{"verdict", then}, {"now_verdict", now}};
+  return finding;
+}
+
+}  // namespace
+
+bool is_corrected(DeviceResult const& device) {
+  return std::ranges::any_of(device.raw.corrections, [](Finding const& each) {
+    bool const no_spikes = each.kind == FindingKind::spikes_repaired && each.number("count") == 0.0;
+    return each.kind != FindingKind::force_multiplied && !no_spikes;
+  });
+}
+
+void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
+  summary.without_corrections.reset();
+  if (std::ranges::none_of(summary.devices, is_corrected)) return;
+  Summary without{.title = summary.title};
+  for (std::size_t d = 0; d < tests.size(); ++d) {
+    auto const& device = summary.devices[d];
+    if (device.uncorrected && device.status == "ok") tests[d].properties = &*device.uncorrected;
+    without.devices.push_back({.name = device.name, .status = device.status, .message = device.message});
+    without.devices.back().properties = *tests[d].properties;
+  }
+  auto const& [rules, design, lot] = summary.acceptance;
+  std::vector<DeviceAcceptance> devices;
+  without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices);
+  std::vector<std::string> corrected;
+  for (std::size_t d = 0; d < devices.size(); ++d) {
+    auto& device = summary.devices[d];
+    if (device.status == "ok" && is_corrected(device)) {
+      corrected.push_back(device.name);
+      device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
+    }
+    without.devices[d].acceptance = std::move(devices[d]);
+  }
+  auto const now = overall_verdict(summary), then = overall_verdict(without);
+  if (now.word.empty() && then.word.empty()) return;
+  bool const same = now.word == then.word;
+  summary.without_corrections =
+      Finding{.kind = same ? FindingKind::verdict_without_corrections_same : FindingKind::verdict_rests_on_corrections,
+              .devices = corrected,
+              .words = {{"now", now.word}, {"verdict", then.word}, {"sentence", then.sentence}}};
+}
+
+}  // namespace isolaw::study
