@@ -1,4 +1,5 @@
-// The browser version's progress line, about five times per second. page/engine/progress.js reads it in this form:
+// The browser version's progress lines, about five times per second. page/engine/progress.js reads them in this form:
+//   run LAW OBJECTIVE DEVICE       for each run that was finished; DEVICE is its place in the lot, from 0
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 
@@ -17,6 +18,10 @@ void ProgressLine::show(campaign::Progress const& progress) {
   if (progress.total == 0 || (drawn_ && !is_end && now - last_ < std::chrono::milliseconds(200))) return;
   drawn_ = true;
   last_ = now;
+  for (; !progress.analysis && told_ < progress.runs.size(); ++told_) {
+    auto const& run = progress.runs[told_];
+    say("run {} {:.6g} {}\n", run.law, run.objective, run.device);
+  }
   say("progress {:.4f} {:.1f} {} {} {}\n", progress.share, progress.left_s, progress.done, progress.total,
       progress.analysis ? "analyses" : "runs");
 }

@@ -300,6 +300,7 @@ class Computation {
 
   void tell() {
     if (!options_.progress) return;
+    progress_.runs = contents_.runs;
     progress_.share = estimate_.share();
     progress_.left_s = estimate_.left_s();
     options_.progress(progress_);

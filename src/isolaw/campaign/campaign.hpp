@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 
 #include "isolaw/campaign/contents.hpp"
@@ -16,6 +17,7 @@ struct Progress {
   std::size_t done = 0, total = 0;     // runs or analyses
   bool analysis = false;               // whether `done` and `total` count analyses
   std::map<std::string, double> best;  // best objective so far, by law
+  std::span<Run const> runs = {};      // all finished runs, those stored earlier too
   double share = 0.0;                  // estimated share of all work that is done, including work stored earlier
   double left_s = 0.0;                 // estimated time until all runs and analyses are done
 };

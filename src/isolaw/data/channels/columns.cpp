@@ -470,11 +470,10 @@ class Resolver {
       column.unit = s;
       auto const date =
           column.date_column ? fmt::format(" with the dates of {}", column_text(*column.date_column, header_)) : "";
-      result_.recognised.push_back(
-          decision(FindingKind::column_taken,
-                   fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
-                               column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps")));
-      return;
+      return take(channel, column,
+                  fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
+                              column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps"),
+                  s.symbol);
     }
     auto const allowed = known_units(dimension(channel));
     auto const advice = fmt::format("--units {}={}", name(channel), allowed.substr(0, allowed.find(',')));
@@ -503,9 +502,33 @@ class Resolver {
     }
     warn_of_other_unit(channel, column, *unit);
     column.unit = unit;
-    result_.recognised.push_back(decision(
-        FindingKind::column_taken,
-        fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source)));
+    take(channel, column,
+         fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source),
+         stated_unit(column.index));
+  }
+
+  // `stated` is the unit that the file states for the column, or empty.
+  void take(Channel channel, Column const& column, std::string text, std::string_view stated) {
+    auto taken = decision(FindingKind::column_taken, std::move(text));
+    taken.words.push_back({"channel", std::string(name(channel))});
+    taken.words.push_back({"column_by", column_by(channel, column.index)});
+    taken.words.push_back({"stated_unit", std::string(stated)});
+    result_.recognised.push_back(std::move(taken));
+  }
+
+  // Names what in the file shows that a column holds this channel. A column that an option names is judged in the same
+  // way, so that a lot file which `init` wrote does not hide a guess.
+  std::string column_by(Channel channel, std::size_t index) const {
+    if (index < header_.names.size()) {
+      auto const meaning = meaning_of(header_.names[index]);
+      auto const same = [&](auto const& text) {
+        return meaning_of(text).channel == channel && meaning_of(text).certainty == meaning.certainty;
+      };
+      if (meaning.channel == channel)
+        return columns_where(same).size() > 1 ? "choice" : meaning.certainty == Certainty::word ? "name" : "symbol";
+      if (channel != Channel::time && header_.own_axis) return "axis";
+    }
+    return channel == Channel::time && holds_stamps(index) ? "values" : "option";
   }
 
   std::string file_;

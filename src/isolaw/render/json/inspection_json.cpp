@@ -1,7 +1,10 @@
 #include "isolaw/render/json/inspection_json.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/data/read.hpp"
@@ -16,6 +19,32 @@ namespace isolaw::render {
 namespace {
 
 constexpr int inspection_schema = 1;
+
+// The choices made in reading, for a program that lets the user change them. `recognised` has a sentence for each.
+void write_decisions(JsonWriter& out, data::TestRecord const& raw) {
+  out.key("decisions").objects(raw.recognised, [&](Finding const& finding) {
+    out.member("kind", wording::row(finding.kind).key);
+    for (std::string_view const name : {"option", "channel", "column_by", "stated_unit"})
+      if (auto const word = finding.word(name); !word.empty()) out.member(name, word);
+  });
+}
+
+// The first samples and the range of each channel, for a reader who compares them with the file.
+void write_values_read(JsonWriter& out, data::TestRecord const& raw) {
+  auto const write = [&](std::string_view key, std::vector<double> const& values) {
+    if (values.empty()) return;
+    out.key(key).object([&] {
+      write_values(out.key("first"), std::span(values).first(std::min<std::size_t>(4, values.size())), shown_digits);
+      write_members(out, "least", std::ranges::min(values), "largest", std::ranges::max(values));
+    });
+  };
+  out.key("values").object([&] {
+    write("time_s", raw.time_s);
+    write("disp_mm", raw.disp_mm);
+    write("force_kN", raw.force_kN);
+    write("load_kN", raw.load_kN);
+  });
+}
 
 void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
                   std::vector<Finding> const& findings) {
@@ -33,6 +62,8 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   // A file with a single sheet has null for `sheet`, and a file with a single test has null for `test`.
   write_members(out, "sheet", device.raw.layout.sheet, "test", device.raw.layout.test, "recognised",
                 wording::remarks(device.raw.recognised), "warnings", wording::remarks(findings));
+  write_decisions(out, device.raw);
+  write_values_read(out, device.raw);
   write_findings(out, "findings", findings, wording::anywhere);
   write_properties(out, lot, device);
   write_rows(out.key("effects"), effect_results, device.effects, Digits::shown);
