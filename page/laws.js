@@ -6,6 +6,7 @@ import { choiceField, textField } from './fields.js';
 import { reportFrame } from './frame.js';
 import { lotFiles, lotName, lotPath, lotTables, present, resultsDoubt, setCampaign } from './lot.js';
 import { problemList, readable } from './records.js';
+import { DASH } from '../src/isolaw/render/page/script/text.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { withSetting } from './toml.js';
@@ -18,6 +19,7 @@ let shown = null;
 let progress = null; // the last progress that the engine reported
 let furthest = 0; // the largest share so far; the bar shows it, so that it never goes back
 let started = 0;
+let begun = null; // the laws, devices and runs of the present identification
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
@@ -90,7 +92,34 @@ function drawProgress() {
   const seconds = Math.round((performance.now() - started) / 1000);
   const more = known ? [text.left(progress.secondsLeft), text.phases[progress.phase] ?? ''].filter(Boolean).join(', ') : text.unknownYet;
   fill(place('progress-words'), element('b', {}, known ? text.percent(furthest) : text.since(seconds)), '\u2002' + more);
+  drawFits();
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
+}
+
+// Shows what each law has reached so far. A law whose searches are finished stands above those that are still searched,
+// the smallest error first. All rows are there from the start, so that the page does not jump.
+function drawFits() {
+  const { laws, devices, runs } = begun;
+  const all = devices * runs;
+  const searched = progress !== null && progress.phase !== 'runs';
+  const rows = laws.map((id, order) => {
+    const { runs: finished = 0, devices: fitted = 0, error = null } = progress?.laws?.find((one) => one.id === id) ?? {};
+    return { id, order, name: state.laws.find((one) => one.id === id)?.name ?? id, finished, fitted, error, whole: searched || finished >= all };
+  });
+  rows.sort((a, b) => b.whole - a.whole || (a.whole ? (a.error ?? Infinity) - (b.error ?? Infinity) || a.order - b.order : a.order - b.order));
+  const done = ({ finished, fitted, whole }) => (!whole ? text.searches(finished, all) : fitted === 0 ? text.notFitted : devices > 1 ? text.fittedOn(fitted) : text.fitted);
+  fill(
+    place('fits'),
+    rows.map((row) =>
+      element(
+        'tr',
+        { id: 'fit-' + row.id, class: row.whole && row.fitted > 0 ? null : 'muted' },
+        element('th', { scope: 'row' }, row.name),
+        element('td', { class: 'number' }, row.error === null ? DASH : (100 * row.error).toFixed(1) + '\u202f%'),
+        element('td', {}, done(row)),
+      ),
+    ),
+  );
 }
 
 // The engine cuts the work into parts by these settings and cannot read them from the lot file. They are therefore
@@ -107,6 +136,7 @@ async function identify({ fail }) {
   progress = null;
   furthest = 0;
   started = performance.now();
+  begun = { laws: lawIds(chosenLaws()), devices: readable(), runs: chosenRuns() };
   const clock = setInterval(drawProgress, 1000);
   state.cancelled = false;
   settingsOpen = false;
@@ -181,6 +211,13 @@ export function drawLaws(use) {
           }, { class: 'action', id: 'cancel' }),
           element('span', { class: 'muted' }, text.mayLeave),
         ),
+      ),
+      element(
+        'table',
+        { class: 'fits' },
+        element('caption', {}, text.soFar),
+        element('thead', {}, element('tr', {}, [[text.law, ''], [text.error, 'number'], [text.searched, '']].map(([title, className]) => element('th', { scope: 'col', class: className || null }, title)))),
+        element('tbody', { id: 'fits' }),
       ),
     );
     drawProgress();

@@ -343,7 +343,7 @@ export function setCampaign(files, of) {
 // Asks the program for its laws and rule sets, so that the page needs no list of its own.
 export const readCatalogue = async () => {
   const [laws, rules] = await Promise.all([run(['laws', '--json'], [], []), run(['rules', '--json'], [], [])]);
-  state.laws = JSON.parse(laws.stdout).map(({ id, title, set, parameters }) => ({ id, title, set, parameters: parameters.length }));
+  state.laws = JSON.parse(laws.stdout).map(({ id, name, title, set, parameters, rate_independent: untimed }) => ({ id, name, title, set, parameters: parameters.length, timed: !untimed }));
   state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
 };
 

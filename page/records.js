@@ -6,19 +6,25 @@ import { DASH, isNumber, trimmed } from '../src/isolaw/render/page/script/text.j
 import { asComplaints } from './engine_use.js';
 import { lotForm } from './lot_form.js';
 import { lotDevices, lotTables, namedFiles } from './lot.js';
+import { CHANNELS, columnAsRead, guessesOf, hasValues, lacksTime, readingOf } from './reading.js';
 import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-// The numbers of the devices whose forms are open. They belong to the lot with the number openIn; drawRecords() clears
-// them when the user opens another lot.
+// The numbers of the devices whose forms are open, and of those whose values the user showed (true) or hid (false). They
+// belong to the lot with the number openIn; drawRecords() clears them when the user opens another lot.
 let openForms = new Set(),
+  chosenValues = new Map(),
   openIn = 0;
 const leftOut = (place) => {
-  openForms = new Set([...openForms].filter((one) => one !== place).map((one) => (one > place ? one - 1 : one)));
+  const moved = (one) => (one > place ? one - 1 : one);
+  openForms = new Set([...openForms].filter((one) => one !== place).map(moved));
+  chosenValues = new Map([...chosenValues].filter(([one]) => one !== place).map(([one, shown]) => [moved(one), shown]));
 };
 
-const CHANNELS = ['time', 'disp', 'force', 'load'];
+// The values of the first devices are shown from the start. With many devices the page stays quick.
+const FIRST = 3;
+const showsValues = (place) => chosenValues.get(place) ?? place <= FIRST;
 
 const number = (value, digits) => (isNumber(value) ? trimmed(value, digits) : DASH);
 
@@ -54,15 +60,8 @@ const refusalOf = ({ status, complaints, message, properties_refusal: bare }) =>
 
 export const readable = () => devicesFound().filter((one) => one.readable).length;
 
-function readAs(found) {
-  if (!found?.columns) return [];
-  return CHANNELS.filter((channel) => found.columns[channel] !== undefined && found.columns[channel] !== null).map((channel) => {
-    const unit = found.units?.[channel];
-    const name = String(found.columns[channel]);
-    const told = unit && !new RegExp('[[(_ ]' + unit.replace(/[^\w]/g, '') + '[\\])]?$').test(name);
-    return element('span', { class: 'channel-read' }, element('span', { class: 'muted' }, text.channelShort[channel] + ' '), visible(name), told && element('span', { class: 'muted' }, ' ' + visible(unit)));
-  });
-}
+const readAs = (found) =>
+  CHANNELS.filter((channel) => found?.columns?.[channel] ?? false).map((channel) => element('span', { class: 'channel-read' }, element('span', { class: 'muted' }, text.channelShort[channel] + ' '), visible(columnAsRead(found, channel))));
 
 const reported = (found) => {
   const block = found?.blocks?.find(({ number: one }) => one === found.reported?.block);
@@ -90,7 +89,29 @@ function remarks({ found, problems, device }) {
   );
 }
 
-function rowsOf(one, edit, redraw) {
+// Says how a device was read: in words if its values are hidden. A button shows and hides the values.
+function readCell({ device, found }, redraw) {
+  const shown = hasValues(found) && showsValues(device.place);
+  const guesses = guessesOf(found).length;
+  return element(
+    'div',
+    { class: 'channels-read' },
+    !shown && readAs(found),
+    !shown && hasValues(found) && lacksTime(found) && element('b', { class: 'guess' }, text.noTimeShort),
+    !shown && guesses > 0 && element('b', { class: 'guess' }, text.guesses(guesses)),
+    hasValues(found) &&
+      button(
+        shown ? text.hideValues : text.showValues,
+        () => {
+          chosenValues.set(device.place, !shown);
+          redraw();
+        },
+        { class: 'link', id: 'values-' + device.place, 'aria-expanded': String(shown), 'aria-label': (shown ? text.hideValues : text.showValues) + ': ' + visible(device.name) },
+      ),
+  );
+}
+
+function rowsOf(one, index, edit, redraw) {
   const { device, found, problems, readable: isRead } = one;
   const cycle = reported(found);
   const isOpen = openForms.has(device.place);
@@ -98,20 +119,19 @@ function rowsOf(one, edit, redraw) {
   const shape = { good: 'tick', care: 'care', poor: 'cross' }[tone];
   const cell = (label, value, className) => element('td', { class: className, 'data-label': label }, value);
   const toggle = button(
-    isOpen ? text.done : text.correct,
+    isOpen ? text.done : text.reread,
     () => {
       if (isOpen) openForms.delete(device.place);
       else openForms.add(device.place);
       redraw();
     },
-    { class: 'action', id: 'correct-' + device.place, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.correct) + ': ' + visible(device.name) },
+    { class: 'action', id: 'reread-' + device.place, 'aria-expanded': String(isOpen), 'aria-label': (isOpen ? text.done : text.reread) + ': ' + visible(device.name) },
   );
   const rows = [
     element(
       'tr',
       { class: 'device', id: 'device-' + device.place, 'data-tone': tone },
-      element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file))))),
-      cell(text.readAs, element('div', { class: 'channels-read' }, readAs(found)), 'read-as'),
+      element('th', { scope: 'row', class: 'device-name' }, element('div', { class: 'named' }, shape && sign(shape, tone), element('span', {}, visible(device.name), device.file && element('small', {}, visible(device.file)), readCell(one, redraw)))),
       cell(text.samples, number(isRead ? found.samples : null, 9), 'number'),
       cell(text.amplitude, number(cycle?.amplitude_mm, 4), 'number'),
       cell(text.stiffness, number(cycle?.K_eff_kN_per_mm, 4), 'number'),
@@ -120,6 +140,16 @@ function rowsOf(one, edit, redraw) {
       element('td', { class: 'act' }, toggle),
     ),
   ];
+  if (hasValues(found) && showsValues(device.place)) {
+    const change = (field) => {
+      openForms.add(device.place);
+      redraw();
+      const control = place('device-' + device.place + '-' + field);
+      control?.scrollIntoView({ block: 'center' });
+      control?.focus({ preventScroll: true });
+    };
+    rows.push(element('tr', { class: 'reading-row', id: 'reading-' + device.place }, element('td', { colspan: '7' }, readingOf(device, found, index, change))));
+  }
   if (isOpen) {
     const write = (key, value) => edit(withKey(state.lot, device.number, key, value));
     const writePart = (key, channel, value) => edit(device.valuesOf(key).write(state.lot, channel, value));
@@ -129,14 +159,14 @@ function rowsOf(one, edit, redraw) {
         { class: 'form-row', id: 'form-' + device.place },
         element(
           'td',
-          { colspan: '8' },
+          { colspan: '7' },
           deviceForm(device, found, problems, write, writePart),
           element(
             'p',
             { class: 'form-end' },
             button(text.done, () => {
               openForms.delete(device.place);
-              redraw('correct-' + device.place);
+              redraw('reread-' + device.place);
             }, { class: 'action' }),
             button(text.leaveOut, () => {
               leftOut(device.place);
@@ -184,6 +214,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
   if (openIn !== state.lots) {
     openIn = state.lots;
     openForms.clear();
+    chosenValues.clear();
   }
   const all = devicesFound();
   const { read, node: [tone, word, said, broken] } = band(all);
@@ -243,7 +274,6 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
               {},
               [
                 [text.device, ''],
-                [text.readAs, ''],
                 [text.samples, '', 'number'],
                 [text.amplitude, 'mm', 'number'],
                 [text.stiffness, 'kN/mm', 'number'],
@@ -253,7 +283,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
               element('td', { class: 'act' }),
             ),
           ),
-          element('tbody', {}, all.map((one) => rowsOf(one, edit, redraw))),
+          element('tbody', {}, all.map((one, index) => rowsOf(one, index, edit, redraw))),
         ),
       ),
     unused.length > 0 && element('p', { class: 'hint' }, visible(text.notNamed(unused)) + ' ', button(text.addThem, () => addAgain(unused), { class: 'action', id: 'add-them' })),

@@ -17,7 +17,7 @@ const nothing = () => ({
 
 export const state = {
   ...nothing(),
-  laws: [], // [{id, title, parameters, set}]
+  laws: [], // [{id, name, title, parameters, set, timed}]; `timed`: whether the law depends on time
   rules: [], // [{id, title, verified}]
   lots: 0, // number of lots so far; a result that was begun for an earlier lot is dropped
 };

@@ -1,14 +1,17 @@
-// The program prints lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`. This module combines the lines of
-// all commands of a campaign into one share of finished work and one remaining time.
+// The program prints lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`, and `run LAW OBJECTIVE DEVICE` for each
+// run that was finished. This module combines the lines of all commands of a campaign into one share of finished work, one
+// remaining time, and the error of each law so far.
 
 const line = /^progress ([\d.]+) ([\d.]+) (\d+) (\d+) (\w+)$/;
-export const isProgress = (text) => line.test(text);
+const ofRun = /^run (\S+) (\S+) (\d+)$/;
+export const isProgress = (text) => line.test(text) || ofRun.test(text);
 
 // `phases` is [{ name, weight, tasks }], in the order of computing. At most `workers` tasks of a phase run at once.
 // `tell` is the onProgress of engine.js.
 export function makeProgress(phases, workers, tell) {
   const all = phases.map(({ name, weight, tasks }) => ({ name, weight, began: null, tasks: Array.from({ length: tasks }, () => ({ share: 0, left: null, done: 0, total: 0, began: null, took: null })) }));
   const weights = all.reduce((sum, { weight }) => sum + weight, 0);
+  const laws = new Map(); // law -> {runs, best: device -> least objective}
   let current = 0,
     told = 0,
     shown = { share: 0, left: null, at: 0 };
@@ -47,8 +50,15 @@ export function makeProgress(phases, workers, tell) {
     // alone.
     const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
-    tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name });
+    tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name, laws: lawsSoFar() });
   };
+  const note = (law, objective, device) => {
+    const { best } = laws.get(law) ?? laws.set(law, { runs: 0, best: new Map() }).get(law);
+    ++laws.get(law).runs;
+    if (Number.isFinite(objective)) best.set(device, Math.min(objective, best.get(device) ?? Infinity));
+  };
+  const lawsSoFar = () =>
+    [...laws].map(([id, { runs, best }]) => ({ id, runs, devices: best.size, error: best.size > 0 ? [...best.values()].reduce((sum, one) => sum + one, 0) / best.size : null }));
   const ticking = tell ? setInterval(() => shown.at > 0 && say(), 500) : null;
 
   return {
@@ -58,6 +68,11 @@ export function makeProgress(phases, workers, tell) {
       all[phase].tasks[task].began = Date.now();
     },
     read: (phase, task, text) => {
+      const [, law, objective, device] = ofRun.exec(text) ?? [];
+      if (law !== undefined) {
+        note(law, Number(objective), device);
+        return;
+      }
       const [, share, left, done, total] = line.exec(text) ?? [];
       if (share === undefined || phase !== current) return;
       Object.assign(all[phase].tasks[task], { share: Number(share), left: Number(left), done: Number(done), total: Number(total) });

@@ -47,12 +47,12 @@ async function end(page) {
   await page.close();
 }
 const failure = (page) => page.evaluate("document.getElementById('failure').hidden ? '' : document.getElementById('failure').innerText");
-const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[2].textContent, amplitude: row.children[3].textContent, stiffness: row.children[4].textContent, damping: row.children[5].textContent, words: row.innerText }))");
+const rows = (page) => page.evaluate("[...document.querySelectorAll('#devices tr.device')].map((row) => ({ name: row.querySelector('.named span').firstChild.textContent, tone: row.dataset.tone, samples: row.children[1].textContent, amplitude: row.children[2].textContent, stiffness: row.children[3].textContent, damping: row.children[4].textContent, words: row.innerText }))");
 const lotText = (page) => page.evaluate("document.getElementById('lot-text').value");
 const band = (page) => page.text('#read-band .word');
 // Returns the id of the input field for a key of lot.toml in the form of one device.
-const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]').id.slice(8); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
-const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=correct-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
+const fieldOf = (page, row, key) => page.evaluate(`(() => { const number = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=reread-]').id.slice(7); return 'device-' + number + '-' + ${JSON.stringify(key)}; })()`);
+const openForm = (page, row) => page.evaluate(`(() => { const it = document.querySelectorAll('#devices tr.device')[${row}].querySelector('[id^=reread-]'); if (it.getAttribute('aria-expanded') === 'false') it.click(); })()`);
 const set = async (page, id, value) => {
   await page.type(id, value);
   await page.idle();
@@ -667,14 +667,14 @@ const tests = {
     await page.write('28');
     // The size of the lot adds a table to the lot file, above the devices. The form for the size of the lot thereby
     // moves the button that the test clicks next.
-    await page.click('[id^=correct-]');
-    await page.click('[id^=correct-]');
+    await page.click('[id^=reread-]');
+    await page.click('[id^=reread-]');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
     await page.click('#design-K_eff');
     await page.write('0,62');
     await page.key('Tab');
     await page.write('19,5');
-    await page.click('[id^=correct-]');
+    await page.click('[id^=reread-]');
     await page.idle();
     const lot = await lotText(page);
     for (const line of ["title = 'Bridge 7'", 'rubber-thickness-mm = 150', 'rubber-area-mm2 = 250000', 'lot-size = 28', 'K_eff = 0.62', 'damping = 19.5']) expect(lot.includes(line), line + ' in ' + lot);
@@ -692,7 +692,7 @@ const tests = {
     await page.idle();
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'one click ends the form');
     // The form of a device must stay open when the user renames the device or deletes its name.
-    await page.click('[id^=correct-]');
+    await page.click('[id^=reread-]');
     await page.click('#device-1-name');
     for (const called of ['Other', '']) {
       await page.click('#device-1-name');
