@@ -124,7 +124,7 @@ export function readingOf(device, found, index, change) {
       ' ' + UNITS[channel],
       element('small', {}, found.columns?.[channel] ? visible(columnAsRead(found, channel)) : lacksTime(found) ? text.notInFile : text.fromHeader),
       marksOf(channel, found).map(({ kind, words, field }) =>
-        element('small', { class: 'doubted' }, element('b', { class: kind }, text.marks[kind]), words + ' ', button(text.changeIt, () => change(field), { class: 'link', 'aria-label': text.changeIt + ': ' + text.channel[channel] + ', ' + words + ' (' + name + ')' })),
+        element('small', { class: 'doubted' }, element('b', { class: kind }, text.marks[kind]), ' ' + words + ' ', button(text.changeIt, () => change(field), { class: 'link', 'aria-label': text.changeIt + ': ' + text.channel[channel] + ', ' + words + ' (' + name + ')' })),
       ),
     );
   const loop = sketch(curveOf(index), name);

@@ -108,7 +108,7 @@ export const text = {
     symbol: 'by its symbol alone',
     choice: 'one of several columns with such a name',
     values: 'by its values',
-    axis: 'the axis of the machine',
+    axis: 'taken from the axis of the machine',
     option: 'column named in the lot file',
   },
   unitSet: 'unit named in the lot file',

@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { test } from 'node:test';
 import { errorIn } from '../../page/engine/errors.js';
+import { isProgress, makeProgress } from '../../page/engine/progress.js';
 
 const source = fileURLToPath(new URL('../../page/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
@@ -135,6 +136,23 @@ test('a failure of the program is an object, and no text is taken for one', () =
     assert.equal(errorIn(said, code), null);
     assert.deepEqual(said, before);
   }
+});
+
+test('the error of a law is the mean over the devices of the least objective of their runs', () => {
+  let told = null;
+  const progress = makeProgress([{ name: 'runs', weight: 1, tasks: 2 }], 2, (all) => (told = all));
+  progress.begin(0, 0);
+  progress.begin(0, 1);
+  const lines = [[0, 'run bilinear 0.3 0'], [1, 'run bilinear 0.2 0'], [1, 'run bouc-wen nan 0'], [0, 'run bilinear 0.4 1'], [0, 'progress 0.5 10.0 2 4 runs']];
+  for (const [task, line] of lines) {
+    assert.ok(isProgress(line), line);
+    progress.read(0, task, line);
+  }
+  progress.stop();
+  const [bilinear, boucWen] = told.laws;
+  assert.deepEqual([bilinear.id, bilinear.runs, bilinear.devices, bilinear.error.toFixed(6)], ['bilinear', 3, 2, '0.300000']);
+  assert.deepEqual(boucWen, { id: 'bouc-wen', runs: 1, devices: 0, error: null });
+  assert.ok(!isProgress('run of a law'));
 });
 
 const bytes = (text) => new TextEncoder().encode(text);

@@ -203,6 +203,78 @@ const tests = {
     await end(page);
   },
 
+  'the values of a file as they were read, with its loop': async () => {
+    const page = await open();
+    await page.drop(records.map((one) => join(example, one)));
+    // The values of the first devices are shown. Those of the others are shown on demand.
+    const shown = () => page.evaluate("document.querySelectorAll('.reading-row').length");
+    equal(await shown(), 3, 'devices with values');
+    await page.press('values-4');
+    equal(await shown(), 4, 'the values of one more');
+    await page.press('values-1');
+    equal(await shown(), 3, 'without those of the first');
+    expect(/Time \[s\]/.test(await page.text('#device-1')), 'hidden values leave the names of the columns: ' + (await page.text('#device-1')));
+    await page.press('values-1');
+    const table = await page.evaluate("[...document.querySelectorAll('#reading-1 tr')].map((row) => [...row.children].map((cell) => cell.innerText))");
+    const lines = readFileSync(join(example, records[0]), 'utf8').split('\n').slice(1, 5).map((line) => line.split(',').map(Number));
+    equal(table[0].map((head) => head.split('\n')[0]), ['Sample', 'Time s', 'Displacement mm', 'Force kN', 'Vertical load kN'], 'heads');
+    const read = table.slice(1, 5).map(([, ...cells]) => cells.map((cell) => Number(cell.replace('\u2212', '-'))));
+    expect(read.every((cells, i) => cells.every((cell, j) => Math.abs(cell - lines[i][j]) <= 1e-4 * Math.abs(lines[i][j]))), 'the first rows of the file: ' + JSON.stringify([read, lines]));
+    expect(/^\u2212208\.?\d* to 208/.test(table[5][2]), 'the range: ' + table[5]);
+    const points = await page.evaluate("document.querySelector('#reading-1 svg .loop').getAttribute('d').split('L').length");
+    expect(points > 100, 'points of the loop: ' + points);
+    // Another unit changes the values beside the form.
+    await openForm(page, 0);
+    await set(page, await fieldOf(page, 0, 'units-force'), 'N');
+    equal(Number(await page.evaluate("document.querySelector('#reading-1 tbody tr:nth-child(2)').children[3].innerText")), lines[1][2] / 1000, 'the force in N');
+    expect(/set.*the file says kN/s.test(await page.text('#reading-1 thead')), 'the other unit is marked: ' + (await page.text('#reading-1 thead')));
+    await end(page);
+  },
+
+  'a guess is marked, and the field that changes it is one click away': async () => {
+    const page = await open();
+    await page.drop([join(root, 'tests/warts/clock.csv'), join(root, 'tests/warts/mts-793-axial.dat')]);
+    const marks = (row) => page.evaluate(`[...document.querySelectorAll('#reading-${row} .doubted')].map((one) => one.innerText.replace(/\\s+/g, ' '))`);
+    equal(await marks(1), [], 'a file that says everything');
+    equal(await marks(2), ['guess taken from the axis of the machine Change', 'guess taken from the axis of the machine Change'], 'displacement and force of a machine with one axis');
+    await page.click('#reading-2 th:nth-child(4) .doubted button');
+    equal(await page.focused(), 'device-2-columns-force', 'the field of the column');
+    await page.press('values-2');
+    expect((await page.text('#device-2')).includes('2\u202fguesses'), 'guesses are counted beside hidden values: ' + (await page.text('#device-2')));
+    // The force of this file has the wrong sign, so the program refuses it until the user reverses the sign.
+    const [head, ...lines] = readFileSync(join(example, records[0]), 'utf8').trimEnd().split('\n');
+    const reversed = lines.map((line) => line.split(',').map((cell, column) => (column === 2 ? -Number(cell) : cell)).join(','));
+    writeFileSync(join(work, 'reversed.csv'), [head, ...reversed].join('\n') + '\n');
+    await page.drop([join(work, 'reversed.csv')]);
+    equal((await rows(page))[2].tone, 'poor', 'the wrong sign');
+    await openForm(page, 2);
+    await page.press(await fieldOf(page, 2, 'flip-force'));
+    await page.idle();
+    equal(await marks(3), ['set sign reversed Change'], 'the sign');
+    equal(await page.evaluate("[...document.querySelectorAll('button')].filter(({ textContent }) => textContent === 'Correct').length"), 0, 'buttons that read as a verdict');
+    await end(page);
+  },
+
+  'a file without time': async () => {
+    const [head, ...lines] = readFileSync(join(example, records[0]), 'utf8').trimEnd().split('\n');
+    const untimed = [head, ...lines].map((line) => line.split(',').slice(1).join(',')).join('\n') + '\n';
+    writeFileSync(join(work, 'untimed.csv'), untimed);
+    const page = await open();
+    await page.drop([join(work, 'untimed.csv'), join(example, records[0])]);
+    const warned = await page.evaluate("[...document.querySelectorAll('.reading')].map((one) => one.querySelector('.no-time')?.innerText ?? '')");
+    const [at, beside] = warned[0] ? [0, 1] : [1, 0];
+    expect(/no time/.test(warned[at]) && /Frequency and velocity/.test(warned[at]) && /Jankowski/.test(warned[at]) && !/Bilinear/.test(warned[at]), 'the warning: ' + warned[at]);
+    equal(warned[beside], '', 'a file with time');
+    await page.click('.no-time button');
+    const field = `device-${at + 1}-dt`;
+    equal(await page.focused(), field, 'the field of the time step');
+    await set(page, field, '0,02');
+    equal(await page.evaluate(`[...document.querySelectorAll('#reading-${at + 1} tbody tr')].slice(0, 4).map((row) => row.children[1].innerText)`), ['0.00', '0.02', '0.04', '0.06'], 'times from the time step');
+    expect(/set.*time step/s.test(await page.text(`#reading-${at + 1} thead`)), 'it is marked: ' + (await page.text(`#reading-${at + 1} thead`)));
+    expect(/0\.02\u202fs apart/.test(await page.text('.no-time')), 'it is said: ' + (await page.text('.no-time')));
+    await end(page);
+  },
+
   'files and a folder that are chosen': async () => {
     const page = await open();
     const choose = async (id, paths) => {
@@ -381,6 +453,7 @@ const tests = {
     await page.drop([folder]);
     console.log(`  dropped and inspected in ${((performance.now() - began) / 1000).toFixed(1)} s`);
     equal((await rows(page)).length, count, 'devices');
+    equal(await page.evaluate("document.querySelectorAll('.reading-row').length"), 3, 'devices with values');
     await page.press('show-laws');
     await page.press('laws-paper');
     await page.idle();
@@ -412,7 +485,17 @@ const tests = {
   'identify, export, save, drop back, continue': async () => {
     let page = await open();
     await page.drop([example]);
+    // Notes every state of the table of laws while they are searched.
+    await page.evaluate(`window.seen = []; new MutationObserver(() => {
+      const rows = [...document.querySelectorAll('#fits tr')];
+      if (rows.length > 0) window.seen.push({ top: document.getElementById('fits').getBoundingClientRect().top, rows: rows.map((row) => [...row.children].map((cell) => cell.innerText)) });
+    }).observe(document.getElementById('view-laws'), { childList: true, subtree: true, characterData: true }); 0`);
     await identifyLittle(page, ['bilinear', 'bouc-wen']);
+    const seen = await page.evaluate('window.seen');
+    expect(seen.every(({ top, rows: laws }) => laws.length === 2 && Math.abs(top - seen[0].top) < 1), 'every law has its row all the time, and the table stays in place');
+    equal(seen[0].rows, [['Bilinear', '\u2013', '0 of 10'], ['Bouc-Wen', '\u2013', '0 of 10']], 'before the first run');
+    const reached = seen.at(-1).rows;
+    expect(reached.every(([, error]) => /^\d+\.\d\u202f%$/.test(error)) && parseFloat(reached[0][1]) <= parseFloat(reached[1][1]), 'the errors, the smallest first: ' + JSON.stringify(reached));
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
@@ -436,6 +519,10 @@ const tests = {
     rmSync(join(example, 'page.toml'));
     const native = JSON.parse(readFileSync(join(work, 'native/summary.json')));
     const objectives = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
+    if (!standIn) for (const { name: called, devices: fits } of summary.laws) {
+      const error = (100 * fits.reduce((sum, { objective }) => sum + objective.best, 0) / fits.length).toFixed(1) + '\u202f%';
+      expect(reached.some((row) => row[0] === called && row[1] === error), `the error of ${called}, ${error} in the report: ${JSON.stringify(reached)}`);
+    }
     for (const [law, objective] of Object.entries(objectives(native))) expect(Math.abs(objectives(summary)[law] / objective - 1) < 1e-3, `objective of ${law}: ${objectives(summary)[law]}, natively ${objective}`);
 
     // The user exports a law. The page must save the file and say so.
@@ -1045,7 +1132,9 @@ const tests = {
       };
       await look('empty');
       await page.drop([example, join(root, 'tests/warts/no-units.csv')]);
-      await page.drop([join(root, 'tests/warts/empty.csv')]);
+      await page.drop([join(root, 'tests/warts/empty.csv'), join(root, 'tests/warts/mts-793-axial.dat'), join(root, 'tests/warts/counter.csv')]);
+      for (const one of await page.evaluate("[...document.querySelectorAll('[id^=values-][aria-expanded=false]')].slice(-2).map(({ id }) => id)")) await page.press(one);
+      expect((await page.evaluate("document.querySelectorAll('.reading .guess').length")) > 0 && (await page.evaluate("document.querySelectorAll('.no-time').length")) > 0, 'a guess and a file without time');
       await openForm(page, 0);
       await look('records');
       await page.press('show-properties');
@@ -1058,6 +1147,11 @@ const tests = {
       await page.press('laws-some');
       await page.idle();
       await look('laws');
+      await page.press('identify');
+      await page.until("document.getElementById('fits')", 'progress');
+      await look('running');
+      await page.press('cancel');
+      await page.until("!document.getElementById('fits')", 'the end');
       await identifyLittle(page, ['bilinear']);
       await look('report');
       await page.press('show-save');
