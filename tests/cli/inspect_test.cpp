@@ -91,6 +91,38 @@ TEST_F(Inspect, files_a_directory_and_a_lot_file_give_the_same_devices) {
   EXPECT_EQ(from_lot["title"], "Four");
 }
 
+TEST_F(Inspect, values_and_what_shows_each_column_are_said_for_programs) {
+  auto const by_name = inspected({"lot/D1.csv"});
+  for (auto const& [key, value] : {std::pair("disp_mm", &Sample::disp_mm), std::pair("force_kN", &Sample::force_kN)}) {
+    std::vector<double> all;
+    for (auto const& sample : samples_[0]) all.push_back(sample.*value);
+    auto const& values = by_name["values"][key];
+    ASSERT_EQ(values["first"].size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(values["first"][i].get<double>(), all[i], 1e-8);
+    EXPECT_NEAR(values["least"].get<double>(), std::ranges::min(all), 1e-6);
+    EXPECT_NEAR(values["largest"].get<double>(), std::ranges::max(all), 1e-6);
+  }
+  auto const taken = [](Json const& device, std::string const& channel) {
+    for (auto const& one : device["decisions"])
+      if (one["kind"] == "column-taken" && one["channel"] == channel) return one;
+    return Json();
+  };
+  EXPECT_EQ(taken(by_name, "force"),
+            Json::parse(R"({"kind": "column-taken", "channel": "force", "column_by": "name", "stated_unit": "kN"})"));
+  // An option that names the column and its unit does not hide what the file shows.
+  write("symbols.csv", csv(samples_[0], "t [s],d,F [kN]"));
+  auto const asked = inspected({"symbols.csv", "--columns", "force=F [kN],disp=d", "--units", "force=N,disp=mm"});
+  EXPECT_EQ(taken(asked, "force"),
+            Json::parse(R"({"kind": "column-taken", "channel": "force", "column_by": "symbol", "stated_unit": "kN"})"));
+  EXPECT_FALSE(taken(asked, "disp").contains("stated_unit"));
+  write("other.csv", csv(samples_[0], "p,q,r"));
+  auto const other =
+      inspected({"other.csv", "--columns", "time=p,disp=q,force=r", "--units", "time=s,disp=mm,force=kN"});
+  EXPECT_EQ(taken(other, "disp")["column_by"], "option");
+  EXPECT_TRUE(inspected({"symbols.csv", "--units", "disp=mm", "--columns", "time=none", "--dt", "0.01"})["decisions"]
+                  .back()["option"] == "--dt");
+}
+
 TEST_F(Inspect, the_lot_is_described_by_its_third_cycles) {
   auto const found = inspected(files() + Words{"--lot-size", "20", "--design", "K_eff=0.72"});
   auto const& lot = found["assessment"]["lot"];

@@ -143,7 +143,7 @@ test('the error of a law is the mean over the devices of the least objective of 
   const progress = makeProgress([{ name: 'runs', weight: 1, tasks: 2 }], 2, (all) => (told = all));
   progress.begin(0, 0);
   progress.begin(0, 1);
-  const lines = [[0, 'run bilinear 0.3 0'], [1, 'run bilinear 0.2 0'], [1, 'run bouc-wen nan 0'], [0, 'run bilinear 0.4 1'], [0, 'progress 0.5 10.0 2 4 runs']];
+  const lines = [[0, 'run bilinear 0.2 0'], [1, 'run bilinear 0.3 0'], [1, 'run bouc-wen nan 0'], [0, 'run bilinear 0.4 1'], [0, 'progress 0.5 10.0 2 4 runs']];
   for (const [task, line] of lines) {
     assert.ok(isProgress(line), line);
     progress.read(0, task, line);
