@@ -19,7 +19,7 @@ let shown = null;
 let progress = null; // the last progress that the engine reported
 let furthest = 0; // the largest share so far; the bar shows it, so that it never goes back
 let started = 0;
-let begun = null; // the laws, devices and runs of the present identification
+let begun = null; // the laws, devices and runs of the present identification, and whether it continues an earlier one
 
 const settings = () => lotTables().tables?.find(({ path }) => path === 'calibrate')?.keys ?? new Map();
 const value = (key, other) => settings().get(key)?.value ?? other;
@@ -99,7 +99,7 @@ function drawProgress() {
 // Shows what each law has reached so far. A law whose searches are finished stands above those that are still searched,
 // the smallest error first. All rows are there from the start, so that the page does not jump.
 function drawFits() {
-  const { laws, devices, runs } = begun;
+  const { laws, devices, runs, continues } = begun;
   const all = devices * runs;
   const searched = progress !== null && progress.phase !== 'runs';
   const rows = laws.map((id, order) => {
@@ -107,7 +107,9 @@ function drawFits() {
     return { id, order, name: state.laws.find((one) => one.id === id)?.name ?? id, finished, fitted, error, whole: searched || finished >= all };
   });
   rows.sort((a, b) => b.whole - a.whole || (a.whole ? (a.error ?? Infinity) - (b.error ?? Infinity) || a.order - b.order : a.order - b.order));
-  const done = ({ finished, fitted, whole }) => (!whole ? text.searches(finished, all) : fitted === 0 ? text.notFitted : devices > 1 ? text.fittedOn(fitted) : text.fitted);
+  // The runs of an earlier identification become known little by little.
+  const done = ({ finished, fitted, whole }) =>
+    !whole ? text.searches(finished, all) : fitted === 0 && !continues ? text.notFitted : devices === 1 || (continues && finished < all) ? text.fitted : text.fittedOn(fitted);
   fill(
     place('fits'),
     rows.map((row) =>
@@ -136,7 +138,7 @@ async function identify({ fail }) {
   progress = null;
   furthest = 0;
   started = performance.now();
-  begun = { laws: lawIds(chosenLaws()), devices: readable(), runs: chosenRuns() };
+  begun = { laws: lawIds(chosenLaws()), devices: readable(), runs: chosenRuns(), continues: state.parts.length > 0 || store?.length > 0 };
   const clock = setInterval(drawProgress, 1000);
   state.cancelled = false;
   settingsOpen = false;

@@ -51,14 +51,14 @@ function column(values) {
 // The curves stand in the data of the inspection's page. They are read again only if the inspection has changed.
 let curvesOf = null,
   curves = [];
-function curveOf(device) {
+function curveOf(found) {
   const page = fileOf(state.inspectionFiles, 'inspection.html');
   if (page !== curvesOf) {
     curvesOf = page;
     const [, json] = /<script type="application\/json" id="isolaw-data">([\s\S]*?)<\/script>/.exec(page ? asText(page) : '') ?? [];
     curves = json ? JSON.parse(json).devices.map(({ raw }) => raw) : [];
   }
-  return curves[device];
+  return curves[state.inspection.devices.indexOf(found)];
 }
 
 const decoded = ({ o, s, d }) => {
@@ -109,9 +109,9 @@ function timeWarning(found, name, change) {
   );
 }
 
-// `device` and `found` are the device in the lot file and in inspection.json, `index` is its place among all devices.
-// `change` takes the end of the id of a field and leads to this field.
-export function readingOf(device, found, index, change) {
+// `device` and `found` are the device in the lot file and in inspection.json. `change` takes the end of the id of a field
+// and leads to this field.
+export function readingOf(device, found, change) {
   const name = visible(device.name);
   const channels = CHANNELS.filter((channel) => found.values[KEYS[channel]]);
   const columns = channels.map((channel) => column(found.values[KEYS[channel]].first));
@@ -127,7 +127,7 @@ export function readingOf(device, found, index, change) {
         element('small', { class: 'doubted' }, element('b', { class: kind }, text.marks[kind]), ' ' + words + ' ', button(text.changeIt, () => change(field), { class: 'link', 'aria-label': text.changeIt + ': ' + text.channel[channel] + ', ' + words + ' (' + name + ')' })),
       ),
     );
-  const loop = sketch(curveOf(index), name);
+  const loop = sketch(curveOf(found), name);
   return element(
     'div',
     { class: 'reading' },

@@ -111,7 +111,7 @@ function readCell({ device, found }, redraw) {
   );
 }
 
-function rowsOf(one, index, edit, redraw) {
+function rowsOf(one, edit, redraw) {
   const { device, found, problems, readable: isRead } = one;
   const cycle = reported(found);
   const isOpen = openForms.has(device.place);
@@ -148,7 +148,7 @@ function rowsOf(one, index, edit, redraw) {
       control?.scrollIntoView({ block: 'center' });
       control?.focus({ preventScroll: true });
     };
-    rows.push(element('tr', { class: 'reading-row', id: 'reading-' + device.place }, element('td', { colspan: '7' }, readingOf(device, found, index, change))));
+    rows.push(element('tr', { class: 'reading-row', id: 'reading-' + device.place }, element('td', { colspan: '7' }, readingOf(device, found, change))));
   }
   if (isOpen) {
     const write = (key, value) => edit(withKey(state.lot, device.number, key, value));
@@ -283,7 +283,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
               element('td', { class: 'act' }),
             ),
           ),
-          element('tbody', {}, all.map((one, index) => rowsOf(one, index, edit, redraw))),
+          element('tbody', {}, all.map((one) => rowsOf(one, edit, redraw))),
         ),
       ),
     unused.length > 0 && element('p', { class: 'hint' }, visible(text.notNamed(unused)) + ' ', button(text.addThem, () => addAgain(unused), { class: 'action', id: 'add-them' })),

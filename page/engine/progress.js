@@ -52,9 +52,10 @@ export function makeProgress(phases, workers, tell) {
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
     tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name, laws: lawsSoFar() });
   };
-  const note = (law, objective, device) => {
+  // A command that makes analyses prints all runs again. They tell the runs that an earlier start of the page finished.
+  const note = (law, objective, device, isNew) => {
     const { best } = laws.get(law) ?? laws.set(law, { runs: 0, best: new Map() }).get(law);
-    ++laws.get(law).runs;
+    if (isNew) ++laws.get(law).runs;
     if (Number.isFinite(objective)) best.set(device, Math.min(objective, best.get(device) ?? Infinity));
   };
   const lawsSoFar = () =>
@@ -70,7 +71,7 @@ export function makeProgress(phases, workers, tell) {
     read: (phase, task, text) => {
       const [, law, objective, device] = ofRun.exec(text) ?? [];
       if (law !== undefined) {
-        note(law, Number(objective), device);
+        note(law, Number(objective), device, phase === 0);
         return;
       }
       const [, share, left, done, total] = line.exec(text) ?? [];

@@ -633,7 +633,7 @@ const tests = {
     await openForm(page, 0);
     await set(page, 'lot-title', bad);
     await page.evaluate("for (const details of document.querySelectorAll('details')) details.open = true");
-    const markup = "document.querySelectorAll('main img, main svg:not(.sign), main script, [onerror], [onload]').length";
+    const markup = "document.querySelectorAll('main img, main svg:not(.sign, .sketch > svg), main script, [onerror], [onload]').length";
     equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s');
     await page.press('show-properties');
     await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');

@@ -1,5 +1,5 @@
 // The browser version's progress lines, about five times per second. page/engine/progress.js reads them in this form:
-//   run LAW OBJECTIVE DEVICE       for each run that was finished; DEVICE is its place in the lot, from 0
+//   run LAW OBJECTIVE DEVICE       for each finished run, once, those of an earlier start too; DEVICE counts from 0
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   if (progress.total == 0 || (drawn_ && !is_end && now - last_ < std::chrono::milliseconds(200))) return;
   drawn_ = true;
   last_ = now;
-  for (; !progress.analysis && told_ < progress.runs.size(); ++told_) {
+  for (; told_ < progress.runs.size(); ++told_) {
     auto const& run = progress.runs[told_];
     say("run {} {:.6g} {}\n", run.law, run.objective, run.device);
   }
