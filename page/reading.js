@@ -32,6 +32,9 @@ function marksOf(channel, found) {
 
 export const guessesOf = (found) => (hasValues(found) ? CHANNELS.flatMap((channel) => marksOf(channel, found).filter(({ kind }) => kind === 'guess')) : []);
 
+// Returns whether the user should look at how a device was read: it has a guess, or a time step is missing.
+export const isDoubtful = (found) => guessesOf(found).length > 0 || (lacksTime(found) && !found.values.time_s);
+
 // Returns the name of the column that was taken for a channel, with its unit unless the name ends with the unit.
 export function columnAsRead(found, channel) {
   const name = String(found.columns[channel]);

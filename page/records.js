@@ -6,7 +6,7 @@ import { DASH, isNumber, trimmed } from '../src/isolaw/render/page/script/text.j
 import { asComplaints } from './engine_use.js';
 import { lotForm } from './lot_form.js';
 import { lotDevices, lotTables, namedFiles } from './lot.js';
-import { CHANNELS, columnAsRead, guessesOf, hasValues, lacksTime, readingOf } from './reading.js';
+import { CHANNELS, columnAsRead, guessesOf, hasValues, isDoubtful, lacksTime, readingOf } from './reading.js';
 import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
@@ -115,7 +115,7 @@ function rowsOf(one, edit, redraw) {
   const { device, found, problems, readable: isRead } = one;
   const cycle = reported(found);
   const isOpen = openForms.has(device.place);
-  const tone = !found && problems.length === 0 ? 'muted' : !isRead ? 'poor' : problems.length > 0 || found.warnings.length > 0 ? 'care' : 'good';
+  const tone = !found && problems.length === 0 ? 'muted' : !isRead ? 'poor' : problems.length > 0 || found.warnings.length > 0 || isDoubtful(found) ? 'care' : 'good';
   const shape = { good: 'tick', care: 'care', poor: 'cross' }[tone];
   const cell = (label, value, className) => element('td', { class: className, 'data-label': label }, value);
   const toggle = button(
@@ -189,6 +189,7 @@ function band(all) {
   const read = all.filter((one) => one.readable).length;
   const not = all.length - read;
   const bare = all.filter((one) => one.readable && one.problems.length > 0).length;
+  const doubtful = all.filter(({ found }) => isDoubtful(found)).length;
   // The fault of a lot's only device is shown in the device's row and not above the table.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
   // The user dropped only the results of a campaign, without records and lot file.
@@ -201,7 +202,9 @@ function band(all) {
         ? ['care', text.readBand.some(read, not) + text.readBand.bare(bare), text.readSome]
         : bare > 0
           ? ['care', text.readBand.all(read) + text.readBand.bare(bare), text.readBare]
-          : ['good', text.readBand.all(read), text.readAll];
+          : doubtful > 0
+            ? ['care', text.readBand.all(read), text.readDoubtful(doubtful)]
+            : ['good', text.readBand.all(read), text.readAll];
   return { read, node: [tone, word, said, broken] };
 }
 

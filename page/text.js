@@ -68,6 +68,7 @@ export const text = {
     results: 'Results only',
   },
   readAll: 'Compare the first rows below with your files. Where a column or unit is wrong, press \u201cChange how it is read\u201d.',
+  readDoubtful: (number) => 'Compare the first rows below with your files, and look at what is marked: ' + several(number, 'device has', 'devices have') + ' a guess or no time.',
   readSome: 'Each device below has its fault beside it. Change how it is read or leave the device out; otherwise every result lists it as refused.',
   readBare: 'The remarks below say why.',
   leaveOutAll: 'Leave out what cannot be read',
