@@ -29,9 +29,9 @@
 //     workers: 2,                                           // default: all
 //     parts: [{ path, bytes }],                             // optional: files of an earlier or a cancelled campaign
 //     onProgress: ({ done, total, share, secondsLeft, phase, laws }) => {},   // phase 'runs' | 'analyses'; share 0 to 1
-//                                                           // laws: [{ id, runs, devices, error }], the runs of a law that are
-//                                                           // finished, the devices that have a fit, and the mean of their
-//                                                           // least objectives, or null
+//                                                           // laws: [{ id, runs, devices, error }]: finished runs of
+//                                                           // the law, devices with a fit, and the mean of their
+//                                                           // least objectives or null
 //     onText, signal,
 //   });
 //   r = { code, stdout, stderr, error, files }              // files of the whole campaign, below 'out/': out/report.html,

@@ -21,7 +21,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   [[maybe_unused]] bool terminal_;
   bool drawn_ = false;
-  [[maybe_unused]] std::size_t told_ = 0;  // of the finished runs, how many were printed
+  [[maybe_unused]] std::size_t told_ = 0;  // how many of the finished runs were printed
   Clock::time_point last_ = Clock::now();
 };
 
