@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -41,15 +45,20 @@ void ProgressLine::show(campaign::Progress const& progress) {
     return;
   }
   drawn_ = true;
-  constexpr std::size_t cells = 20;
+  constexpr std::size_t cells = 16;
   auto const filled = static_cast<std::size_t>(static_cast<double>(cells) * progress.share);
   std::string bar;
   for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
   auto line = fmt::format("[{}] {} %  {} left  {}/{} {} ", bar, percent, duration(progress.left_s), progress.done,
                           progress.total, what);
-  for (auto const& [law, best] : progress.best) line += fmt::format(" {} {:.4f}", law, best);
-  line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width(STDERR_FILENO) - 1)));
-  say("\r{}\033[K", line);
+  if (!progress.law.empty()) line += " " + std::string(laws::called(progress.law));
+  if (!progress.device.empty()) line += " on " + printable(progress.device);
+  // A name is cut between its letters, so that the line never breaks.
+  auto const width = std::min(terminal_width(STDERR_FILENO), 80) - 1;
+  std::size_t end = 0;
+  for (int letters = 0; letters < width && end < line.size(); ++letters)
+    end += utf8_length(std::string_view(line).substr(end));
+  say("\r{}\033[K", line.substr(0, end));
 }
 
 }  // namespace isolaw::app

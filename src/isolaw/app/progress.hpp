@@ -1,4 +1,4 @@
-// The progress line: share of all work done, time left, count of runs or analyses, best objective of each law.
+// The progress line: share of all work done, time left, count of runs or analyses, law and device of the latest.
 #pragma once
 
 #include <chrono>

@@ -21,7 +21,7 @@ enum class FindingKind {
   evaluations_failed, law_inadequate, law_runs_away, held_by_box, prediction_poor, prediction_unusable, searches_disagree, runs_differ,
   not_determined, prediction_not_asked, outlier, at_bound, lot_law_at_bound, integration_coarse,
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
-  prediction_unknown, verdict_without_corrections_same,
+  prediction_unknown, verdict_without_corrections_same, amplitudes_mixed,
   // [answers]
   law_recommended, law_errors, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,
   none_predicts, none_on_every_device, none_for_a_building, none_energy, weak_prediction_fair, weak_error,

@@ -282,7 +282,10 @@ class Analysis {
         store_.add(*result);
         if (options_.estimate != nullptr) options_.estimate->done(part.kind, result->law);
         results.push_back(std::move(*result));
-        if (options_.progress) options_.progress(contents_.analyses(), total_);
+        AnalysisProgress now{
+            .done = contents_.analyses(), .total = total_, .law = results.back().law, .device = std::nullopt};
+        if constexpr (requires { results.back().device; }) now.device = results.back().device;
+        if (options_.progress) options_.progress(now);
       }
       meter.lap(part.phase);
     });

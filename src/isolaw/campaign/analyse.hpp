@@ -25,9 +25,15 @@ fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 
+struct AnalysisProgress {
+  std::size_t done = 0, total = 0;
+  std::string_view law;               // of the latest analysis
+  std::optional<std::size_t> device;  // of that analysis; nullopt if it is of the lot
+};
+
 struct AnalyseOptions {
   std::size_t threads = 1;
-  std::function<void(std::size_t done, std::size_t total)> progress;  // called from one thread at a time
+  std::function<void(AnalysisProgress const&)> progress;  // called from one thread at a time
   std::function<bool()> interrupted;                                  // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;

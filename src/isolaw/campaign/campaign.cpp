@@ -232,9 +232,10 @@ class Computation {
     auto const threads = analyse(contents_, store_,
                                  {.threads = jobs_,
                                   .progress =
-                                      [&](std::size_t done, std::size_t total) {
-                                        progress_.done = done;
-                                        progress_.total = total;
+                                      [&](AnalysisProgress const& now) {
+                                        progress_.done = now.done;
+                                        progress_.total = now.total;
+                                        latest(now.law, now.device);
                                         tell();
                                       },
                                   .interrupted = [&] { return asked_to_stop(); },
@@ -282,6 +283,7 @@ class Computation {
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate_.done(TaskKind::run, run.law);
+    latest(run.law, run.device);
     contents_.runs.push_back(std::move(run));
     tell();
     meter.lap(Phase::search);
@@ -296,6 +298,11 @@ class Computation {
     if (!run.usable()) return;
     auto const [entry, is_new] = progress_.best.try_emplace(run.law, run.objective);
     entry->second = std::min(entry->second, run.objective);
+  }
+
+  void latest(std::string_view law, std::optional<std::size_t> device) {
+    progress_.law = law;
+    progress_.device = device ? contents_.devices[*device].name : std::string();
   }
 
   void tell() {

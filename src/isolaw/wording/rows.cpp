@@ -150,6 +150,10 @@ std::span<Row const> rows() {
           verdict_without_corrections_same, "verdict-without-corrections-same", "corrections", note, records,
           each_alone, in_report | on_certificate, none,
           "Without the corrections by hand of {devices} the verdict would be {verdict} too."),
+      campaign(
+          amplitudes_mixed, "amplitudes-mixed", "lot", caution, "Compare the devices at one amplitude (--design disp=MM)",
+          each_alone, in_report | on_certificate, none,
+          "The values of the lot are from cycles of {least_mm:3 (mm)} to {largest_mm:3 mm}. Stiffness and damping depend on the amplitude, so a part of their spread is none of the devices."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(

@@ -1,6 +1,6 @@
 import { chosen, onChoice } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
-import { reportedBlock, reportedCycle } from '../cycles.js';
+import { assessedBlock, assessedCycle } from '../cycles.js';
 import { element, sentences, strong, termList } from '../dom.js';
 import { devices, recordsOf, report, tested } from '../report.js';
 import { tableOf } from '../tables.js';
@@ -50,8 +50,8 @@ function devicePage(device) {
 }
 
 function facts(device) {
-  const block = reportedBlock(device),
-    load = reportedCycle(device)?.N_mean_kN;
+  const block = assessedBlock(device),
+    load = assessedCycle(device)?.N_mean_kN;
   const { rule_set: rules, design } = report.assessment;
   const given = (value, text) => (value === null || value === undefined || value === '' ? '' : text(value));
   return [
@@ -93,7 +93,7 @@ function assessments(device) {
 
 // Without a rule set the page has the values of the reported cycle.
 function values(device) {
-  const cycle = reportedCycle(device);
+  const cycle = assessedCycle(device);
   if (!cycle) return element('p', {}, 'No cyclic properties: ' + device.properties_refusal);
   const keys = ['amplitude_mm', 'K_eff_kN_per_mm', 'damping_percent', 'energy_kN_mm', 'Q_d_kN', 'K_d_kN_per_mm'];
   const rows = keys.map((key) => ({ heading: report.headings.cycles[key][0], value: cycle[key] }));

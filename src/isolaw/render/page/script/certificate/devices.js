@@ -1,4 +1,4 @@
-import { reportedBlock, reportedCycle } from '../cycles.js';
+import { assessedBlock, assessedCycle } from '../cycles.js';
 import { element, strong } from '../dom.js';
 import { deviceValue, lotQuantities } from '../lot.js';
 import { devices, headingOf, recordsOf, report } from '../report.js';
@@ -27,7 +27,7 @@ const certificateProperties = () =>
       }))
     : ['K_eff_kN_per_mm', 'damping_percent'].map((key) => ({
         ...headingOf('cycles', key),
-        value: (device) => reportedCycle(device)?.[key],
+        value: (device) => assessedCycle(device)?.[key],
       }));
 
 // The quantities in which a device is an outlier of the lot. A certificate does not mention outliers of fitted laws.
@@ -74,7 +74,7 @@ function certificateColumns() {
 
 function certificateTable() {
   const common = commonlyOpen();
-  const same = (digits) => (key) => new Set(devices.map((device) => fixed(reportedBlock(device)?.[key], digits))).size === 1;
+  const same = (digits) => (key) => new Set(devices.map((device) => fixed(assessedBlock(device)?.[key], digits))).size === 1;
   const sameAmplitude = same(1)('amplitude_mm'),
     sameFrequency = same(2)('frequency_Hz');
   const judged = (device) => {
@@ -103,8 +103,8 @@ function certificateTable() {
   const columns = [
     { title: 'Device', pinned: true, cell: (device) => strong(device.name) },
     ...certificateColumns(),
-    ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: MM, number: true, cell: (device) => fixed(reportedBlock(device)?.amplitude_mm, decimalsIn('mm', 1)) }]),
-    ...(sameFrequency ? [] : [{ title: 'Frequency', unit: 'Hz', number: true, cell: (device) => significant(reportedBlock(device)?.frequency_Hz, 2) }]),
+    ...(sameAmplitude ? [] : [{ title: 'Amplitude', unit: MM, number: true, cell: (device) => fixed(assessedBlock(device)?.amplitude_mm, decimalsIn('mm', 1)) }]),
+    ...(sameFrequency ? [] : [{ title: 'Frequency', unit: 'Hz', number: true, cell: (device) => significant(assessedBlock(device)?.frequency_Hz, 2) }]),
     ...certificateProperties().map(({ title, quantity = title, unit, value }) => ({
       title, unit: unitText(unit), number: true, cell: (device) => doubted(device, quantity, value(device)),
     })),
@@ -123,7 +123,7 @@ function certificateData() {
       'verdict', 'outside the limits', 'not assessed', 'stands apart by', 'in doubt', 'file', 'sha256',
     ],
     rows: devices.map((device) => {
-      const block = reportedBlock(device);
+      const block = assessedBlock(device);
       const { verdict, failed, open } = deviceVerdict(device);
       return [
         device.name, device.serial, device.lot, device.test_date, device.temperature_C,

@@ -1,4 +1,4 @@
-import { counted, reportedBlock, reportedCycle } from '../cycles.js';
+import { assessedBlock, assessedCycle, counted } from '../cycles.js';
 import { element } from '../dom.js';
 import { devices, report } from '../report.js';
 import { THIN, count, enumerate, isNumber, sentence, significant, spanText, trimmed, unitText } from '../text.js';
@@ -21,7 +21,7 @@ function certificateHead() {
   const lots = allDevices('lot'),
     dates = allDevices('test_date').sort(),
     temperature = spanText(devices.map((device) => device.temperature_C), 1);
-  const tests = devices.map(reportedBlock),
+  const tests = devices.map(assessedBlock),
     amplitude = spanText(tests.map((block) => block?.amplitude_mm), decimalsIn('mm', 1)),
     frequency = spanText(tests.map((block) => block?.frequency_Hz), 2);
   const conditions = [
@@ -30,7 +30,7 @@ function certificateHead() {
   ].filter(Boolean);
   const tested = devices.flatMap((device) => device.blocks.filter((block) => counted(block).length > 0));
   const steps = [...new Set(tested.map((block) => significant(block.amplitude_mm, 3)))];
-  const load = spanText(devices.map((device) => reportedCycle(device)?.N_mean_kN), decimalsIn('kN', 0));
+  const load = spanText(devices.map((device) => assessedCycle(device)?.N_mean_kN), decimalsIn('kN', 0));
   const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), decimalsIn('mm', 1)),
     area = spanText(devices.map((device) => device.rubber_area_mm2), decimalsIn('mm^2', 0));
   const rubber = [

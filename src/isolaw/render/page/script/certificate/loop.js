@@ -1,4 +1,4 @@
-import { reportedBlock, reportedCycle } from '../cycles.js';
+import { assessedBlock, assessedCycle } from '../cycles.js';
 import { slice } from '../raw.js';
 import { curve, devices, tested } from '../report.js';
 import { trimmed } from '../text.js';
@@ -34,7 +34,7 @@ function ticks(most) {
   return Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * step);
 }
 
-// The measured loop of a device as a drawing for paper: the reported cycle black, all others grey.
+// The measured loop of a device as a drawing for paper: the cycle that counts black, all others grey.
 export function loopDrawing(device) {
   const { raw } = device;
   const x = curve(raw.disp_mm),
@@ -54,9 +54,9 @@ export function loopDrawing(device) {
     svg.append(drawn('text', { x: LEFT - 5, y: down(value) + 3.5, 'text-anchor': 'end' }, trimmed(value)));
   }
   svg.append(drawn('path', { d: line(x, F), class: 'all' }));
-  const cycle = reportedCycle(device);
+  const cycle = assessedCycle(device);
   if (cycle) svg.append(drawn('path', { d: line(slice(raw, x, cycle.first, cycle.last), slice(raw, F, cycle.first, cycle.last)), class: 'reported' }));
-  const title = (cycle ? 'cycle ' + cycle.number + ' of block ' + reportedBlock(device).number + ' black' : 'whole record') + '; displacement [' + MM + '], force [' + KN + ']';
+  const title = (cycle ? 'cycle ' + cycle.number + ' of block ' + assessedBlock(device).number + ' black' : 'whole record') + '; displacement [' + MM + '], force [' + KN + ']';
   svg.append(drawn('text', { x: (WIDE + LEFT) / 2, y: HIGH - 5, 'text-anchor': 'middle' }, title));
   return svg;
 }
