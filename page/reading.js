@@ -1,5 +1,5 @@
-// Shows how the program read the file of a device: the first samples of each column that is used, what is a guess, and a
-// sketch of the loop. Beside each guess stands a button that leads to the field which changes it.
+// Shows how the program read the file of a device: the first samples of each column that is used, what is a guess, and
+// a sketch of the loop. Beside each guess stands a button that leads to the field which changes it.
 
 import { button, element, visible } from './dom.js';
 import { DASH, fixed, isNumber, trimmed } from '../src/isolaw/render/page/script/text.js';
@@ -18,8 +18,9 @@ export const hasValues = (found) => Boolean(found?.values?.disp_mm);
 // Returns whether the file of a device has no time. The lot file may state a time step in its place.
 export const lacksTime = (found) => hasValues(found) && !found.columns?.time && !decisionsOf(found, 'time-scale').some(({ option }) => option !== '--dt');
 
-// Returns what the user should look at in a channel, as [{kind, words, field}]. The program guessed it ('guess'), or the
-// lot file states it although the file itself does not ('set'). `field` is the end of the id of the field which changes it.
+// Returns what the user should look at in a channel, as [{kind, words, field}]. The program guessed it ('guess'), or
+// the lot file states it although the file itself does not ('set'). `field` is the end of the id of the field which
+// changes it.
 function marksOf(channel, found) {
   const marks = [];
   const { column_by: by, stated_unit: stated } = decisionsOf(found, 'column-taken').find((one) => one.channel === channel) ?? {};
@@ -112,8 +113,8 @@ function timeWarning(found, name, change) {
   );
 }
 
-// `device` and `found` are the device in the lot file and in inspection.json. `change` takes the end of the id of a field
-// and leads to this field.
+// `device` and `found` are the device in the lot file and in inspection.json. `change` takes the end of the id of a
+// field and leads to this field.
 export function readingOf(device, found, change) {
   const name = visible(device.name);
   const channels = CHANNELS.filter((channel) => found.values[KEYS[channel]]);

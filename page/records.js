@@ -11,8 +11,8 @@ import { state } from './state.js';
 import { text } from './text.js';
 import { withKey, withoutDevice } from './toml.js';
 
-// The numbers of the devices whose forms are open, and of those whose values the user showed (true) or hid (false). They
-// belong to the lot with the number openIn; drawRecords() clears them when the user opens another lot.
+// The numbers of the devices whose forms are open, and of those whose values the user showed (true) or hid (false).
+// They belong to the lot with the number openIn; drawRecords() clears them when the user opens another lot.
 let openForms = new Set(),
   chosenValues = new Map(),
   openIn = 0;

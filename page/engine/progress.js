@@ -1,6 +1,6 @@
-// The program prints lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`, and `run LAW OBJECTIVE DEVICE` for each
-// run that was finished. This module combines the lines of all commands of a campaign into one share of finished work, one
-// remaining time, and the error of each law so far.
+// The program prints lines `progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses`, and `run LAW OBJECTIVE DEVICE` for
+// each run that was finished. This module combines the lines of all commands of a campaign into one share of finished
+// work, one remaining time, and the error of each law so far.
 
 const line = /^progress ([\d.]+) ([\d.]+) (\d+) (\d+) (\w+)$/;
 const ofRun = /^run (\S+) (\S+) (\d+)$/;
