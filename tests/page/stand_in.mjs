@@ -32,7 +32,7 @@ export async function answerWith(page, program) {
     child.stdout.setEncoding('utf8').on('data', (text) => (stdout += text));
     child.stderr.setEncoding('utf8').on('data', (text) => (stderr += text));
     let done = 0;
-    const tick = what === 'identify' && setInterval(() => answer(id, { progress: { done: ++done, total: 40, share: Math.min(0.99, done / 40), secondsLeft: Math.max(1, 20 - done / 2), phase: done < 20 ? 'runs' : 'analyses', laws: [{ id: 'bouc-wen', runs: done, devices: 1, error: 0.05 }, { id: 'bilinear', runs: done, devices: 1, error: 0.1 }] } }), 500);
+    const tick = what === 'identify' && setInterval(() => answer(id, { progress: { done: ++done, total: 40, share: Math.min(0.99, done / 40), secondsLeft: Math.max(1, 20 - done / 2), phase: done < 20 ? 'runs' : 'analyses', laws: [{ id: 'bouc-wen', runs: 1000, devices: 1, error: 0.05 }, { id: 'bilinear', runs: 1000, devices: 1, error: 0.1 }] } }), 500);
     child.on('close', (code) => {
       clearInterval(tick);
       children.delete(id);
