@@ -107,8 +107,8 @@ function runGuide(name) {
 function extent(from, to) {
   const boxes = (which) => [...document.querySelectorAll(which)].map((node) => node.getBoundingClientRect());
   const top = from ? Math.min(...boxes(from).map((box) => box.top)) : 0,
-    bottom = to ? Math.max(...boxes(to).map((box) => box.bottom)) : innerHeight;
-  return { top: top + scrollY, bottom: bottom + scrollY };
+    bottom = to ? Math.max(...boxes(to).map((box) => box.bottom)) : window.innerHeight;
+  return { top: top + window.scrollY, bottom: bottom + window.scrollY };
 }
 
 async function take(browser, { file, page: html, from, to, height, print }) {
