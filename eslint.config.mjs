@@ -28,5 +28,5 @@ export default [
   { files: ['page/*.mjs', 'tests/page/*.mjs'], languageOptions: { globals: { ...browser, ...node } }, rules },
   { files: ['page/engine/*', 'tests/page/engine/*.mjs'], languageOptions: { globals: { ...browser, ...engine } }, rules },
   { files: ['page/**/*.cjs'], languageOptions: { sourceType: 'script' } },
-  { files: ['tests/browser/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node, asSet: 'readonly', reportAsShown: 'readonly' } }, rules },
+  { files: ['tests/browser/*.mjs', 'tools/*.mjs', '*.mjs'], languageOptions: { globals: { ...browser, ...node, asSet: 'readonly', reportAsShown: 'readonly' } }, rules },
 ];

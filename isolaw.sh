@@ -136,7 +136,7 @@ case "${1:-help}" in
     install_missing clang-tidy npm
     [ -e node_modules/eslint ] || step npm ci --no-audit --no-fund --loglevel=error
     format
-    step node_modules/.bin/eslint src tests/browser page tests/page eslint.config.mjs
+    step node_modules/.bin/eslint src tests/browser tools page tests/page eslint.config.mjs
     mapfile -t units < <(find src cli -name '*.cpp' | sort)
     step cmake --preset developer
     step clang-tidy -p build/developer --quiet "${units[@]}"
