@@ -105,7 +105,11 @@ function runGuide(name) {
 
 // Returns the part of the page that a picture shows. This function runs in the page.
 function extent(from, to) {
-  const boxes = (which) => [...document.querySelectorAll(which)].map((node) => node.getBoundingClientRect());
+  const boxes = (which) => {
+    const nodes = [...document.querySelectorAll(which)];
+    if (nodes.length === 0) throw new Error('the page has no ' + which);
+    return nodes.map((node) => node.getBoundingClientRect());
+  };
   const top = from ? Math.min(...boxes(from).map((box) => box.top)) : 0,
     bottom = to ? Math.max(...boxes(to).map((box) => box.bottom)) : window.innerHeight;
   return { top: top + window.scrollY, bottom: bottom + window.scrollY };
