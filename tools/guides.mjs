@@ -157,7 +157,9 @@ if (!existsSync(join(work, 'readme'))) {
 }
 const browser = new Chromium(chromium);
 try {
-  for (const picture of PICTURES) await take(browser, picture);
+  for (const picture of PICTURES)
+    if (existsSync(join(work, picture.page))) await take(browser, picture);
+    else fail(`${picture.page}: the guide's commands did not write it`);
 } finally {
   await browser.close();
 }
