@@ -30,6 +30,11 @@ export const isFrame = (source) => [...document.querySelectorAll('iframe')].some
 export function reportFrame(id, title, bytes, name, extra = []) {
   const url = addressOf(bytes);
   const frame = element('iframe', { id, title, src: url, sandbox: 'allow-scripts allow-downloads allow-modals' });
+  // The report asks to be opened again in other units, which it cannot do itself.
+  window.addEventListener('message', ({ source, data }) => {
+    const [, address] = /^isolaw: open (#[^]*)$/.exec(data) ?? [];
+    if (address && source === frame.contentWindow) frame.src = addressOf(bytes) + address;
+  });
   const tools = element(
     'div',
     { class: 'tools' },

@@ -40,6 +40,7 @@ const PICTURES = [
   { file: 'pictures/laboratory-loops.png', page: 'laboratory/out/first/inspection.html', from: '#figure-cycles', to: '#figure-cycles' },
   { file: 'pictures/laboratory-verdict.png', page: 'laboratory/out/tests/inspection.html', to: '#figure-lot-strips', height: 640 },
   { file: 'pictures/laboratory-certificate.png', page: 'laboratory/out/contract/inspection.html', print: true, to: '#figure-certificate-signature' },
+  { file: 'pictures/laboratory-device.png', page: 'laboratory/out/contract/inspection.html', print: true, from: '.device-page:first-child', to: '.device-page:first-child' },
   { file: 'pictures/engineer-first-screen.png', page: 'engineer/out/lot/report.html', height: 895 },
   { file: 'pictures/engineer-one-law.png', page: 'engineer/out/lot/report.html', from: '#figure-lot-devices', to: '#figure-lot-devices' },
   { file: 'pictures/engineer-building.png', page: 'engineer/out/building/building.html', to: '#figure-picture' },

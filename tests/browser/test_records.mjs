@@ -330,7 +330,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
               reason: open,
             },
           ],
-      outlier_note: values.length < 5 ? `too few devices to name outliers: ${values.length}, at least 5 needed` : '',
+      outlier_note: values.length < 4 ? `too few devices to name outliers: ${values.length}, at least 4 needed` : '',
     };
   });
   const factors = quantities

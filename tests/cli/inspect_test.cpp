@@ -153,7 +153,7 @@ TEST_F(Inspect, the_lot_is_described_by_its_third_cycles) {
     near("fractile_95", expected.mean + 1.644854 * expected.sd);
     near("tolerance_k", 6.3411, 1e-5);  // exact factor for four values, a share of 95 % and a confidence of 95 %
     near("tolerance_lower", expected.mean - 6.3411 * expected.sd, 1e-4);
-    EXPECT_EQ(quantity["outlier_note"], "too few devices to name outliers: 4, at least 5 needed");
+    EXPECT_TRUE(quantity["outlier_note"].is_null() || quantity["outlier_note"] == "");
     if (name == "K_eff") {
       near("nominal", 0.72);
       near("deviation_of_mean_percent", 100.0 * (expected.mean / 0.72 - 1.0), 1e-4);

@@ -5,6 +5,7 @@
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 #include "cli/store.hpp"
+#include "page_data.hpp"
 
 namespace isolaw::cli_test {
 namespace {
@@ -39,6 +40,20 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
   }
   auto const checked = isolaw({"check", "O"});
   EXPECT_EQ(checked.code, 0) << checked;
+
+  // The page draws the larger swings as the law predicts them from a fit to the smaller ones. The page marks where they
+  // are: in the second test, whose samples come after 601 of the first. Predicted forces differ from fitted ones.
+  auto const page = page_data(read_file("O/report.html"));
+  auto const& device = page["devices"][0];
+  ASSERT_FALSE(device["large_swings"].empty());
+  double const begin = device["tests"].size() == 2 ? 6.0 : 0.0;  // s, the length of the first test
+  for (auto const& range : device["large_swings"]) EXPECT_GE(range["from"].get<double>(), begin);
+  for (auto const& law : page["laws"]) {
+    auto const& fit = law["devices"][0];
+    ASSERT_TRUE(fit["larger_swings_force_kN"].is_object()) << law["id"];
+    EXPECT_EQ(fit["larger_swings_force_kN"]["d"].size(), fit["force_kN"]["d"].size());
+    EXPECT_NE(fit["larger_swings_force_kN"], fit["force_kN"]);
+  }
 }
 
 // A lot file with a table [[device.test]] for each test must give the same numbers as the option --same-device. init

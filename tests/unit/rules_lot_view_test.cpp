@@ -84,7 +84,16 @@ TEST(LotView, DescribesTheSpread) {
   EXPECT_NEAR(*view.tolerance_high, 1.2 + 0.621298, 2e-5);
   EXPECT_NEAR(*view.largest_from_mean_percent, 10.0, 1e-10);
   EXPECT_TRUE(view.outliers.empty());
-  expect_parts(view.outlier_note, {"too few devices to name outliers: 4, at least 5"});
+  EXPECT_EQ(view.outlier_note, "");
+}
+
+TEST(LotView, NamesOutliersOfFourDevicesOrMore) {
+  auto const of_three = lot_view(find_rule_set("ntc-2018"), lot_of({1.0, 1.0, 2.0}), {}, 3);
+  EXPECT_TRUE(of(of_three, Quantity::K_eff).outliers.empty());
+  expect_parts(of(of_three, Quantity::K_eff).outlier_note, {"too few devices to name outliers: 3, at least 4"});
+  auto const of_four = lot_view(find_rule_set("ntc-2018"), lot_of({1.0, 1.0, 1.01, 2.0}), {}, 4);
+  ASSERT_EQ(of(of_four, Quantity::K_eff).outliers.size(), 1u);
+  EXPECT_EQ(of(of_four, Quantity::K_eff).outliers[0].device, "D4");
 }
 
 TEST(LotView, TakesTheMeanOfBothSides) {

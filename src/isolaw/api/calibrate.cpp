@@ -38,14 +38,15 @@ std::string base64(std::string_view bytes) {  // RFC 4648, with padding
 // Returns the letterhead's picture as a data: address, or its lines of text.
 std::string load_letterhead(std::string const& file) {
   constexpr std::size_t largest_bytes = 1'000'000;
+  constexpr std::string_view allowed = "a file .svg, .png, .jpg or .txt";
   constexpr std::pair<std::string_view, std::string_view> pictures[]{
       {".svg", "image/svg+xml"}, {".png", "image/png"}, {".jpg", "image/jpeg"}, {".jpeg", "image/jpeg"}};
   auto const ending = lower(std::filesystem::path(file).extension().string());
   auto const picture = std::ranges::find(pictures, ending, &std::pair<std::string_view, std::string_view>::first);
   bool const is_text = ending == ".txt";
   if (picture == std::end(pictures) && !is_text)
-    throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = "a file .svg, .png, .jpg or .txt"});
-  auto const bytes = read_file(file, {.largest_bytes = largest_bytes});
+    throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = std::string(allowed)});
+  auto const bytes = read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller picture"});
   if (is_text) return std::string(trimmed(bytes));
   return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
 }

@@ -89,8 +89,8 @@ lot-size = 20
 std::string tests_readme_text() {
   return fmt::format(R"md(# Example tests: computed, not measured
 
-Five bearings of a lot of twenty, tested as laboratories test them: three Plan::cycles of {} mm at {:g} Hz each, with a rest
-of {:g} s between. The first Plan::cycles are stiffer than the later ones (scragging). Bearing 4 is softer than the others. In
+Five bearings of a lot of twenty, tested as laboratories test them: three cycles of {} mm at {:g} Hz each, with a rest
+of {:g} s between. The first cycles are stiffer than the later ones (scragging). Bearing 4 is softer than the others. In
 the test of bearing 5 the load cell clips at {:g} kN.
 
 The force is the mean, three parts to one, of the laws `power-masing-worn` and `bouc-wen`, with noise. **So the ranking

@@ -43,7 +43,7 @@ std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span
       devices.push_back(d);
       present.push_back(values[p][d]);
     }
-    if (present.size() < fewest_for_outliers) continue;
+    if (present.size() < num::fewest_for_outliers) continue;
     auto const [median, scores] = num::modified_scores(present, least_scatter);
     for (std::size_t i = 0; i < present.size(); ++i)
       if (std::abs(scores[i]) > num::outlying_score)

@@ -18,13 +18,11 @@ struct Outlier {
   double percent = 0.0;  // 100 (value - median) / |median|; infinite if the median is zero
 };
 
-// With fewer values the median absolute deviation does not tell how much they scatter.
-inline constexpr std::size_t fewest_for_outliers = 4;
 // The least standard deviation assumed for a property, as a share of |median|: one record does not determine a property
 // more exactly than that.
 inline constexpr double least_scatter = 0.005;
 // values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its
-// modified z-score exceeds 3.5 and at least fewest_for_outliers devices have the property. The largest scores come
+// modified z-score exceeds 3.5 and at least num::fewest_for_outliers devices have the property. The largest scores come
 // first, equal scores in the order of properties and devices. Messages use names[property]. Throws Error if there are
 // not as many names as properties, if rows differ in length, and for infinite values.
 std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<std::vector<double> const> values);

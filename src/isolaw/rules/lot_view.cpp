@@ -241,9 +241,9 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);
   view.outliers = find_outliers(name(quantity), view.unit, found.names, found.values);
-  if (found.values.size() < fewest_for_outliers)
+  if (found.values.size() < num::fewest_for_outliers)
     view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
-                                    fewest_for_outliers);
+                                    num::fewest_for_outliers);
   add_limit_of_each(rules, view);
   assess_mean(rules, lot, devices, design, view);
   add_test_factors(devices, view);
@@ -279,7 +279,7 @@ Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values) {
   assert(names.size() == values.size());
-  if (values.size() < fewest_for_outliers) return {};
+  if (values.size() < num::fewest_for_outliers) return {};
   auto const [centre, scores] = num::modified_scores(values, property_error);
   std::vector<Outlier> outliers;
   for (std::size_t i = 0; i < values.size(); ++i) {

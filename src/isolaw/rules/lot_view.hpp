@@ -28,10 +28,10 @@ struct Outlier {
 };
 
 // Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation is taken as at least
-// 0.5 % of |median|, which is the error of a property from one record. Empty for fewer than five values.
+// 0.5 % of |median|, which is the error of a property from one record. Empty for fewer than
+// num::fewest_for_outliers values.
 std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
                                    std::span<std::string const> names, std::span<double const> values);
-inline constexpr std::size_t fewest_for_outliers = 5;
 
 // A bound holds for whatever the contract says, for a single device, or for the mean of all devices of the system.
 enum class Spread { contract, device, system };

@@ -55,12 +55,16 @@ bool is_corrected(DeviceResult const& device) {
 void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   summary.without_corrections.reset();
   if (std::ranges::none_of(summary.devices, is_corrected)) return;
-  Summary without{.title = summary.title};
+  Summary without;
+  without.title = summary.title;
   for (std::size_t d = 0; d < tests.size(); ++d) {
     auto const& device = summary.devices[d];
     if (device.uncorrected && device.status == "ok") tests[d].properties = &*device.uncorrected;
-    without.devices.push_back({.name = device.name, .status = device.status, .message = device.message});
-    without.devices.back().properties = *tests[d].properties;
+    auto& as_read = without.devices.emplace_back();
+    as_read.name = device.name;
+    as_read.status = device.status;
+    as_read.message = device.message;
+    as_read.properties = *tests[d].properties;
   }
   auto const& [rules, design, lot] = summary.acceptance;
   std::vector<DeviceAcceptance> devices;

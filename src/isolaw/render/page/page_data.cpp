@@ -60,7 +60,7 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
 // Divides about two million points among all curves, so that a page of 160 devices stays small. A curve gets from 300
 // to 2400 points.
 std::size_t points_per_curve(Summary const& summary) {
-  bool const predicts = std::ranges::any_of(summary.laws, [](auto const& law) { return law.larger_swings_objective; });
+  bool const predicts = std::ranges::any_of(summary.laws, [](auto const& law) { return law.larger_swings_objective.has_value(); });
   std::size_t const of_laws = (predicts ? 2 : 1) * summary.laws.size();
   std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (of_laws + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);

@@ -43,7 +43,7 @@ export const isReported = (device, block, cycle) =>
 export const reportedCycle = (device) =>
   device.blocks.flatMap((block) => block.cycles.filter((cycle) => isReported(device, block, cycle)))[0] ?? null;
 
-export const reportedBlock = (device) => device.blocks.find((block) => block.number === device.reported?.block);
+const reportedBlock = (device) => device.blocks.find((block) => block.number === device.reported?.block);
 // The cycle whose values a rule set judges. It is the reported one, unless the design values name another amplitude.
 export const assessedBlock = (device) => device.blocks.find((block) => block.number === device.counting_block) ?? reportedBlock(device);
 export function assessedCycle(device) {

@@ -86,7 +86,6 @@ function buildPage() {
   document.getElementById('facts').textContent = [
     count(devices.length, 'device') + (refused > 0 ? ' (' + refused + ' refused)' : ''),
     ...(inspection ? [] : [count(laws.length, 'law'), 'seed ' + report.seed]),
-    'isolaw ' + report.isolaw,
   ].join(' \u00b7 ');
   const { word } = report.result;
   if (word && !inspection)

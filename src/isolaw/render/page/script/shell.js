@@ -49,13 +49,20 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   if (section) document.getElementById(section)?.scrollIntoView();
 }
 
-// The page is loaded again in the chosen units, because every number, sentence and plot changes.
+// The page is loaded again in the chosen units, because every number, sentence and plot changes. A page in a frame of
+// another origin cannot load itself, so it asks the page around it; without an answer the units stay as they are.
 function unitsChooser() {
   const follow = () => {
     const [section, rest] = location.hash.slice(1).split('?');
-    const address = new URLSearchParams(rest ?? '');
-    address.set('units', select.value);
-    history.replaceState(null, '', '#' + section + '?' + address);
+    const asked = new URLSearchParams(rest ?? '');
+    asked.set('units', select.value);
+    const address = '#' + section + '?' + asked;
+    if (window.parent !== window) {
+      window.parent.postMessage('isolaw: open ' + address, '*');
+      setTimeout(() => (select.value = UNITS), 1000);
+      return;
+    }
+    history.replaceState(null, '', address);
     location.reload();
   };
   const select = element('select', { id: 'units', change: follow }, UNIT_SYSTEMS.map((id) => element('option', { value: id, selected: id === UNITS }, id)));

@@ -108,8 +108,8 @@ export function enumerate(names, most = 5) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-// Keeps a number and its percent sign on one line.
-export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%');
+// Sets a sentence of the program: a number stays with its percent sign, and a negative number has a minus sign.
+export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%').replace(/(^|[\s(])-(?=\d)/g, '$1' + MINUS);
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 
 // Gives all numbers of a row one factor 1000^n and one number of decimals, so that their decimal points line up. The

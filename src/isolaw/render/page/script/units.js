@@ -14,6 +14,7 @@ export const KN_MM = unitShown('kN mm');
 export const UNIT_SYSTEMS = systems.map(({ id }) => id);
 export const UNITS = UNIT_SYSTEMS[place];
 export const isOtherThanReported = UNITS !== chosen;
+export const isConverted = place > 0; // false: values are shown in the units in which they were given
 
 // The number of decimals that shows a converted value as precisely as `decimals` show it in the stored unit.
 export const decimalsIn = (unit, decimals) => Math.max(0, decimals - Math.round(Math.log10(system[unit]?.factor ?? 1)));

@@ -2,6 +2,7 @@ import { element, termList } from '../dom.js';
 import { sampleText } from '../lot.js';
 import { report } from '../report.js';
 import { THIN, sentence, trimmed } from '../text.js';
+import { isConverted } from '../units.js';
 
 export const ruleSetFigure = {
   id: 'rule-set',
@@ -22,7 +23,7 @@ function ruleSetStatement() {
     [
       'Design values',
       design.length > 0
-        ? design.map(({ name, value, unit }) => name + ' ' + trimmed(value) + THIN + unit).join(', ')
+        ? design.map(({ name, value, unit }) => name + ' ' + (isConverted ? trimmed(value, 5) : value) + THIN + unit).join(', ')
         : 'none given, so no deviations',
     ],
     ...(rules && lot?.sample ? [['Sample', sampleText(lot.sample)]] : []),
