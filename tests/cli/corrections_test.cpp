@@ -106,9 +106,9 @@ TEST_F(Corrections, inspect_gives_back_the_device_and_says_what_was_done) {
 // A verdict that rests on a correction by hand says what it would be without it.
 TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   write("rig.csv", rig_record({.late_s = 0.0125}));
-  Words const held{"--rules", "ntc-2018", "--design", "K_eff=0.8,damping=19.6,disp=100", "--lot-size", "1"};
-  auto const plain = inspected(Words{"rig.csv"} + held);
-  auto const corrected = inspected(Words{"rig.csv", "--skew-ms", "12.5"} + held);
+  Words const judged{"--rules", "ntc-2018", "--design", "K_eff=0.8,damping=19.6,disp=100", "--lot-size", "1"};
+  auto const plain = inspected(Words{"rig.csv"} + judged);
+  auto const corrected = inspected(Words{"rig.csv", "--skew-ms", "12.5"} + judged);
   auto const K = cycle_of(plain, 1, 3)["K_eff_kN_per_mm"].get<double>();
   auto const damping = cycle_of(plain, 1, 3)["damping_percent"].get<double>();
   auto const of_kind = [](Json const& findings, std::string const& kind) {
@@ -122,9 +122,9 @@ TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   EXPECT_NEAR(values["each"][0]["numbers"]["damping_percent"].get<double>(), damping, 1e-4);
   EXPECT_TRUE(of_kind(plain["findings"], "values-uncorrected").is_null());
 
-  ASSERT_LE(isolaw(Words{"calibrate", "rig.csv", "--skew-ms", "12.5", "--out", "O"} + smallest_search + held).code, 1);
-  auto const verdict = of_kind(Json::parse(read_file("O/summary.json"))["warnings"], "verdict-rests-on-corrections");
-  ASSERT_FALSE(verdict.is_null()) << read_file("O/summary.json");
+  ASSERT_LE(isolaw(Words{"calibrate", "rig.csv", "--skew-ms", "12.5", "--out", "O"} + smallest_search + judged).code, 1);
+  auto const verdict = of_kind(json("O/summary.json")["warnings"], "verdict-rests-on-corrections");
+  ASSERT_FALSE(verdict.is_null()) << read("O/summary.json");
   EXPECT_TRUE(verdict["certificate"].get<bool>());
   EXPECT_TRUE(contains(verdict["sentence"].get<std::string>(), "Without them it would be FAIL, not INCOMPLETE"))
       << verdict["sentence"];

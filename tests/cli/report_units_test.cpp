@@ -16,8 +16,8 @@ class ReportUnits : public InFreshDirectory {
     write("lot/B.csv", csv(record({.stiffness_kN_per_mm = 0.6})));
   }
   // The number in the first row of a table's column.
-  static double cell(std::string const& table, std::string const& column) {
-    std::istringstream lines(read_file(table));
+  double cell(std::string const& table, std::string const& column) const {
+    std::istringstream lines(read(table));
     std::string head, first;
     std::getline(lines, head);
     std::getline(lines, first);
@@ -32,16 +32,16 @@ class ReportUnits : public InFreshDirectory {
 TEST_F(ReportUnits, everything_shown_is_converted_and_everything_stored_is_not) {
   ASSERT_EQ(isolaw(Words{"calibrate", "lot", "--out", "mm"} + search).code, 0);
   ASSERT_EQ(isolaw({"report", "mm", "--report-units", "kip-in", "--out", "in"}).code, 0);
-  EXPECT_EQ(read_file("mm/summary.json"), read_file("in/summary.json"));
+  EXPECT_EQ(read("mm/summary.json"), read("in/summary.json"));
   constexpr double kip = 4.4482216152605, inch = 25.4;
   EXPECT_NEAR(cell("in/tables/cycles.csv", "amplitude [in]"), cell("mm/tables/cycles.csv", "amplitude [mm]") / inch,
               1e-4);
   EXPECT_NEAR(cell("in/tables/cycles.csv", "K_eff [kip/in]"),
               cell("mm/tables/cycles.csv", "K_eff [kN/mm]") * inch / kip, 1e-4);
-  EXPECT_TRUE(contains(read_file("in/figures/properties.gp"), "(kip/in)"));
-  EXPECT_TRUE(contains(read_file("in/figures/loops_A.gp"), "Displacement (in)"));
-  EXPECT_TRUE(contains(read_file("in/report.html"), R"("units":{"chosen":"kip-in")"));
-  EXPECT_TRUE(contains(read_file("mm/report.html"), R"("units":{"chosen":"kN-mm")"));
+  EXPECT_TRUE(contains(read("in/figures/properties.gp"), "(kip/in)"));
+  EXPECT_TRUE(contains(read("in/figures/loops_A.gp"), "Displacement (in)"));
+  EXPECT_TRUE(contains(read("in/report.html"), R"("units":{"chosen":"kip-in")"));
+  EXPECT_TRUE(contains(read("mm/report.html"), R"("units":{"chosen":"kN-mm")"));
   auto const inspected = isolaw({"inspect", "lot/A.csv", "--report-units", "kip-in"});
   EXPECT_TRUE(contains(inspected.out, "cycles of 3.937 in")) << inspected;  // 100 mm
   EXPECT_TRUE(contains(inspected.out, "kip/in")) << inspected;
@@ -51,9 +51,9 @@ TEST_F(ReportUnits, everything_shown_is_converted_and_everything_stored_is_not) 
 TEST_F(ReportUnits, a_lot_file_sets_them_for_reports_and_exports) {
   write("lot/lot.toml", "[acceptance]\nreport-units = \"N-m\"\n[[device]]\nfile = \"A.csv\"\n[[device]]\nfile = \"B.csv\"\n");
   ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + search).code, 0);
-  EXPECT_TRUE(contains(read_file("O/tables/cycles.csv"), "K_eff [N/m]"));
+  EXPECT_TRUE(contains(read("O/tables/cycles.csv"), "K_eff [N/m]"));
   ASSERT_EQ(isolaw({"report", "O"}).code, 0);
-  EXPECT_TRUE(contains(read_file("O/tables/cycles.csv"), "K_eff [N/m]"));
+  EXPECT_TRUE(contains(read("O/tables/cycles.csv"), "K_eff [N/m]"));
   auto const exported = isolaw({"export", "O", "--law", "bilinear", "--device", "A", "--to", "json"});
   EXPECT_TRUE(contains(exported.out, "\"N-m\"") || contains(exported.out, "\"N\"")) << exported;
   expect_refused(isolaw({"report", "O", "--report-units", "lb-ft"}), {"--report-units", "kN-mm, N-m, kip-in"});
@@ -64,12 +64,12 @@ TEST_F(ReportUnits, the_letterhead_is_kept_with_the_campaign) {
   write("lot/head.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
   write("lot/lot.toml", "[acceptance]\nletterhead = \"head.svg\"\n[[device]]\nfile = \"A.csv\"\n");
   ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + search).code, 0);
-  fs::remove("lot/head.svg");
+  fs::remove(path("lot/head.svg"));
   ASSERT_EQ(isolaw({"report", "O"}).code, 0);
-  EXPECT_TRUE(contains(read_file("O/report.html"),
+  EXPECT_TRUE(contains(read("O/report.html"),
                        R"("letterhead":"data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciLz4=")"));
   ASSERT_EQ(isolaw({"report", "O", "--letterhead", "lot/head.txt"}).code, 0);
-  EXPECT_TRUE(contains(read_file("O/report.html"), R"("letterhead":"Laboratory of Devices")"));
+  EXPECT_TRUE(contains(read("O/report.html"), R"("letterhead":"Laboratory of Devices")"));
   expect_refused(isolaw({"report", "O", "--letterhead", "lot/A.csv"}), {"--letterhead", ".svg, .png, .jpg or .txt"});
   expect_refused(isolaw({"report", "O", "--letterhead", "none.png"}), {"none.png"});
 }

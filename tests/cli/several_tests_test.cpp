@@ -43,7 +43,7 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
 
   // The page draws the larger swings as the law predicts them from a fit to the smaller ones. The page marks where they
   // are: in the second test, whose samples come after 601 of the first. Predicted forces differ from fitted ones.
-  auto const page = page_data(read_file("O/report.html"));
+  auto const page = page_data(read("O/report.html"));
   auto const& device = page["devices"][0];
   ASSERT_FALSE(device["large_swings"].empty());
   double const begin = device["tests"].size() == 2 ? 6.0 : 0.0;  // s, the length of the first test

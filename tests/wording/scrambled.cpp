@@ -9,10 +9,10 @@
 
 namespace isolaw::wording {
 
-std::string fill(std::string_view text, Group) {
+std::string fill(std::string_view text, Group, UnitSystem const&) {
   return "¿" + std::string(text.rbegin(), text.rend());
 }
-std::string remark(Group group) {
+std::string remark(Group group, UnitSystem const&) {
   auto const key = row(group.front().kind).key;
   return "¿" + std::string(key.rbegin(), key.rend());
 }
