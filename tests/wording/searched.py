@@ -26,6 +26,7 @@ ALLOWED = {
     ("src/isolaw/data/files/mat_table.cpp", "table or object"),  # a class of MATLAB variables
     ("src/isolaw/programs/header_parts.cpp", "struct OpenBranches"),  # C++ code of an exported header
     ("src/isolaw/programs/header_parts.cpp", "using std::"),  # C++ code of an exported header
+    ("src/isolaw/render/page/script/certificate/device_page.js", "not assessed"),  # value of an enumeration
     ("src/isolaw/render/page/script/certificate/verdict.js", "not assessed"),  # value of an enumeration
     ("src/isolaw/render/page/script/decision/laws.js", "ruled out"),  # value of an enumeration
     ("src/isolaw/render/page/script/icons.js", "not adequate"),  # value of an enumeration

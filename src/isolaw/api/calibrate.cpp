@@ -47,7 +47,7 @@ std::string load_letterhead(std::string const& file) {
   if (picture == std::end(pictures) && !is_text)
     throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = std::string(allowed)});
   auto const bytes = read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller picture"});
-  if (is_text) return std::string(trimmed(bytes));
+  if (is_text) return bytes.substr(0, bytes.find_last_not_of(" \t\r\n") + 1);
   return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
 }
 
