@@ -194,6 +194,8 @@ def calibrate(
     rules: str | PathLike[str] | None = None,
     design: str | Mapping[str, float] | None = None,
     lot_size: int | None = None,
+    report_units: Literal["kN-mm", "N-m", "kip-in"] | None = None,
+    letterhead: str | PathLike[str] | None = None,
     # the end of what it wrote
     vertical: Mapping[str, _Vertical] | None = None,
     jobs: int = 0,

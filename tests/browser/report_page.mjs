@@ -529,7 +529,7 @@ async function look_at_analysis() {
     named: cells.every((cell) => cell.getAttribute('aria-label').includes(verdictOf(cell))),
     profiles,
     tradeOffs: fit.trade_offs.every((text) =>
-      figure('trade-offs').textContent.replace(/\s/g, '').includes(text.replace(/\s/g, '')),
+      figure('trade-offs').textContent.replace(/\s/g, '').includes(text.replace(/(^|[\s(])-(?=\d)/g, '$1\u2212').replace(/\s/g, '')),
     ),
     intervals: ['95', '42 samples', '100 fits'].every((text) => figure('trade-offs').textContent.includes(text)),
     posterior: /posterior/i.test(document.querySelector('main').textContent),

@@ -122,7 +122,8 @@ TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   EXPECT_NEAR(values["each"][0]["numbers"]["damping_percent"].get<double>(), damping, 1e-4);
   EXPECT_TRUE(of_kind(plain["findings"], "values-uncorrected").is_null());
 
-  ASSERT_LE(isolaw(Words{"calibrate", "rig.csv", "--skew-ms", "12.5", "--out", "O"} + smallest_search + judged).code, 1);
+  ASSERT_LE(isolaw(Words{"calibrate", "rig.csv", "--skew-ms", "12.5", "--out", "O"} + smallest_search + judged).code,
+            1);
   auto const verdict = of_kind(json("O/summary.json")["warnings"], "verdict-rests-on-corrections");
   ASSERT_FALSE(verdict.is_null()) << read("O/summary.json");
   EXPECT_TRUE(verdict["certificate"].get<bool>());

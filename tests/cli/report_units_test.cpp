@@ -6,7 +6,8 @@
 namespace isolaw::cli_test {
 namespace {
 
-Words const search{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1", "--analysis", "none"};
+Words const search{"--laws", "bilinear",      "--runs", "1",          "--population",
+                   "4",      "--generations", "1",      "--analysis", "none"};
 
 class ReportUnits : public InFreshDirectory {
  protected:
@@ -49,7 +50,8 @@ TEST_F(ReportUnits, everything_shown_is_converted_and_everything_stored_is_not) 
 }
 
 TEST_F(ReportUnits, a_lot_file_sets_them_for_reports_and_exports) {
-  write("lot/lot.toml", "[acceptance]\nreport-units = \"N-m\"\n[[device]]\nfile = \"A.csv\"\n[[device]]\nfile = \"B.csv\"\n");
+  write("lot/lot.toml",
+        "[acceptance]\nreport-units = \"N-m\"\n[[device]]\nfile = \"A.csv\"\n[[device]]\nfile = \"B.csv\"\n");
   ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + search).code, 0);
   EXPECT_TRUE(contains(read("O/tables/cycles.csv"), "K_eff [N/m]"));
   ASSERT_EQ(isolaw({"report", "O"}).code, 0);
@@ -66,8 +68,9 @@ TEST_F(ReportUnits, the_letterhead_is_kept_with_the_campaign) {
   ASSERT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + search).code, 0);
   fs::remove(path("lot/head.svg"));
   ASSERT_EQ(isolaw({"report", "O"}).code, 0);
-  EXPECT_TRUE(contains(read("O/report.html"),
-                       R"("letterhead":"data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciLz4=")"));
+  EXPECT_TRUE(
+      contains(read("O/report.html"),
+               R"("letterhead":"data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciLz4=")"));
   ASSERT_EQ(isolaw({"report", "O", "--letterhead", "lot/head.txt"}).code, 0);
   EXPECT_TRUE(contains(read("O/report.html"), R"("letterhead":"Laboratory of Devices")"));
   expect_refused(isolaw({"report", "O", "--letterhead", "lot/A.csv"}), {"--letterhead", ".svg, .png, .jpg or .txt"});

@@ -29,8 +29,7 @@ std::string base64(std::string_view bytes) {  // RFC 4648, with padding
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     auto const byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U; };
     unsigned const three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (unsigned k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? signs[three >> (18U - 6U * k) & 63U] : '=';
+    for (unsigned k = 0; k < 4; ++k) text += i + k <= bytes.size() ? signs[three >> (18U - 6U * k) & 63U] : '=';
   }
   return text;
 }
@@ -46,7 +45,8 @@ std::string load_letterhead(std::string const& file) {
   bool const is_text = ending == ".txt";
   if (picture == std::end(pictures) && !is_text)
     throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = std::string(allowed)});
-  auto const bytes = read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller picture"});
+  auto const bytes =
+      read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller picture"});
   if (is_text) return bytes.substr(0, bytes.find_last_not_of(" \t\r\n") + 1);
   return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
 }

@@ -77,10 +77,12 @@ std::string unit_ids() {
   return joined(unit_systems | std::views::transform(&UnitSystem::id));
 }
 
-// An export has units of its own, so it takes no option for those of reports.
+// A command that writes no report takes no options for how reports look.
 void add_acceptance(CLI::App& c, Values& acceptance, bool reports = true) {
-  for (auto const& option : campaign::acceptance_table())
-    if (reports || option.key != "report-units") add_option(c, option, acceptance);
+  for (auto const& option : campaign::acceptance_table()) {
+    bool const is_look = option.key == "report-units" || option.key == "letterhead";
+    if (reports || !is_look) add_option(c, option, acceptance);
+  }
 }
 
 void add_vertical(CLI::App& c, std::vector<std::string>& vertical) {
@@ -358,8 +360,9 @@ void add_building(Commands& commands) {
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);
-  c.add_option("--report-units", a.report_units,
-               fmt::format("units of what reports show: {} (default: the units of the campaign's reports)", unit_ids()));
+  c.add_option(
+      "--report-units", a.report_units,
+      fmt::format("units of what reports show: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
   c.add_flag("--nominal", a.nominal,
              "compute only the nominal building: its response to every motion over time, as CSV");

@@ -123,8 +123,8 @@ void print_answers(building::Study const& study, building::Answers const& answer
       text += fmt::format(
           "{}: implicit {:.{}f} {} (misses {:.{}f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
           printable(study.file.motions[m].name), length.factor * c.isolator_mm, length.decimals(2), length.unit,
-          length.factor * c.missed_mm, length.decimals(3), c.balance, c.draws_error_percent,
-          c.equivalent_error_percent, c.outcome);
+          length.factor * c.missed_mm, length.decimals(3), c.balance, c.draws_error_percent, c.equivalent_error_percent,
+          c.outcome);
     }
   }
   print(text);

@@ -34,7 +34,7 @@ struct AnalysisProgress {
 struct AnalyseOptions {
   std::size_t threads = 1;
   std::function<void(AnalysisProgress const&)> progress;  // called from one thread at a time
-  std::function<bool()> interrupted;                                  // asked from any thread
+  std::function<bool()> interrupted;                      // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
   // Makes only this share of the analyses of a law on a device. Once those of all shares are there, fits this share of

@@ -44,8 +44,8 @@ struct Device {
   std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
   data::TestRecord raw = {};
   data::TestRecord uncorrected = {};  // the channels of `raw` without corrections by hand; empty if it has none
-  data::FitRecord record = {};       // the cleaned record that laws are fitted to
-  data::VerticalTest vertical = {};  // compression test; no law depends on it, so a continued campaign may change it
+  data::FitRecord record = {};        // the cleaned record that laws are fitted to
+  data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
 
   bool usable() const { return refusal.empty(); }
 };
@@ -131,10 +131,10 @@ struct EarlierAnalyses {
 // The requirements for the tests, and how reports show values. No law depends on them, so a campaign that is continued
 // or reported may change them.
 struct Acceptance {
-  std::string rules;            // text of a rule set; empty if there is none
-  std::string rules_file;       // name or path of the rule set
-  std::string design;           // "K_eff=1.2,damping=15"; empty if there are no design values
-  std::optional<int> lot_size;  // number of devices in the production lot, tested or not
+  std::string rules;                 // text of a rule set; empty if there is none
+  std::string rules_file;            // name or path of the rule set
+  std::string design;                // "K_eff=1.2,damping=15"; empty if there are no design values
+  std::optional<int> lot_size;       // number of devices in the production lot, tested or not
   std::string letterhead = {};       // a picture as a data: address, or lines of text; empty if there is none
   std::string letterhead_file = {};  // name or path of the letterhead
   std::string_view report_units = record_units.id;  // id of the unit system in which reports show values

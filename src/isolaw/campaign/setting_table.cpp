@@ -235,7 +235,7 @@ void set_rules(Acceptance& to, Json const& value) {
 
 std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
-  auto report_units = word<Acceptance>("report-units", "units of what reports show (default kN-mm)",
+  auto report_units = word<Acceptance>("report-units", "units of what reports show: kN-mm (default), N-m or kip-in",
                                        at(&Acceptance::report_units), unit_ids)
                           .under(Heading::everyday);
   report_units.get = [](Acceptance const& a) {

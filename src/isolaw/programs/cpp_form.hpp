@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "isolaw/programs/subject.hpp"
 #include "isolaw/base/unit_system.hpp"
+#include "isolaw/programs/subject.hpp"
 
 namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);

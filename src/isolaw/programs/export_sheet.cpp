@@ -291,7 +291,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
   for (auto const& f : measured_facts(subject)) fact(f.label, f.text);
   fact("Prediction", wording::remark(subject.doubts.prediction, units));
-  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units)) fact("Warning", warning);
+  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
+    fact("Warning", warning);
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : away_facts(subject, {})) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/programs/realise.hpp"
 #include "isolaw/programs/script_addition.hpp"
 #include "isolaw/programs/subject.hpp"
-#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::programs {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/programs/materials.hpp"
 #include "isolaw/programs/subject.hpp"
-#include "isolaw/base/unit_system.hpp"
 
 namespace isolaw::programs {
 

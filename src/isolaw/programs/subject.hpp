@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/unit_system.hpp"
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/programs/model.hpp"
-#include "isolaw/base/unit_system.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/ranges.hpp"
 #include "isolaw/study/summary.hpp"

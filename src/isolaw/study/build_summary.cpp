@@ -382,8 +382,7 @@ Summary build_summary(campaign::Contents const& contents) {
   summary.expected_analyses = contents.expected_analyses();
   for (auto const& [key, json] : campaign::to_pairs(contents.settings))
     if (key != "seed") summary.settings.push_back({key, json});
-  for (auto const& device : contents.devices)
-    summary.devices.push_back(device_result(device, contents.settings.clean));
+  for (auto const& device : contents.devices) summary.devices.push_back(device_result(device, contents.settings.clean));
 
   for (auto const& id : contents.settings.laws) {
     auto const& entry = laws::find_law(id);

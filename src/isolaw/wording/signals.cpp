@@ -67,9 +67,9 @@ std::string standing(Group group, UnitSystem const& units, std::string_view how)
 std::string reversal(Group group, UnitSystem const& units) {
   auto const unit = group.front().word("unit");
   auto const shown = shown_unit(unit, units).unit;
-  return fmt::format("force reverses {} {} (+- {} {}, {} reversals)", range_in(units, group, fmt::format("by_{}", unit)),
-                     shown, range_in(units, group, fmt::format("uncertainty_{}", unit), 2), shown,
-                     range(group, "reversals"));
+  return fmt::format("force reverses {} {} (+- {} {}, {} reversals)",
+                     range_in(units, group, fmt::format("by_{}", unit)), shown,
+                     range_in(units, group, fmt::format("uncertainty_{}", unit), 2), shown, range(group, "reversals"));
 }
 std::string_view without_jump(Group group) {
   return group.front().word("without_jump") == "yes" ? ", after its jump is subtracted" : "";
@@ -131,7 +131,8 @@ std::string no_complete_cycle(Group group, UnitSystem const& units) {
   return fmt::format(
       "less than one complete cycle: displacement goes from {} to {} {}. A cycle needs 2 crossings of {} in the direction of the first motion, with a swing to each side between them; there are {}. Swings of less than {} {} count as noise.",
       range_in(units, group, "least_mm", 4), range_in(units, group, "largest_mm", 4), length,
-      at_zero ? std::string("zero") : fmt::format("its centre at {} {}", range_in(units, group, "centre_mm", 4), length),
+      at_zero ? std::string("zero")
+              : fmt::format("its centre at {} {}", range_in(units, group, "centre_mm", 4), length),
       range(group, "crossings"), range_in(units, group, "noise_mm"), length);
 }
 

@@ -80,7 +80,8 @@ std::string reasons(std::vector<Finding> const& findings, UnitSystem const& unit
       group->push_back(finding);
   }
   std::string text;
-  for (auto const& group : groups) text += text.empty() ? remark(group, units) : " " + capitalised(remark(group, units));
+  for (auto const& group : groups)
+    text += text.empty() ? remark(group, units) : " " + capitalised(remark(group, units));
   return text;
 }
 

@@ -11,15 +11,15 @@ namespace {
 void write_history(UnitSystem const& units, DataTable& table, std::string_view title, std::span<double const> time,
                    std::span<double const> disp_mm, std::span<double const> force_kN) {
   table.comment(title);
-  table.comment(fmt::format("{} disp_{} force_{}", time.empty() ? "sample" : "time_s", units.length.symbol,
-                            units.force.symbol));
+  table.comment(
+      fmt::format("{} disp_{} force_{}", time.empty() ? "sample" : "time_s", units.length.symbol, units.force.symbol));
   for (auto const i : drawn_samples(disp_mm.size(), most_samples))
-    table.row(time.empty() ? static_cast<double>(i) : time[i], units.from_mm(disp_mm[i]),
-              units.from_kN(force_kN[i]));
+    table.row(time.empty() ? static_cast<double>(i) : time[i], units.from_mm(disp_mm[i]), units.from_kN(force_kN[i]));
   table.end_block();
 }
 
-std::string record_script(UnitSystem const& units, std::string const& name, std::string const& about, std::string const& title, bool has_time) {
+std::string record_script(UnitSystem const& units, std::string const& name, std::string const& about,
+                          std::string const& title, bool has_time) {
   Grid const grid{.columns = 1,
                   .rows = 2,
                   .width_mm = double_column_mm,

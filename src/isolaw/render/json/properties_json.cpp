@@ -97,8 +97,7 @@ void write_tests(JsonWriter& out, DeviceResult const& device) {
   });
 }
 
-void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
-                      UnitSystems systems) {
+void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device, UnitSystems systems) {
   auto const& acceptance = device.acceptance;
   auto const& properties = device.properties;
   out.key("blocks").objects(properties.blocks, [&](auto const& block) { write_block(out, device, block); });

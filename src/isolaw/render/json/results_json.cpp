@@ -98,9 +98,8 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
     out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
     out.member("error", standing.error).member("fits", standing.fits).member("new_device", standing.new_device);
     out.member("predicts", standing.predicts).member("parameters", std::uint64_t{standing.parameters});
-    said("reason", [&](auto const& units) {
-      return standing.reason ? wording::remark(*standing.reason, units) : std::string();
-    });
+    said("reason",
+         [&](auto const& units) { return standing.reason ? wording::remark(*standing.reason, units) : std::string(); });
     out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
     write_reasons("weak", standing.weak);
   });

@@ -77,8 +77,7 @@ void write_said(JsonWriter& out, UnitSystems systems, Say const& say) {
     out.object([&] { out.member("said", texts); });
 }
 // Writes an array with the remark of each finding.
-void write_remarks(JsonWriter& out, std::vector<Finding> const& findings,
-                   UnitSystems systems = stored_units);
+void write_remarks(JsonWriter& out, std::vector<Finding> const& findings, UnitSystems systems = stored_units);
 
 void write_recommendation(JsonWriter& out, study::Summary const& summary,
                           std::optional<study::Recommendation> const& recommendation,

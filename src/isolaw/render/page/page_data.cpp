@@ -60,7 +60,8 @@ void write_curve(JsonWriter& out, std::string_view key, std::vector<double> cons
 // Divides about two million points among all curves, so that a page of 160 devices stays small. A curve gets from 300
 // to 2400 points.
 std::size_t points_per_curve(Summary const& summary) {
-  bool const predicts = std::ranges::any_of(summary.laws, [](auto const& law) { return law.larger_swings_objective.has_value(); });
+  bool const predicts =
+      std::ranges::any_of(summary.laws, [](auto const& law) { return law.larger_swings_objective.has_value(); });
   std::size_t const of_laws = (predicts ? 2 : 1) * summary.laws.size();
   std::size_t const curves = std::max<std::size_t>(1, summary.devices.size() * (of_laws + 5));
   return std::clamp<std::size_t>(2'000'000 / curves, 300, 2400);
@@ -383,9 +384,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
         });
     });
   });
-  out.key("endings").array(unit_endings, [&](auto const& each) {
-    out.begin_array().value(each[0]).value(each[1]).end_array();
-  });
+  out.key("endings").array(unit_endings,
+                           [&](auto const& each) { out.begin_array().value(each[0]).value(each[1]).end_array(); });
   std::set<std::string_view> own{"o", "s", "from", "width"};  // parts of curves and of histograms
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)
@@ -432,7 +432,8 @@ std::string page_data_json(Summary const& summary) {
   auto const seed = std::to_string(summary.seed);  // as text, since a JavaScript number does not hold 64 bits
   write_members(out, "isolaw", campaign::text(std::span(summary.makers)), "title", summary.title, "seed", seed, "runs",
                 summary.runs, "missing_runs", summary.missing_runs(), "missing_analyses", summary.missing_analyses(),
-                "letterhead", summary.asked.letterhead, "command", command_again(summary), "takes_lot_file", takes_lot_file(summary));
+                "letterhead", summary.asked.letterhead, "command", command_again(summary), "takes_lot_file",
+                takes_lot_file(summary));
   write_settings(out, summary);
   out.key("findings").object([&] { write_conclusions(out, summary); });
   write_units(out, summary.units());

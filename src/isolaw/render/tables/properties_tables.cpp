@@ -37,7 +37,8 @@ constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "first",
                                                    "last"});
 
-void cycle_row(CsvTable& table, UnitSystem const& units, DeviceResult const& device, data::Block const& block, data::Cycle const& c) {
+void cycle_row(CsvTable& table, UnitSystem const& units, DeviceResult const& device, data::Block const& block,
+               data::Cycle const& c) {
   auto const& reported = device.properties.reported;
   bool const is_reported = reported && reported->block == block.number && reported->number == c.number && c.counts();
   auto const number = c.counts() ? std::optional(c.number) : std::nullopt;
@@ -74,7 +75,9 @@ std::string tests_csv(Summary const& summary) {
   table.add("device").head(of_test).end_row();
   for (auto const& device : summary.devices)
     for (auto const& assessment : device.acceptance.assessments)
-      table.add(device.name).cells(of_test, AssessmentOf{assessment, device.acceptance.block}, assessment.unit).end_row();
+      table.add(device.name)
+          .cells(of_test, AssessmentOf{assessment, device.acceptance.block}, assessment.unit)
+          .end_row();
   return table.take();
 }
 

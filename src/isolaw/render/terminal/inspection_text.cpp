@@ -87,11 +87,10 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
     auto const in = [](ShownUnit const& shown, std::optional<double> const& value, int decimals) {
       return number(value ? std::optional(shown.factor * *value) : value, decimals);
     };
-    add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}",
-        c.counts() ? fmt::to_string(c.number) : "-", in(length, c.amplitude_mm, length.decimals(2)),
-        in(stiff, c.K_eff_kN_per_mm, stiffness), in(stiff, c.K_plus(), stiffness), in(stiff, c.K_minus(), stiffness),
-        number_text(work.factor * c.energy_kN_mm), number(c.damping(), 2), number_text(force.factor * c.Q_d_kN),
-        in(stiff, c.K_d_kN_per_mm, stiffness));
+    add(text, "  {:>5} {:>9} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9} {:>9}", c.counts() ? fmt::to_string(c.number) : "-",
+        in(length, c.amplitude_mm, length.decimals(2)), in(stiff, c.K_eff_kN_per_mm, stiffness),
+        in(stiff, c.K_plus(), stiffness), in(stiff, c.K_minus(), stiffness), number_text(work.factor * c.energy_kN_mm),
+        number(c.damping(), 2), number_text(force.factor * c.Q_d_kN), in(stiff, c.K_d_kN_per_mm, stiffness));
     if (loads) add(text, " {:>9}", in(force, c.N_mean_kN, force.decimals(1)));
     if (device.properties.is_reported(c)) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
@@ -199,8 +198,8 @@ void print_devices(std::string& text, Summary const& summary) {
   auto const width = longest_name(summary);
   add(text, "\n{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}  {}\n", "device", width, "block", "cycle", "amplitude",
       "K_eff", "energy", "damping", summary.acceptance.has_rules() ? "verdict" : "");
-  add(text, "{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}\n", "", width, "", "", length.unit, stiff.unit,
-      work.unit, "%");
+  add(text, "{:<{}} {:>5} {:>5} {:>9} {:>9} {:>10} {:>8}\n", "", width, "", "", length.unit, stiff.unit, work.unit,
+      "%");
   for (auto const& device : summary.devices) {
     auto const& acceptance = device.acceptance;
     add(text, "{:<{}} ", printable(device.name), width);
@@ -258,7 +257,8 @@ void print_warnings(std::string& text, Summary const& summary) {
   std::vector<std::string> lines;
   auto findings = study::warnings(summary);
   std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::device_refused; });
-  for (auto const& sentence : wording::sentences(findings, wording::in_report, summary.units())) lines.push_back(printable(sentence));
+  for (auto const& sentence : wording::sentences(findings, wording::in_report, summary.units()))
+    lines.push_back(printable(sentence));
   print_list(text, "Warnings", lines);
 }
 

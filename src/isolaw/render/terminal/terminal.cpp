@@ -411,7 +411,8 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, units, "; ", false)), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
   if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach, units), margin, width);
-  if (!shown.surer.empty()) text += wrapped("To be surer", wording::paragraph(shown.surer, units, "; ") + ".", margin, width);
+  if (!shown.surer.empty())
+    text += wrapped("To be surer", wording::paragraph(shown.surer, units, "; ") + ".", margin, width);
   // Warnings that do not concern the answer are shown only with --details.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });
@@ -447,7 +448,8 @@ std::string ranking(Summary const& summary, int width) {
     text += wrapped("", sentence, 0, width);
   if (!found.warnings.empty()) {
     text += "\nTake care:\n";
-    for (auto const& sentence : wording::sentences(found.warnings, wording::in_report, summary.units())) text += wrapped("  -", sentence, 4, width);
+    for (auto const& sentence : wording::sentences(found.warnings, wording::in_report, summary.units()))
+      text += wrapped("  -", sentence, 4, width);
   }
   text += '\n';
   if (found.beta_note.empty()) return text + front_plot(summary, width);
