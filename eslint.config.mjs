@@ -3,8 +3,8 @@ import js from '@eslint/js';
 
 const names = (text) => Object.fromEntries(text.split(' ').map((name) => [name, 'readonly']));
 const browser = names(
-  'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL dispatchEvent document ' +
-    'getComputedStyle getSelection location navigator performance requestAnimationFrame scrollTo setTimeout window',
+  'Blob Event HTMLTableCellElement IntersectionObserver KeyboardEvent Plotly ResizeObserver URL URLSearchParams dispatchEvent document ' +
+    'getComputedStyle getSelection history location navigator performance requestAnimationFrame scrollTo setTimeout window',
 );
 const pageAlone = names('addEventListener atob btoa clearInterval setInterval CompressionStream DecompressionStream AbortController Node TextDecoder TextEncoder crypto');
 const node = names('Buffer console process TextEncoder clearInterval clearTimeout setInterval');

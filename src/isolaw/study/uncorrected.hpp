@@ -7,8 +7,8 @@
 
 namespace isolaw::study {
 
-// True if a correction by hand changed the record. Multiplying the force is none: it says what the rig measures, such as
-// two devices in double shear.
+// True if a correction by hand changed the record. Multiplying the force is none: it says what the rig measures, such
+// as two devices in double shear.
 bool is_corrected(DeviceResult const& device);
 
 // Assesses the lot again, with every corrected record as it was read. Sets Summary::without_corrections, and adds a
