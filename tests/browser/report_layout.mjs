@@ -244,7 +244,9 @@ await withBrowser(program, makePage, async ({ open, expect }) => {
     for (const width of [1366, 1024, 390]) {
       await page.resize(width);
       const seen = await page.evaluate(`(${look_at_contents})()`);
-      expect(seen.links === seen.sections && seen.cut.length === 0, one.name, `contents at ${width}: cut ${seen.cut}`);
+      // A telephone shows the contents in one line, which scrolls.
+      const scrolls = width < 640 && (await page.evaluate("getComputedStyle(document.getElementById('contents')).overflowX")) === 'auto';
+      expect(seen.links === seen.sections && (scrolls || seen.cut.length === 0), one.name, `contents at ${width}: cut ${seen.cut}`);
       expect(width < 1366 || seen.lines === 1, one.name, `contents in ${seen.lines} lines at ${width}`);
     }
     await page.resize(1366);

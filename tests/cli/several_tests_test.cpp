@@ -160,7 +160,7 @@ TEST_F(SeveralTests, are_read_from_the_store_and_exported) {
       isolaw({"export", "O", "--law", "bilinear", "--device", "small + large", "--to", "opensees", "--out", "b.tcl"});
   EXPECT_EQ(exported.code, 0) << exported;
   EXPECT_TRUE(contains(json("R/summary.json")["recommendation"]["reach"].back()["sentence"].get<std::string>(),
-                       "Range of the 2 best laws"));
+                       "the 2 best laws have a stiffness of"));
   write("other.toml",
         "[[device]]\nname = \"small + large\"\n[[device.test]]\nfile = \"large.csv\"\n[[device.test]]\nfile = "
         "\"small.csv\"\n");

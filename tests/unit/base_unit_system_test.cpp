@@ -18,13 +18,13 @@ TEST(ShownUnit, ConvertsForcesLengthsAndTheirProducts) {
   for (auto const& [stored, shown, factor] : {Case{"mm", "in", 1.0 / 25.4},
                                               {"kN", "kip", 1.0 / 4.4482216152605},
                                               {"kN/mm", "kip/in", 25.4 / 4.4482216152605},
-                                              {"kN mm", "kip in", 1.0 / (25.4 * 4.4482216152605)},
-                                              {"kN m", "kip in", 1000.0 / (25.4 * 4.4482216152605)},
+                                              {"kN mm", "kip-in", 1.0 / (25.4 * 4.4482216152605)},
+                                              {"kN m", "kip-in", 1000.0 / (25.4 * 4.4482216152605)},
                                               {"mm^2", "in^2", 1.0 / (25.4 * 25.4)},
                                               {"mm/s", "in/s", 1.0 / 25.4},
                                               {"MPa", "ksi", 0.145037737730209},
                                               {"N/m^3", "kip/in^3", 1e-3 / 4.4482216152605 * 0.0254 * 0.0254 * 0.0254},
-                                              {"1/(N cm)", "1/(kip in)", 4448.2216152605 * 2.54},
+                                              {"1/(N cm)", "1/(kip-in)", 4448.2216152605 * 2.54},
                                               {"kN s/mm", "kip s/in", 25.4 / 4.4482216152605}}) {
     auto const found = shown_unit(stored, imperial);
     EXPECT_EQ(found.unit, shown) << stored;

@@ -47,7 +47,9 @@ TEST(RecordSentences, ConvertNumbersToTheReadersUnits) {
                                   {"K_high_kN_per_mm", 2.0},
                                   {"energy_low_kN_mm", 1000.0},
                                   {"energy_high_kN_mm", 2000.0}}};
-  EXPECT_TRUE(contains(sentence(range, imperial), "at 10 in: 5.71 to 11.4 kip/in, 8.85 to 17.7 kip in a cycle"))
+  EXPECT_TRUE(contains(
+      sentence(range, imperial),
+      "At 10 in, the 2 best laws have a stiffness of 5.71 to 11.4 kip/in and dissipate 8.85 to 17.7 kip-in in a cycle."))
       << sentence(range, imperial);
 }
 

@@ -60,6 +60,8 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system) {
     shown.unit += before.substr(0, before.size() - rest.size());
     if (!in_brackets) below = false;
   }
+  // "122 kip in a cycle" would read as words.
+  if (auto const product = shown.unit.find("kip in"); product != shown.unit.npos) shown.unit[product + 3] = '-';
   return shown;
 }
 

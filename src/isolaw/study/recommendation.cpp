@@ -364,6 +364,7 @@ std::optional<LawSpread> spread_of(Summary const& summary, std::vector<Standing>
   auto const K = in(&BeyondTests::K_kN_per_mm), energy = in(&BeyondTests::energy_kN_mm);
   return LawSpread{.count = best.size(),
                    .disp_mm = summary.laws[best.front()->law].beyond->asked_mm,
+                   .tested_mm = summary.laws[best.front()->law].beyond->tested_mm,
                    .K_low_kN_per_mm = K.min,
                    .K_high_kN_per_mm = K.max,
                    .energy_low_kN_mm = energy.min,
@@ -401,7 +402,8 @@ Finding finding_of(LawSpread const& spread) {
                       {"K_low_kN_per_mm", spread.K_low_kN_per_mm},
                       {"K_high_kN_per_mm", spread.K_high_kN_per_mm},
                       {"energy_low_kN_mm", spread.energy_low_kN_mm},
-                      {"energy_high_kN_mm", spread.energy_high_kN_mm}}};
+                      {"energy_high_kN_mm", spread.energy_high_kN_mm}},
+          .words = {{"beyond", spread.disp_mm > 1.01 * spread.tested_mm ? "yes" : "no"}}};
 }
 
 std::optional<Recommendation> recommendation(Summary const& summary) {

@@ -37,7 +37,7 @@ struct Standing {
 // is the range of their values, not a confidence interval.
 struct LawSpread {
   std::size_t count = 0;
-  double disp_mm = 0.0;
+  double disp_mm = 0.0, tested_mm = 0.0;  // where the values hold, and the largest displacement of the tests
   double K_low_kN_per_mm = 0.0, K_high_kN_per_mm = 0.0, energy_low_kN_mm = 0.0, energy_high_kN_mm = 0.0;
 };
 

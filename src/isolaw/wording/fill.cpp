@@ -64,6 +64,8 @@ constexpr Phrase phrases[]{
     {"sure", "tie", ""},
     {"sure", "clear", ""},
     {"verdict_same", "yes", " The verdict would be the same."},
+    {"beyond", "yes", ", where nothing was tested"},
+    {"beyond", "no", ""},
     {"several_laws", "yes", ""},
     {"only_law", "yes", ""},
     {"some", "yes", ""},

@@ -136,7 +136,7 @@ std::span<Row const> rows() {
           "its force is not finite in finer integration steps on {devices}: the result comes from the step, not from the law."),
       campaign(
           laws_disagree, "laws-disagree", "other laws", note, "Test to that displacement", one_sentence, taken, none,
-          "Range of the {count} best laws at {disp_mm:4 mm}: {K_low_kN_per_mm:3 (kN/mm)} to {K_high_kN_per_mm:3 kN/mm}, {energy_low_kN_mm:3 (kN mm)} to {energy_high_kN_mm:3 kN mm} a cycle."),
+          "At {disp_mm:4 mm}{beyond}, the {count} best laws have a stiffness of {K_low_kN_per_mm:3 (kN/mm)} to {K_high_kN_per_mm:3 kN/mm} and dissipate {energy_low_kN_mm:3 (kN mm)} to {energy_high_kN_mm:3 kN mm} in a cycle."),
       campaign(prediction_good, "prediction-good", "prediction", note, "", each_alone, anywhere, law,
                "its prediction is good: {objectives}."),
       campaign(prediction_fair, "prediction-fair", "prediction", note, "", each_alone, anywhere, law,

@@ -91,7 +91,7 @@ function buildPage() {
   if (word && !inspection)
     document
       .getElementById('facts')
-      .append(' \u00b7 ', element('a', { class: 'word ' + WORDS[word].tone, href: '#devices', title: report.result.sentence }, word));
+      .append(' \u00b7 rule set: ', element('a', { class: 'word ' + WORDS[word].tone, href: '#devices', title: report.result.sentence }, word));
   document.getElementById('colophon').append(
     'Made by isolaw ' + report.isolaw +
       (inspection ? ' from the test records' : ' from the campaign\u2019s store') + '. This file needs no network',

@@ -19,8 +19,8 @@ const CAPTION = 'An error is the mean misfit of the force, as a share of the mea
 const NEW_DEVICE = ' Another device: one set of parameters, fitted to all other devices.';
 const PLACES = { taken: 'taken', ties: 'as good', behind: '', 'ruled out': 'ruled out' };
 
-// A column of errors is shown if a law has such an error. Bars longer than twice the largest error of a law that is not
-// ruled out are cut.
+// A column of errors is shown if a law has such an error. All bars have one scale. Bars longer than twice the largest
+// error of a law that is not ruled out are cut.
 const ERRORS = [
   { key: 'fits', title: 'Fits', of: ({ fits }) => fits },
   { key: 'new_device', title: 'Another device', of: ({ law }) => law.loo_objective },
@@ -30,14 +30,15 @@ const ERRORS = [
 ];
 const columns = () => ERRORS.filter(({ of }) => standings.some((standing) => isNumber(of(standing))));
 
-function longest(of) {
-  const all = standings.filter((standing) => isNumber(of(standing)));
-  const taken = all.filter(({ place }) => place !== 'ruled out');
-  return Math.min(Math.max(...all.map(of)), 2 * Math.max(...(taken.length > 0 ? taken : all).map(of)));
+function longest() {
+  const errors = (among) => among.flatMap((standing) => columns().filter((column) => !column.plain).map(({ of }) => of(standing))).filter(isNumber);
+  const taken = errors(standings.filter(({ place }) => place !== 'ruled out'));
+  const all = errors(standings);
+  return Math.min(Math.max(...all), 2 * Math.max(...(taken.length > 0 ? taken : all)));
 }
 
 function errorCell(column) {
-  const most = longest(column.of);
+  const most = longest();
   return (standing) => {
     const error = column.of(standing);
     if (!isNumber(error)) return DASH;

@@ -39,11 +39,13 @@ function shown() {
     law = laws[chosen.law],
     { t, x, F } = record(device);
   const fit = law?.fitOn.get(device.index),
-    force = fit?.force_kN ? curve(fit.force_kN) : null,
+    ofFit = fit?.force_kN ? curve(fit.force_kN) : null,
     predicted = fit?.larger_swings_force_kN && !device.scored ? curve(fit.larger_swings_force_kN) : null,
     parts = cyclesShown(device);
   const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
     fitted = t.map((time) => (predicted ? !isLargeSwing(device, time) : isScored(device, time)));
+  // In the larger swings, the force of a law that was fitted to all of them shows less than its prediction.
+  const force = predicted ? ofFit.map((value, i) => (fitted[i] ? value : predicted[i])) : ofFit;
   return { device, law, fit, t, x, F, force, predicted, parts, inside, fitted };
 }
 
@@ -56,7 +58,7 @@ function loopCaption() {
   return (
     device.name + (parts ? ', third cycles; other cycles grey.' : ', whole record.') +
     (force ? ' The law was fitted to this device: misfit ' + errorText(misfit) + '.' + (device.scored ? ' Dashed: not fitted.' : '') : '') +
-    (predicted ? ' Dashed: fitted to the smaller swings alone, it predicts these.' : '') +
+    (predicted ? ' Dashed: the larger swings as the law predicts them from a fit to the smaller ones alone.' : '') +
     (law && !force ? ' ' + law.name + ' has no fit' + (fit?.message ? ': ' + fit.message : '') + '.' : '')
   );
 }
@@ -75,10 +77,10 @@ function drawLoop(look) {
   ];
   if (force) {
     const colour = look.law(law);
-    traces.push({ name: plain(law.name) + ', fitted', mode: 'lines', x, y: where(force, predicted ? inside : both(inside, fitted)), line: line(colour, 2), hovertemplate: hover(law.name) });
+    traces.push({ name: plain(law.name) + ', fitted', mode: 'lines', x, y: where(force, both(inside, fitted)), line: line(colour, 2), hovertemplate: hover(law.name) });
     if (!all(fitted))
       traces.push({
-        name: plain(law.name) + ', never saw this', mode: 'lines', x, y: where(predicted ?? force, both(inside, not(fitted))), line: line(colour, 2, { dash: 'dash' }),
+        name: plain(law.name) + ', never saw this', mode: 'lines', x, y: where(force, both(inside, not(fitted))), line: line(colour, 2, { dash: 'dash' }),
         hovertemplate: hover(law.name + ', not fitted to this'),
       });
   }
@@ -88,7 +90,7 @@ function drawLoop(look) {
     marker: { size: 11, color: look.colour('paper'), line: { width: 2, color: [measured, ...(force ? [look.law(law)] : [])] } },
   });
   const reach = Math.max(...x.map((value, i) => (fitted[i] ? Math.abs(value) : 0)));
-  const beyond = Math.max(...x.map(Math.abs)) > 1.05 * reach;
+  const beyond = !predicted && Math.max(...x.map(Math.abs)) > 1.05 * reach;
   return {
     traces,
     layout: {
@@ -98,7 +100,7 @@ function drawLoop(look) {
         ? [{ type: 'rect', layer: 'below', yref: 'paper', x0: -reach, x1: reach, y0: 0, y1: 1, line: { width: 0 }, fillcolor: look.colour('tint') }]
         : [],
       annotations: beyond
-        ? [{ x: reach, y: 1, yref: 'paper', xanchor: 'right', yanchor: 'top', showarrow: false, text: (predicted ? 'smaller swings: ' : 'fitted within ') + '±' + significant(reach) + THIN + MM + ' ', font: { size: 11.5, color: look.colour('muted') } }]
+        ? [{ x: reach, y: 1, yref: 'paper', xanchor: 'right', yanchor: 'top', showarrow: false, text: 'fitted within ±' + significant(reach) + THIN + MM + ' ', font: { size: 11.5, color: look.colour('muted') } }]
         : [],
       xaxis: { title: 'displacement [' + MM + ']' },
       yaxis: { title: 'force [' + KN + ']', range: forceRange(F, force ? [force] : []) },
