@@ -387,7 +387,7 @@ TEST_F(Changed, progress_is_shown_on_a_terminal) {
   close(other);
   close(terminal);
   EXPECT_EQ(result.code, 0) << shown;
-  for (auto const* part : {"/32 runs", " %  ", " left", "Bilinear on D1", "100 %  0 s left  32/32 runs", "\r"})
+  for (auto const* part : {"/32 runs", " %  ", " left", "Abe on ", "100 %  0 s left  32/32 runs", "\r"})
     EXPECT_TRUE(contains(shown, part));
   // A line is short enough for 80 columns, although this terminal has 120.
   for (auto at = shown.find('\r'); at != std::string::npos; at = shown.find('\r', at + 1))

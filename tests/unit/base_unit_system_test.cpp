@@ -25,7 +25,7 @@ TEST(ShownUnit, ConvertsForcesLengthsAndTheirProducts) {
                                               {"MPa", "ksi", 0.145037737730209},
                                               {"N/m^3", "kip/in^3", 1e-3 / 4.4482216152605 * 0.0254 * 0.0254 * 0.0254},
                                               {"1/(N cm)", "1/(kip-in)", 4448.2216152605 * 2.54},
-                                              {"kN s/mm", "kip s/in", 25.4 / 4.4482216152605}}) {
+                                              {"kN s/mm", "kip-s/in", 25.4 / 4.4482216152605}}) {
     auto const found = shown_unit(stored, imperial);
     EXPECT_EQ(found.unit, shown) << stored;
     EXPECT_NEAR(found.factor / factor, 1.0, 1e-12) << stored;

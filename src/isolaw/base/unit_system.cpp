@@ -40,7 +40,8 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system) {
       if (rest.front() == '/') below = true;
       if (rest.front() == '(') in_brackets = true;
       if (rest.front() == ')') below = in_brackets = false;
-      shown.unit += rest.front();
+      // In "122 kip in a cycle" the unit would read as a word.
+      shown.unit += rest.front() == ' ' && system.force.symbol == kip.symbol ? '-' : rest.front();
       rest.remove_prefix(1);
       continue;
     }
@@ -60,8 +61,6 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system) {
     shown.unit += before.substr(0, before.size() - rest.size());
     if (!in_brackets) below = false;
   }
-  // "122 kip in a cycle" would read as words.
-  if (auto const product = shown.unit.find("kip in"); product != shown.unit.npos) shown.unit[product + 3] = '-';
   return shown;
 }
 

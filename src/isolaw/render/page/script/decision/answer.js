@@ -22,7 +22,7 @@ function answer() {
     element('p', { class: 'headline' }, headline, ...(law ? [' ', element('span', { class: 'sure ' + TONES[sure] }, sure)] : [])),
     element('p', { class: 'explanation' }, [sentence(explanation), told(why)].filter(Boolean).join(' ')),
     element('div', { class: 'numbers' }, ...numbers),
-    law ? element('p', { class: 'why' }, 'Errors: mean misfit of the force, divided by the standard deviation of the measured force.') : null,
+    law ? element('p', { class: 'why' }, 'Errors are shares of the force\u2019s standard deviation.') : null,
     law && weak.length > 0 ? element('p', { class: 'box doubts' }, element('b', {}, 'Low confidence'), ' ' + told(weak, '; ') + '.') : null,
     law ? next() : null,
     surer.length > 0 ? element('p', { class: 'box' }, element('b', {}, law ? 'To be surer' : 'Next'), ' ' + told(surer, '; ') + '.') : null,
