@@ -377,10 +377,10 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   out.key("units").begin_object().member("chosen", shown.id);
   out.key("systems").objects(unit_systems, [&](UnitSystem const& system) {
     out.member("id", system.id).key("units").object([&] {
-      for (auto const& [ending, stored] : unit_endings)
-        out.key(stored).object([&] {
-          auto const [unit, factor] = shown_unit(stored, system);
-          out.member("unit", unit).member("factor", factor);
+      for (auto const& ending : unit_endings)
+        out.key(ending[1]).object([&] {
+          auto const shown = shown_unit(ending[1], system);
+          out.member("unit", shown.unit).member("factor", shown.factor);
         });
     });
   });

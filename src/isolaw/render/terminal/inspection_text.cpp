@@ -221,9 +221,11 @@ void print_quantities(std::string& text, UnitSystem const& units, rules::LotView
       "min", "max", "design", "mean %", "worst %");
   auto const percent = [](std::optional<double> const& v) { return v ? fmt::format("{:+.1f}", *v) : "-"; };
   for (auto const& q : lot.quantities) {
-    auto const [unit, factor] = shown_unit(q.unit, units);
-    auto const significant = [factor](std::optional<double> const& v) { return v ? number_text(factor * *v) : "-"; };
-    add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), unit,
+    auto const shown = shown_unit(q.unit, units);
+    auto const significant = [&](std::optional<double> const& v) {
+      return v ? number_text(shown.factor * *v) : std::string("-");
+    };
+    add(text, "{:<9} {:<6} {:>3} {:>10} {:>7} {:>10} {:>10} {:>10} {:>8} {:>8}\n", rules::name(q.quantity), shown.unit,
         q.count, significant(q.mean), number(q.cov_percent, 2), significant(q.min), significant(q.max),
         significant(q.nominal), percent(q.mean_deviation_percent), percent(q.worst_deviation_percent));
   }
