@@ -58,7 +58,7 @@ function loopCaption() {
   return (
     device.name + (parts ? ', third cycles; other cycles grey.' : ', whole record.') +
     (force ? ' The law was fitted to this device: misfit ' + errorText(misfit) + '.' + (device.scored ? ' Dashed: not fitted.' : '') : '') +
-    (predicted ? ' Dashed: predicted from a fit to the smaller swings.' : '') +
+    (predicted ? ' Dashed: predicted from the smaller swings.' : '') +
     (law && !force ? ' ' + law.name + ' has no fit' + (fit?.message ? ': ' + fit.message : '') + '.' : '')
   );
 }
