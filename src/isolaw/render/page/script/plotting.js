@@ -27,7 +27,7 @@ export const LEGEND = { orientation: 'h', x: 0, y: 1.02, xanchor: 'left', yancho
 
 export function styled(layout, look) {
   const axis = {
-    gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true, exponentformat: 'SI', minexponent: 6,
+    gridcolor: look.colour('grid'), zerolinecolor: look.colour('rule'), linecolor: look.colour('rule'), showline: true, exponentformat: 'power', minexponent: 6,
     tickfont: { size: 11.5 }, title: { standoff: 6 }, automargin: true, ticks: '',
   };
   const result = {
