@@ -86,7 +86,7 @@ function assessments(device) {
       { title: 'Away', number: true, cell: (a) => deviation(a.deviation_percent) },
       { title: 'Verdict', cell: (a) => verdictBadge(a.verdict) },
     ],
-    device.assessments,
+    device.assessments.filter((a) => a.limit || isNumber(a.value)),
     'Limits and values of ' + device.name,
   );
 }
@@ -108,7 +108,7 @@ function values(device) {
 }
 
 function notes(device) {
-  const open = device.assessments.filter((a) => a.verdict === 'not assessed');
+  const open = device.assessments.filter((a) => a.limit && a.verdict === 'not assessed');
   const remarks = [
     ...device.findings.filter(({ certificate }) => certificate).map((finding) => finding.sentence),
     ...device.doubts.map(({ quantity, otherwise, unit, condition }) => quantity + ' would be ' + withUnit(otherwise, unit, 3) + ' if ' + condition + '.'),
