@@ -75,6 +75,10 @@ TEST_F(ReportUnits, the_letterhead_is_kept_with_the_campaign) {
   EXPECT_TRUE(contains(read("O/report.html"), R"("letterhead":"Laboratory of Devices")"));
   expect_refused(isolaw({"report", "O", "--letterhead", "lot/A.csv"}), {"--letterhead", ".svg, .png, .jpg or .txt"});
   expect_refused(isolaw({"report", "O", "--letterhead", "none.png"}), {"none.png"});
+  write("text.png", "no picture");
+  expect_refused(isolaw({"report", "O", "--letterhead", "text.png"}), {"text.png", "holds no such picture"});
+  write("long.txt", std::string(20, '\n'));
+  expect_refused(isolaw({"report", "O", "--letterhead", "long.txt"}), {"long.txt", "more than 12 lines"});
 }
 
 }  // namespace

@@ -46,7 +46,16 @@ std::string load_letterhead(std::string const& file) {
   if (picture == std::end(pictures) && !is_text)
     throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = std::string(allowed)});
   auto const bytes =
-      read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller picture"});
+      read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller file"});
+  constexpr long most_lines = 12;
+  bool const is_whole = is_text            ? std::ranges::count(bytes, '\n') <= most_lines
+                        : ending == ".svg" ? bytes.find("<svg") != std::string::npos
+                        : ending == ".png" ? bytes.starts_with("\x89PNG")
+                                           : bytes.starts_with("\xFF\xD8");
+  if (!is_whole)
+    throw Error({.where = "--letterhead",
+                 .found = in_quotes(file) + (is_text ? " has more than 12 lines" : " holds no such picture"),
+                 .allowed = std::string(allowed) + ", text of at most 12 lines"});
   if (is_text) return bytes.substr(0, bytes.find_last_not_of(" \t\r\n") + 1);
   return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
 }

@@ -72,7 +72,8 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   std::vector<std::string> corrected;
   for (std::size_t d = 0; d < devices.size(); ++d) {
     auto& device = summary.devices[d];
-    if (device.status == "ok" && is_corrected(device)) {
+    bool const has_values = counting_cycle(device.properties, device.acceptance.block) != nullptr;
+    if (device.status == "ok" && is_corrected(device) && has_values) {
       corrected.push_back(device.name);
       device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
     }

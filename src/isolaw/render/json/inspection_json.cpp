@@ -79,7 +79,9 @@ std::string inspection_json(Summary const& summary) {
   auto const device_findings = device_warnings(summary);
   std::size_t place = 0;
   if (summary.devices.size() == 1) {
-    write_device(out, summary.acceptance, summary.devices.front(), device_findings.front());
+    auto findings = device_findings.front();
+    if (summary.without_corrections) findings.push_back(*summary.without_corrections);
+    write_device(out, summary.acceptance, summary.devices.front(), findings);
   } else {
     out.member("title", summary.title).key("devices").objects(summary.devices, [&](auto const& device) {
       write_device(out, summary.acceptance, device, device_findings[place++]);

@@ -287,6 +287,8 @@ std::string inspection_text(Summary const& summary) {
   auto text = study::capitalised(overall_verdict(summary).text()) + "\n\n";
   if (summary.devices.size() == 1) {
     print_device_in_full(text, summary.units(), summary.devices.front());
+    if (summary.without_corrections)
+      print_list(text, "Verdict without corrections", {wording::remark(*summary.without_corrections, summary.units())});
     print_rule_set(text, summary.acceptance);
     print_lot_verdicts(text, summary.units(), summary.acceptance);
     if (summary.acceptance.has_rules() && !summary.acceptance.lot.note.empty())

@@ -26,11 +26,12 @@ export const LOOP_HOVER = hovered('x', 'mm', 1) + ', ' + hovered('y', 'kN', 1);
 const unitOf = (key) => endings.find(([ending]) => ('_' + key).endsWith(ending))?.[1];
 
 // Converts a value with everything in it. The end of a key names the unit of its numbers; an object may name the unit
-// of some of its members, which are listed in `own`. Parameters stay in the units of their law's formula. A sentence
+// of some of its members, which are listed in `own`. Parameters stay in the units of their law's formula, and shares of
+// draws have no unit. A sentence
 // that holds values is stored once for each system.
 function converted(value, key, unit) {
   if (typeof value === 'number') return unit ? inUnits(value, unit) : value;
-  if (value === null || typeof value !== 'object' || key === 'parameters') return value;
+  if (value === null || typeof value !== 'object' || key === 'parameters' || key === 'coverage') return value;
   if (Array.isArray(value)) return value.map((item) => converted(item, key, unit));
   if (value.said) return value.said[place];
   const inside = value.unit ?? unit;

@@ -41,7 +41,7 @@ function devicePage(device) {
     element('p', { class: 'certificate-title' }, 'Test certificate: device ' + device.name),
     termList('facts-list', facts(device).map(([term, text]) => [term, sentence(text)])),
     device.verdict
-      ? element('div', { class: 'verdict-box' }, verdictBadge(device.verdict, sentence(device.verdict_text)))
+      ? element('div', { class: 'verdict-box' }, verdictBadge(device.verdict, sentence(device.verdict_text)), report.result.word ? ' The lot: ' + report.result.word + '.' : '')
       : null,
     device.assessments.length > 0 ? assessments(device) : values(device),
     element('div', { class: 'side-by-side' }, loopDrawing(device), element('div', {}, ...notes(device))),
@@ -66,7 +66,7 @@ function facts(device) {
       [
         block ? '\u00b1' + significant(block.amplitude_mm) + THIN + MM : '',
         given(block?.frequency_Hz, (value) => significant(value, 2) + THIN + 'Hz') || 'frequency not known',
-        isNumber(load) ? 'vertical load ' + fixed(load, decimalsIn('kN', 0)) + THIN + KN : 'vertical load not recorded',
+        isNumber(load) ? 'vertical load ' + significant(load, 4) + THIN + KN : 'vertical load not recorded',
         given(device.temperature_C, (value) => fixed(value, 1) + THIN + '\u00b0C') || 'temperature not stated',
       ].filter(Boolean).join(', '),
     ],

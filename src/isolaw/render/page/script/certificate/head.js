@@ -29,8 +29,11 @@ function certificateHead() {
     frequency ? frequency + THIN + 'Hz' : '',
   ].filter(Boolean);
   const tested = devices.flatMap((device) => device.blocks.filter((block) => counted(block).length > 0));
-  const steps = [...new Set(tested.map((block) => significant(block.amplitude_mm, 3)))];
-  const load = spanText(devices.map((device) => assessedCycle(device)?.N_mean_kN), decimalsIn('kN', 0));
+  // Amplitudes that differ by less than 1 % are one step of the test.
+  const steps = [...new Set(tested.map((block) => block.amplitude_mm).sort((a, b) => a - b)
+    .reduce((found, value) => [...found, found.length > 0 && value < 1.01 * found.at(-1) ? found.at(-1) : value], []))]
+    .map((value) => significant(value, 3));
+  const load = spanText(devices.map((device) => assessedCycle(device)?.N_mean_kN), 3, significant);
   const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), decimalsIn('mm', 1)),
     area = spanText(devices.map((device) => device.rubber_area_mm2), decimalsIn('mm^2', 0));
   const rubber = [

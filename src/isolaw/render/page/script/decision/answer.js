@@ -49,7 +49,7 @@ function next() {
   return element(
     'div',
     { class: 'box next' },
-    element('p', {}, element('b', {}, 'Next'), ' In the folder of the campaign:'),
+    element('p', {}, element('b', {}, 'Next'), ' in the campaign\u2019s folder:'),
     commandLine(command),
     programs ? element('p', { class: 'why' }, programs + '.') : null,
   );

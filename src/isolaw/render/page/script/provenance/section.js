@@ -1,7 +1,8 @@
 import { commandLine, element, strong, termList } from '../dom.js';
 import { devices, inspection, laws, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
-import { count, isNumber, short } from '../text.js';
+import { THIN, count, isNumber, short, trimmed } from '../text.js';
+import { isConverted } from '../units.js';
 
 const settingsFigure = {
   id: 'settings',
@@ -67,7 +68,7 @@ function settingRows() {
     ['seed', report.seed],
     ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
     ...(rules ? [['rules', rules.id]] : []),
-    ...(design.length > 0 ? [['design', design.map(({ name, value }) => name + '=' + value).join(', ')]] : []),
+    ...(design.length > 0 ? [['design', design.map(({ name, value, unit }) => name + '=' + (isConverted ? trimmed(value, 5) + THIN + unit : value)).join(', ')]] : []),
     ...(isNumber(lot?.size) ? [['lot-size', lot.size]] : []),
   ];
 }
