@@ -184,7 +184,7 @@ TEST_F(Inspect, an_outlier_is_named_with_its_property) {
   EXPECT_TRUE(named("D8", "K_eff")) << outliers;
   EXPECT_FALSE(named("D1", "K_eff")) << outliers;
   auto const text = isolaw({"inspect", "lot"});
-  EXPECT_TRUE(contains(text.out, "outlier: D8: K_eff 1.1 kN/mm is")) << text;
+  EXPECT_TRUE(contains(text.out, "outlier: D8: K_eff 1.1 kN/mm, ")) << text;
 }
 
 TEST_F(Inspect, out_holds_page_json_and_tables_of_the_same_numbers) {

@@ -240,7 +240,7 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   view.without = found.without;
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);
-  view.outliers = find_outliers(name(quantity), view.unit, found.names, found.values);
+  view.outliers = find_outliers(found.names, found.values);
   if (found.values.size() < num::fewest_for_outliers)
     view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
                                     num::fewest_for_outliers);
@@ -276,8 +276,7 @@ Assessment assess_sample(RuleSet const& rules, LotView const& lot) {
 
 }  // namespace
 
-std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
-                                   std::span<std::string const> names, std::span<double const> values) {
+std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<double const> values) {
   assert(names.size() == values.size());
   if (values.size() < num::fewest_for_outliers) return {};
   auto const [centre, scores] = num::modified_scores(values, property_error);
@@ -288,10 +287,9 @@ std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view u
     outliers.push_back({.device = names[i],
                         .value = values[i],
                         .score = score,
-                        .reason = fmt::format(
-                            "{} {} {} is {:.3g} % {} the median {}: modified z {:.1f}, above {}", quantity,
-                            number_text(values[i]), unit_text, 100.0 * std::abs(values[i] - centre) / std::abs(centre),
-                            values[i] > centre ? "above" : "below", number_text(centre), score, num::outlying_score)});
+                        .reason = fmt::format("{:.3g} % {} the median: modified z {:.1f}, above {}",
+                                              100.0 * std::abs(values[i] - centre) / std::abs(centre),
+                                              values[i] > centre ? "above" : "below", score, num::outlying_score)});
   }
   return outliers;
 }

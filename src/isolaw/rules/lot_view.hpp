@@ -24,14 +24,13 @@ struct Outlier {
   std::string device;
   double value = 0.0;
   double score = 0.0;  // modified z score
-  std::string reason;  // "K_eff 1.9 kN/mm is 58 % above the median 1.2: modified z 12.1, above 3.5"
+  std::string reason;  // "58 % above the median: modified z 12.1, above 3.5"
 };
 
 // Values whose modified z score (num/statistics.hpp) is above 3.5 in size. The standard deviation is taken as at least
 // 0.5 % of |median|, which is the error of a property from one record. Empty for fewer than
 // num::fewest_for_outliers values.
-std::vector<Outlier> find_outliers(std::string_view quantity, std::string_view unit_text,
-                                   std::span<std::string const> names, std::span<double const> values);
+std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<double const> values);
 
 // A bound holds for whatever the contract says, for a single device, or for the mean of all devices of the system.
 enum class Spread { contract, device, system };

@@ -1,4 +1,5 @@
-// What the properties and verdicts would be without the corrections that the user asked for, such as a moved force.
+// Computes the properties and verdicts that records would have without the corrections that the user asked for, such as
+// a moved force.
 #pragma once
 
 #include <vector>

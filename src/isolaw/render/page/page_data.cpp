@@ -100,8 +100,8 @@ void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& 
   out.end_array();
 }
 
-// What the laws were fitted to, or null if that is the whole record, and the large swings that laws predict from a fit
-// to the small ones.
+// Writes the parts of the record that the laws were fitted to, or null for the whole record, and the large swings that
+// laws predict from a fit to the small ones.
 void write_parts(JsonWriter& out, DeviceResult const& device) {
   auto const& record = device.record;
   out.key("scored");

@@ -39,12 +39,14 @@ std::string building_csv(building::Study const& study, building::Answers const& 
   return table.take();
 }
 
-std::string coverage_csv(building::Answers const& answers) {
+std::string coverage_csv(building::Study const& study, building::Answers const& answers) {
   CsvTable table;
   table.add("law", "draws", "quantity").head(coverage_columns).end_row();
   for (auto const& law : answers.laws)
     for (std::size_t i = 0; i < law.coverage.size(); ++i)
-      table.add(law.law, law.draws, law.coverage[i].quantity).cells(coverage_columns, law.coverage[i]).end_row();
+      table.add(law.law, law.draws, name_in(law.coverage[i].quantity, study.units()))
+          .cells(coverage_columns, law.coverage[i])
+          .end_row();
   return table.take();
 }
 

@@ -9,7 +9,7 @@ namespace isolaw::render {
 
 // A row for each law and quantity: bound and nominal analyses, fractiles of the draws, scatter by its causes.
 std::string building_csv(building::Study const& study, building::Answers const& answers);
-std::string coverage_csv(building::Answers const& answers);
+std::string coverage_csv(building::Study const& study, building::Answers const& answers);
 // A row for each law and motion, for the nominal building: implicit integration, checks, equivalent linear analysis.
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers);
 // The content of building_csv and coverage_csv, law by law.

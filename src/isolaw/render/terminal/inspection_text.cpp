@@ -231,7 +231,9 @@ void print_quantities(std::string& text, UnitSystem const& units, rules::LotView
   }
   for (auto const& q : lot.quantities)
     for (auto const& outlier : q.outliers)
-      add(text, "outlier: {}: {}\n", printable(outlier.device), printable(outlier.reason));
+      add(text, "outlier: {}: {} {} {}, {}\n", printable(outlier.device), rules::name(q.quantity),
+          number_text(shown_unit(q.unit, units).factor * outlier.value), shown_unit(q.unit, units).unit,
+          outlier.reason);
 }
 
 void print_factors(std::string& text, UnitSystem const& units, rules::LotView const& lot) {
