@@ -25,16 +25,27 @@ export function printFrame(view) {
   return frame !== null;
 }
 
-export const isFrame = (source) => [...document.querySelectorAll('iframe')].some(({ contentWindow }) => contentWindow === source);
+const reports = new WeakMap(); // frame -> {bytes, url}: its report, and the address that the link to a new tab has
+const frameOf = (source) => [...document.querySelectorAll('iframe')].find(({ contentWindow }) => contentWindow === source);
+export const isFrame = (source) => frameOf(source) !== undefined;
+
+// A report asks to be opened again in other units, which it cannot do itself. The address in a new tab stays.
+window.addEventListener('message', ({ source, data }) => {
+  const [, hash] = /^isolaw: open (#[^]*)$/.exec(data) ?? [];
+  const frame = frameOf(source);
+  if (!hash || !reports.has(frame)) return;
+  const { bytes, url } = reports.get(frame);
+  const [before] = frame.src.split('#');
+  frame.src = addressOf(bytes) + hash;
+  if (before === url) return;
+  URL.revokeObjectURL(before);
+  addresses.delete(before);
+});
 
 export function reportFrame(id, title, bytes, name, extra = []) {
   const url = addressOf(bytes);
   const frame = element('iframe', { id, title, src: url, sandbox: 'allow-scripts allow-downloads allow-modals' });
-  // The report asks to be opened again in other units, which it cannot do itself.
-  window.addEventListener('message', ({ source, data }) => {
-    const [, address] = /^isolaw: open (#[^]*)$/.exec(data) ?? [];
-    if (address && source === frame.contentWindow) frame.src = addressOf(bytes) + address;
-  });
+  reports.set(frame, { bytes, url });
   const tools = element(
     'div',
     { class: 'tools' },

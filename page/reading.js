@@ -2,7 +2,8 @@
 // a sketch of the loop. Beside each guess stands a button that leads to the field which changes it.
 
 import { button, element, visible } from './dom.js';
-import { DASH, fixed, isNumber, trimmed } from '../src/isolaw/render/page/script/text.js';
+import { svg } from '../src/isolaw/render/page/script/element.js';
+import { DASH, decoded, fixed, isNumber, trimmed } from '../src/isolaw/render/page/script/text.js';
 import { asText, fileOf } from './engine_use.js';
 import { state } from './state.js';
 import { text } from './text.js';
@@ -65,21 +66,9 @@ function curveOf(found) {
   return curves[state.inspection.devices.indexOf(found)];
 }
 
-const decoded = ({ o, s, d }) => {
-  let level = 0;
-  return d.map((step) => o + s * (level += step));
-};
-
 const WIDTH = 132,
   HEIGHT = 96,
   EDGE = 4;
-
-function svg(tag, attributes, ...children) {
-  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  node.append(...children);
-  return node;
-}
 
 // Draws force over displacement, with thin lines through zero.
 function sketch(raw, name) {

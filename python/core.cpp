@@ -61,6 +61,7 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
 struct Record {
   std::string name;
   data::TestRecord raw;
+  data::TestRecord uncorrected = {};  // `raw` without corrections by hand, if it has any and this is known
 };
 using RecordPtr = std::shared_ptr<Record>;
 
@@ -134,9 +135,14 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
   lay_over(data::reading_table(), given_of(data::reading_table(), how), options);
   options.corrections.validate();
   py::gil_scoped_release const released;
-  return std::make_shared<Record>(
+  auto record = std::make_shared<Record>(
       Record{.name = name.value_or(printable(file.stem().string())),
              .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
+  if (data::is_corrected(record->raw)) try {
+      record->uncorrected = data::read_record(file, *data::without_corrections(options));
+    } catch (Error const&) {  // reports then say that it is not known
+    }
+  return record;
 }
 
 // Reads how the caller gives a compression test: as a file, as K_v in kN/mm, or as a dict with file, loads and keywords
@@ -479,7 +485,7 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
   std::vector<campaign::NamedRecord> named;
   for (auto const& record : records) {
     if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
-    named.push_back({.name = record->name, .record = record->raw, .info = {}});
+    named.push_back({.name = record->name, .record = record->raw, .uncorrected = record->uncorrected});
     auto& raw = named.back().record;
     auto const last_part = [](std::string const& file) {
       return printable(std::filesystem::path(file).filename().string());
@@ -702,15 +708,20 @@ void add_records(py::module_& m) {
   m.def(
       "same_device",
       [](std::vector<RecordPtr> const& tests, std::optional<std::string> const& name) {
-        std::vector<data::NamedTest> named;
+        std::vector<data::NamedTest> named, uncorrected;
         for (auto const& test : tests) {
           if (test->raw.force_kN.empty())
             throw Error({.where = test->name, .found = "a motion without force", .allowed = "a record of a test"});
           named.push_back({.name = test->name, .record = test->raw});
+          bool const is_known = test->uncorrected.size() > 0;
+          if (is_known || !data::is_corrected(test->raw))
+            uncorrected.push_back({.name = test->name, .record = is_known ? test->uncorrected : test->raw});
         }
         if (named.empty())
           throw Error({.where = "records", .found = "there are none", .allowed = "one record or more"});
         auto record = std::make_shared<Record>(Record{.name = {}, .raw = data::record_of_tests(std::move(named))});
+        if (data::is_corrected(record->raw) && uncorrected.size() == tests.size())
+          record->uncorrected = data::record_of_tests(std::move(uncorrected));
         record->name =
             name.value_or(tests.size() == 1 ? tests.front()->name : campaign::name_of_tests(record->raw.tests));
         return record;
@@ -806,7 +817,7 @@ void add_campaigns(py::module_& m) {
            [](Campaign const& c, std::string const& device) {
              auto const& one = c.contents.devices[c.device(device)];
              if (!one.usable()) throw Error({.where = "device '" + device + "'", .found = one.refusal});
-             return std::make_shared<Record>(Record{.name = one.name, .raw = one.raw});
+             return std::make_shared<Record>(Record{.name = one.name, .raw = one.raw, .uncorrected = one.uncorrected});
            })
       .def("fit_channel",
            [](py::object self, std::string const& device, std::string const& channel) {

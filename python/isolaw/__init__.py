@@ -423,6 +423,7 @@ def calibrate(
     coupled two-dimensional form. settings() lists all of these with their limits.
     rules: the rule set to compare the tests with, by name or as a file. design: design values, as a dict or as text:
     ``{"K_eff": 1.2, "damping": 15}``. lot_size: number of devices of the production lot, tested or not.
+    report_units: units of what reports show. letterhead: a file with the laboratory's letterhead for the certificate.
     vertical: compression tests, a dict by device name: a file, K_v in kN/mm, or a dict with ``file``, ``loads``
     (``"300:1000"``, in kN) and keywords of read_motion. If a test gives no stiffness, the summary says why.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where

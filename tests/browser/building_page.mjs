@@ -1,7 +1,7 @@
 // Opens the page of a made-up building in headless Chromium. There must be no script error and no request to the
 // network. Every figure must be drawn and must follow the reader's choices, the page must fit into its window, and the
 // verdict must appear without scrolling and after few words. The test also checks the printed page and the rules of
-// axe-core.
+// axe-core, and compares the page in other units with the page in kN and mm.
 //   node building_page.mjs MAKE_BUILDING [CHROMIUM]
 // ISOLAW_SCREENSHOTS=DIR saves a picture of every case. With ISOLAW_BUILDING_PAGE=FILE the test opens that page
 // instead.
@@ -11,6 +11,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { Chromium } from './chromium.mjs';
+import { compareUnits, shownInUnits } from './other_units.mjs';
 
 const [makeBuilding, program] = process.argv.slice(2);
 if (!program || !existsSync(program)) {
@@ -36,7 +37,7 @@ async function look({ print }) {
   const words = [];
   const walker = document.createTreeWalker(document.body, 4);
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-    if (/^(SCRIPT|STYLE|OPTION)$/.test(node.parentNode.nodeName) || node.parentNode.closest('.plot, noscript, .skip')) continue;
+    if (/^(SCRIPT|STYLE|OPTION)$/.test(node.parentNode.nodeName) || node.parentNode.closest('.plot, .units, noscript, .skip')) continue;
     const range = document.createRange();
     range.selectNodeContents(node);
     const box = range.getBoundingClientRect();
@@ -154,6 +155,26 @@ try {
       writeFileSync(join(pictures, 'building-' + one.name + '.png'), Buffer.from(data, 'base64'));
     }
     await page.close();
+  }
+  const url = pathToFileURL(given ?? written.get(2)).href;
+  // Other units stay in the address after a link of the contents, and other units in the address load the page again.
+  const page = await browser.open(url + '#verdict?units=kip-in', CASES[0]);
+  const address = await page.evaluate("document.querySelector('#contents a:nth-child(3)').click(); new Promise((done) => setTimeout(() => done(location.hash), 100))");
+  if (address !== '#variance?units=kip-in') failures.push('after a link of the contents the address is ' + address);
+  await page.evaluate("document.querySelector('.units [value=N-m]').click()");
+  let units = '';
+  for (let i = 0; i < 100 && units !== '#variance?units=N-m N-m'; ++i) {
+    await new Promise((done) => setTimeout(done, 50));
+    // Empty while the page loads.
+    units = await page.evaluate("location.hash + ' ' + document.querySelector('.units [aria-pressed=true]').value").catch(() => '');
+  }
+  if (units !== '#variance?units=N-m N-m') failures.push('after N-m was pressed the page shows ' + units);
+  await page.close();
+  const stored = await shownInUnits(browser, url, 'kN-mm');
+  for (const units of ['N-m', 'kip-in']) {
+    const { compared, failures: contradictions } = compareUnits(stored, await shownInUnits(browser, url, units), units);
+    failures.push(...contradictions);
+    if (compared < 200) failures.push(`only ${compared} numbers were compared in ${units}`);
   }
 } finally {
   await browser.close();

@@ -37,11 +37,13 @@ function reportAsShown() {
   return report;
 }
 
-// Returns a sentence of the program as the page shows it, with symbols such as K_eff and minus signs typeset. This function runs in the
-// page.
+// Returns a sentence of the program as the page shows it, with symbols such as K_eff and minus signs typeset. This
+// function runs in the page.
 function asSet(text) {
   const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;
-  return text.replace(/(^|[\s(])-(?=\d)/g, '$1\u2212').replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));
+  return text
+    .replace(/(^|[\s(])-(?=\d)/g, '$1\u2212')
+    .replace(/(?<![\w./-])[A-Za-z]\w*(?![\w/-]|[.]\w)/g, (word) => (Object.hasOwn(words, word) ? words[word].join('') : word));
 }
 
 export class Chromium {

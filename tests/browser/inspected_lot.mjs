@@ -1,6 +1,6 @@
 // Opens the page that `isolaw inspect` writes for a lot of four records. One record is a copy of another, and one is
 // cut off early. The test checks what the certificate says of the copy, and that a window of 1280 pixels shows all
-// columns of the tables.
+// columns of the tables. In a second lot the records have two amplitudes, of which the design displacement chooses one.
 //   node inspected_lot.mjs ISOLAW [CHROMIUM]
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -16,11 +16,11 @@ if (!program || !existsSync(program)) {
 }
 
 // Returns the record of a bilinear device as CSV: 0.5 kN/mm after yielding at 10 mm, the given strength in kN, cycles
-// of 100 mm at 0.5 Hz.
-function record(samples, strength) {
+// at 0.5 Hz, of 100 mm unless `amplitude` gives another one for a sample.
+function record(samples, strength, amplitude = () => 100) {
   const rows = ['time [s],displacement [mm],force [kN]'];
   for (let i = 0, z = 0, before = 0; i < samples; ++i) {
-    const x = 100 * Math.sin((2 * Math.PI * i) / 200);
+    const x = amplitude(i) * Math.sin((2 * Math.PI * i) / 200);
     z = Math.min(1, Math.max(-1, z + (x - before) / 10));
     before = x;
     rows.push([0.01 * i, x, 0.5 * x + strength * z].map((value) => value.toFixed(5)).join());
@@ -48,21 +48,30 @@ const expect = (holds, what) => {
 const directory = mkdtempSync(join(tmpdir(), 'isolaw-browser-')),
   browser = new Chromium(program);
 try {
-  const files = { a: record(601, 20), b: record(601, 22), cut: record(120, 20), twin: record(601, 20) };
-  const inputs = Object.entries(files).map(([name, text]) => {
-    writeFileSync(join(directory, name + '.csv'), text);
-    return join(directory, name + '.csv');
-  });
-  const design = ['--rules', 'ntc-2018', '--design', 'K_eff=0.7,damping=17,disp=100,frequency=0.5'];
-  execFileSync(isolaw, ['inspect', ...inputs, ...design, '--out', directory], { stdio: ['ignore', 'ignore', 'inherit'] });
-  const page = await browser.open(pathToFileURL(join(directory, 'inspection.html')).href, { width: 1280, height: 800 });
-  const { facts, rows, cut } = await page.evaluate(`(${look})()`);
+  const inspected = async (files, design) => {
+    const out = join(directory, Object.keys(files).join('-'));
+    const inputs = Object.entries(files).map(([name, text]) => {
+      writeFileSync(join(directory, name + '.csv'), text);
+      return join(directory, name + '.csv');
+    });
+    execFileSync(isolaw, ['inspect', ...inputs, ...design, '--out', out], { stdio: ['ignore', 'ignore', 'inherit'] });
+    const page = await browser.open(pathToFileURL(join(out, 'inspection.html')).href, { width: 1280, height: 800 });
+    return page.evaluate(`(${look})()`);
+  };
+  const { facts, rows, cut } = await inspected(
+    { a: record(601, 20), b: record(601, 22), cut: record(120, 20), twin: record(601, 20) },
+    ['--rules', 'ntc-2018', '--design', 'K_eff=0.7,damping=17,disp=100,frequency=0.5'],
+  );
   expect(!('Blocks tested' in facts), `blocks tested: ${facts['Blocks tested']}, of one amplitude`);
   expect(/100\.0\smm/.test(facts.Conditions), 'conditions ' + facts.Conditions);
   expect(facts.Test === 'cyclic shear of 3 devices', 'test: ' + facts.Test);
   expect(/pass on/.test(rows.a), 'a: ' + rows.a);
   expect(/not assessedthe same record as a/.test(rows.twin) && !/pass/.test(rows.twin), 'twin: ' + rows.twin);
   expect(cut.length === 0, 'cut off at 1280: ' + cut.join('; '));
+  // At 60 mm the stiffness is 0.5 + 20 / 60 kN/mm, and at 100 mm it is 0.7 kN/mm.
+  const twoSteps = (strength) => record(1201, strength, (i) => (i < 600 ? 60 : 100));
+  const chosen = await inspected({ c: twoSteps(20), d: twoSteps(22) }, ['--design', 'disp=60']);
+  expect(/60\.0\smm/.test(chosen.facts.Conditions) && /0\.833/.test(chosen.rows.c), `conditions ${chosen.facts.Conditions}, values ${chosen.rows.c}`);
 } finally {
   await browser.close();
   rmSync(directory, { recursive: true, force: true });

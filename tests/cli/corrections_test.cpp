@@ -132,6 +132,29 @@ TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   EXPECT_TRUE(contains(isolaw({"report", "O", "--details"}).out, "The verdict rests on the corrections by hand of"));
 }
 
+// A force so late that the device seems to give energy back is refused as read, but a correction makes it a record.
+TEST_F(Corrections, make_a_record_usable_that_would_be_refused_without_them) {
+  write("rig.csv", rig_record({.late_s = 0.040}));
+  EXPECT_NE(isolaw({"inspect", "rig.csv"}).code, 0);
+  auto const device = inspected({"rig.csv", "--skew-ms", "40"});
+  expect_device(device);
+  auto const text = device["findings"].dump();
+  EXPECT_TRUE(contains(text, "without the corrections by hand there would be no properties")) << text;
+  EXPECT_TRUE(contains(text, "gives back")) << text;
+}
+
+// A device without a complete cycle has no values to compare, but its corrections are named all the same.
+TEST_F(Corrections, of_a_record_without_a_cycle_are_named_with_the_verdict) {
+  auto rows = rig_record({.late_s = 0.0125});
+  std::size_t end = 0;
+  for (int line = 0; line < 150; ++line) end = rows.find('\n', end) + 1;
+  write("short.csv", rows.substr(0, end));
+  auto const text = isolaw({"inspect", "short.csv", "--skew-ms", "12.5", "--rules", "ntc-2018", "--design",
+                            "K_eff=0.8,damping=3.9,disp=100", "--lot-size", "1", "--details"})
+                        .out;
+  EXPECT_FALSE(contains(text, "by hand of  the")) << text;
+}
+
 // A factor of the force says what the rig measures, so it stays in "without corrections". A repair that found no spike
 // corrected nothing.
 TEST_F(Corrections, a_factor_and_a_repair_of_nothing_change_no_verdict) {

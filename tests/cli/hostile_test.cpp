@@ -216,7 +216,7 @@ TEST_F(Hostile, lot_file_cannot_read_outside_its_folder) {
     write("lot/lot.toml", "[[device]]\nname = \"a\"\nfile = \"" + file + "\"\n");
     expect_refused(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O"} + smallest_search),
                    {"lot/lot.toml:3: file: '", "leads outside, to " + fs::canonical(path("secret.csv")).string(),
-                    "allowed: files in the folder of the lot file or below it", "--allow-outside"});
+                    "allowed: a file in the folder of the lot file or below it", "--allow-outside"});
     EXPECT_FALSE(exists("O"));
   }
   EXPECT_EQ(isolaw(Words{"calibrate", "lot/lot.toml", "--out", "O", "--allow-outside"} + smallest_search).code, 0);

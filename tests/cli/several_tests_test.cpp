@@ -46,7 +46,8 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
   auto const page = page_data(read("O/report.html"));
   auto const& device = page["devices"][0];
   ASSERT_FALSE(device["large_swings"].empty());
-  double const begin = device["tests"].size() == 2 ? 6.0 : 0.0;  // s, the length of the first test
+  ASSERT_EQ(device["tests"].size(), 2u);
+  double const begin = 6.0;  // s, the length of the first test
   for (auto const& range : device["large_swings"]) EXPECT_GE(range["from"].get<double>(), begin);
   for (auto const& law : page["laws"]) {
     auto const& fit = law["devices"][0];

@@ -130,10 +130,11 @@ const tests = {
     equal(await inFrameUntil(page, "document.body.dataset.errors !== undefined && 'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     expect((await page.inFrame('origin')) === 'null', 'the frame has an origin apart');
     // The report in the frame cannot load itself in other units. The page opens it again.
-    await page.inFrame("(() => { const units = document.getElementById('units'); units.value = 'kip-in'; units.dispatchEvent(new Event('change')); return true; })()");
-    await inFrameUntil(page, "location.hash.includes('units=kip-in') && document.getElementById('units').value === 'kip-in' && /kip/.test(document.body.textContent)", 'the report in kip and in');
-    await page.inFrame("(() => { const units = document.getElementById('units'); units.value = 'kN-mm'; units.dispatchEvent(new Event('change')); return true; })()");
-    await inFrameUntil(page, "document.getElementById('units').value === 'kN-mm' && document.querySelectorAll('.plot .main-svg').length > 0", 'the report in kN and mm again');
+    const units = '.units [aria-pressed=true]';
+    for (const [id, words] of [['kip-in', /kip/], ['N-m', /N\/m/], ['kN-mm', /kN\/mm/]]) {
+      await page.inFrame(`document.querySelector('.units [value=${id}]').click()`);
+      await inFrameUntil(page, `document.querySelector('${units}')?.value === '${id}' && ${words}.test(document.body.textContent) && document.querySelectorAll('.plot .main-svg').length > 0`, 'the report in ' + id);
+    }
     await page.press('show-save');
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),

@@ -61,6 +61,16 @@ class Campaigns(InFolder):
             self.assertEqual(law["objective"], printed["objective"])
             self.assertEqual(law["beta"], printed["beta"])
 
+    def test_corrections_are_known_with_the_campaign(self):
+        how = {"rules": "ntc-2018", "design": {"K_eff": 0.8, "damping": 16.0, "disp": 100.0}, "lot_size": 2}
+        records = [isolaw.read_record(file, skew_ms=20.0) for file in self.files]
+        warned = str(isolaw.calibrate(records, "bilinear", runs=1, analysis=False, **how).summary["warnings"])
+        self.assertRegex(warned, "corrections by hand of a and b[. ]")
+        one = isolaw.read_record(self.files[0], skew_ms=20.0)
+        two = isolaw.same_device([one, isolaw.read_record(self.files[1])], name="both")
+        warned = str(isolaw.calibrate([two], "bilinear", runs=1, analysis=False, **how).summary["warnings"])
+        self.assertRegex(warned, "corrections by hand of both[. ]")
+
     def test_a_directory_is_written_and_loaded(self):
         out = self.path / "P"
         campaign = isolaw.calibrate(self.files, LAWS, runs=2, seed=7, replicates=0, title="r", out=out)

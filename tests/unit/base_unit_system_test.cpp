@@ -22,24 +22,25 @@ TEST(ShownUnit, ConvertsForcesLengthsAndTheirProducts) {
                                               {"kN m", "kip-in", 1000.0 / (25.4 * 4.4482216152605)},
                                               {"mm^2", "in^2", 1.0 / (25.4 * 25.4)},
                                               {"mm/s", "in/s", 1.0 / 25.4},
-                                              {"MPa", "ksi", 0.145037737730209},
-                                              {"N/m^3", "kip/in^3", 1e-3 / 4.4482216152605 * 0.0254 * 0.0254 * 0.0254},
-                                              {"1/(N cm)", "1/(kip-in)", 4448.2216152605 * 2.54},
-                                              {"kN s/mm", "kip-s/in", 25.4 / 4.4482216152605}}) {
+                                              {"mm/s^2", "in/s^2", 1.0 / 25.4},
+                                              {"MPa", "ksi", 0.145037737730209}}) {
     auto const found = shown_unit(stored, imperial);
     EXPECT_EQ(found.unit, shown) << stored;
     EXPECT_NEAR(found.factor / factor, 1.0, 1e-12) << stored;
   }
   EXPECT_EQ(shown_unit("kN/mm", si).unit, "N/m");
   EXPECT_NEAR(shown_unit("kN/mm", si).factor, 1e6, 1e-6);
+  EXPECT_EQ(shown_unit("kN m", si).unit, "N m");
+  EXPECT_NEAR(shown_unit("kN m", si).factor, 1e3, 1e-9);
+  EXPECT_EQ(shown_unit("MPa", si).unit, "MPa");
 }
 
 TEST(ShownUnit, LeavesTheUnitsOfRecordsAndOtherQuantities) {
-  for (auto const* unit : {"kN/mm", "N/m^3", "mm"}) {
+  for (auto const* unit : {"kN/mm", "MPa", "mm"}) {
     EXPECT_EQ(shown_unit(unit, record_units).unit, unit);
     EXPECT_EQ(shown_unit(unit, record_units).factor, 1.0);
   }
-  for (auto const* unit : {"%", "Hz", "s", "-", "", "1/mm^n", "mrad", "g", "MN"}) {
+  for (auto const* unit : {"%", "Hz", "s", "-", "", "mrad", "g"}) {
     EXPECT_EQ(shown_unit(unit, imperial).unit, unit);
     EXPECT_EQ(shown_unit(unit, imperial).factor, 1.0) << unit;
   }

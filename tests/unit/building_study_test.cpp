@@ -410,7 +410,7 @@ TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
 }
 
 TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
-  Coverage c{.quantity = "isolator_mm", .factor_low = 0.94, .factor_high = 1.06, .not_monotonic = {}};
+  Coverage c{.quantity = "isolator_mm", .factor_low = 0.94, .factor_high = 1.06};
   EXPECT_EQ(text_of(covering_factors(c)), "factors of 0.94 and 1.06 would cover 95 %");
   c.factor_low = 0.98, c.factor_high = 1.02;
   EXPECT_EQ(text_of(covering_factors(c)), "factors within 2 % of 1, the step of the search, would cover 95 %");

@@ -255,7 +255,7 @@ TEST_F(LotFileTest, DevicesThatAreNoneHaveTheirLine) {
 // --- lot files that may do harm ---
 
 TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
-  std::string const rest = "files in the folder of the lot file or below it";
+  std::string const rest = "a file in the folder of the lot file or below it";
   std::filesystem::create_directory_symlink("/", folder / "link");
   for (std::string const file : {"../b.csv", "sub/../../b.csv", "/etc/passwd", "link/etc/passwd"})
     expect_parts(complaints("[[device]]\nname = \"A\"\nfile = \"" + file + "\"\n"),

@@ -1,18 +1,10 @@
 #include "isolaw/api/calibrate.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/api/letterhead.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/base/file.hpp"
-#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/render/write.hpp"
@@ -21,48 +13,7 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
-namespace {
-
-std::string base64(std::string_view bytes) {  // RFC 4648, with padding
-  constexpr std::string_view signs = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    auto const byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U; };
-    unsigned const three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (unsigned k = 0; k < 4; ++k) text += i + k <= bytes.size() ? signs[three >> (18U - 6U * k) & 63U] : '=';
-  }
-  return text;
-}
-
-// Returns the letterhead's picture as a data: address, or its lines of text.
-std::string load_letterhead(std::string const& file) {
-  constexpr std::size_t largest_bytes = 1'000'000;
-  constexpr std::string_view allowed = "a file .svg, .png, .jpg or .txt";
-  constexpr std::pair<std::string_view, std::string_view> pictures[]{
-      {".svg", "image/svg+xml"}, {".png", "image/png"}, {".jpg", "image/jpeg"}, {".jpeg", "image/jpeg"}};
-  auto const ending = lower(std::filesystem::path(file).extension().string());
-  auto const picture = std::ranges::find(pictures, ending, &std::pair<std::string_view, std::string_view>::first);
-  bool const is_text = ending == ".txt";
-  if (picture == std::end(pictures) && !is_text)
-    throw Error({.where = "--letterhead", .found = in_quotes(file), .allowed = std::string(allowed)});
-  auto const bytes =
-      read_file(file, {.largest_bytes = largest_bytes, .allowed = allowed, .when_too_large = "a smaller file"});
-  constexpr long most_lines = 12;
-  bool const is_whole = is_text            ? std::ranges::count(bytes, '\n') <= most_lines
-                        : ending == ".svg" ? bytes.find("<svg") != std::string::npos
-                        : ending == ".png" ? bytes.starts_with("\x89PNG")
-                                           : bytes.starts_with("\xFF\xD8");
-  if (!is_whole)
-    throw Error({.where = "--letterhead",
-                 .found = in_quotes(file) + (is_text ? " has more than 12 lines" : " holds no such picture"),
-                 .allowed = std::string(allowed) + ", text of at most 12 lines"});
-  if (is_text) return bytes.substr(0, bytes.find_last_not_of(" \t\r\n") + 1);
-  return fmt::format("data:{};base64,{}", picture->second, base64(bytes));
-}
-
-}  // namespace
-
-void load_rules(campaign::Acceptance& acceptance) {
+void complete_acceptance(campaign::Acceptance& acceptance) {
   auto& text = acceptance.rules;
   auto const& name = acceptance.rules_file;
   if (text.empty() && !name.empty()) text = rules::load_rule_text(name);
@@ -95,7 +46,7 @@ Calibrated calibrate(std::vector<campaign::NamedRecord> records, campaign::Setti
   auto contents = campaign::prepare(std::move(records), settings, options.title);
   contents.acceptance = options.acceptance;
   contents.part = options.part;
-  load_rules(contents.acceptance);
+  complete_acceptance(contents.acceptance);
   // Throws before the long search if the rule set or the design values do not suit the lot.
   if (contents.acceptance != campaign::Acceptance{}) study::build_summary(contents);
   if (!options.directory) {

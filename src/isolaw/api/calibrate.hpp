@@ -18,7 +18,8 @@ struct CalibrateOptions {
   std::optional<std::filesystem::path> directory = {};  // for store and reports; if empty, none are kept
   bool fresh = false;                                   // discards a campaign that the directory holds
   std::string title = {};                               // title of the lot in the reports
-  campaign::Acceptance acceptance = {};     // rule set and design values that the tests are judged by; see load_rules()
+  campaign::Acceptance acceptance =
+      {};  // rule set and design values that the tests are judged by; see complete_acceptance()
   std::optional<campaign::Part> part = {};  // computes only this share of the runs, for merge(); needs a directory
 };
 
@@ -26,8 +27,9 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
   Continued continued = {};
 };
 
-// Reads the text of the rule set if only its name is given. Throws Error if it or the design values are wrong.
-void load_rules(campaign::Acceptance& acceptance);
+// Reads the rule set and the letterhead if only the names of their files are given. Throws Error if one of them or the
+// design values are wrong.
+void complete_acceptance(campaign::Acceptance& acceptance);
 // Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
 // except for a part. Returns what the store then holds, which is incomplete after an interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,

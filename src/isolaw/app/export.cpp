@@ -38,7 +38,7 @@ int export_law(ExportArguments const& a) {
     subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
   }
   auto const exported = programs::write_export(subject, target, units, a.anyway);
-  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law))
+  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     say("warning: {}\n", printable(warning));
   for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
   if (subject.model)

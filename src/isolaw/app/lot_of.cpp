@@ -135,7 +135,7 @@ void apply(Values const& given, campaign::DeviceInput& device) {
 
 void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
-  load_rules(acceptance);
+  complete_acceptance(acceptance);
   if (acceptance.design.empty()) return;
   if (acceptance.rules.empty()) {
     std::vector<std::string> sets;

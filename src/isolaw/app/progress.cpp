@@ -53,7 +53,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
                           progress.total, what);
   if (!progress.law.empty()) line += " " + std::string(laws::called(progress.law));
   if (!progress.device.empty()) line += " on " + printable(progress.device);
-  // A name is cut between its letters, so that the line never breaks.
+  // A line of more than 80 columns would be tiring to read. The line never breaks: a name is cut between its letters.
   auto const width = std::min(terminal_width(STDERR_FILENO), 80) - 1;
   std::size_t end = 0;
   for (int letters = 0; letters < width && end < line.size(); ++letters)

@@ -50,9 +50,9 @@ struct ShownUnit {
   // The number of decimals that shows a converted value as precisely as `decimals` show it before.
   int decimals(int decimals) const;
 };
-// The unit in `system` of values whose unit is `unit`: "kip/in" for "kN/mm", "in" for "mm". Laws have other units of
-// force and length ("N/m^3"), which are converted as well. The system of the records leaves every unit as it is, and
-// every system leaves a unit without force and length ("%", "Hz"), and one whose power is no number ("1/mm^n").
+// The unit in `system` of values whose unit is `unit`, one of result_units: "kip/in" for "kN/mm", "in" for "mm". In N and
+// m a pressure stays in MPa. The system of the records leaves every unit as it is, and every system leaves a unit
+// without force and length ("%", "Hz").
 ShownUnit shown_unit(std::string_view unit, UnitSystem const& system);
 
 // The unit with which the name of a number ends: "kN/mm" for "K_eff_kN_per_mm"; "" if it ends with no unit of force or
@@ -60,15 +60,20 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system);
 std::string_view unit_of_name(std::string_view name);
 // The name of a number after its value was converted: "isolator_in" for "isolator_mm".
 std::string name_in(std::string_view name, UnitSystem const& system);
-// The endings of names and their units, the longest endings first.
-inline constexpr std::array<std::array<std::string_view, 2>, 9> unit_endings{{{"_kN_per_mm", "kN/mm"},
-                                                                              {"_kN_mm", "kN mm"},
-                                                                              {"_kNm", "kN m"},
-                                                                              {"_mm_s2", "mm/s^2"},
-                                                                              {"_mm_s", "mm/s"},
-                                                                              {"_mm2", "mm^2"},
-                                                                              {"_MPa", "MPa"},
-                                                                              {"_kN", "kN"},
-                                                                              {"_mm", "mm"}}};
+// A unit of results: how names of such results end, the unit's text with F for the force and L for the length, and
+// what it is: scale kN^force mm^length. Longer endings come first.
+struct ResultUnit {
+  std::string_view ending, unit, form;
+  double force, length, scale = 1.0;
+};
+inline constexpr std::array result_units{ResultUnit{"_kN_per_mm", "kN/mm", "F/L", 1.0, -1.0},
+                                         ResultUnit{"_kN_mm", "kN mm", "F L", 1.0, 1.0},
+                                         ResultUnit{"_kNm", "kN m", "F L", 1.0, 1.0, 1e3},
+                                         ResultUnit{"_mm_s2", "mm/s^2", "L/s^2", 0.0, 1.0},
+                                         ResultUnit{"_mm_s", "mm/s", "L/s", 0.0, 1.0},
+                                         ResultUnit{"_mm2", "mm^2", "L^2", 0.0, 2.0},
+                                         ResultUnit{"_MPa", "MPa", "ksi", 1.0, -2.0, 1e-3},
+                                         ResultUnit{"_kN", "kN", "F", 1.0, 0.0},
+                                         ResultUnit{"_mm", "mm", "L", 0.0, 1.0}};
 
 }  // namespace isolaw

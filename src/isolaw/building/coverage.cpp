@@ -11,7 +11,7 @@ namespace isolaw::building {
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
                  Settings const& settings, std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
-  Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}, .not_monotonic = {}};
+  Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}};
   constexpr double rounding = 1e-9;  // relative tolerance, so that equal responses count as monotonic
   if (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most)) {
     coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,

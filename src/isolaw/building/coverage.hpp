@@ -27,7 +27,7 @@ struct Coverage {
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic;
+  std::string not_monotonic = {};  // its remark, in kN and mm
 };
 Finding covering_factors(Coverage const& coverage);
 

@@ -136,7 +136,7 @@ struct Acceptance {
   std::string design;                // "K_eff=1.2,damping=15"; empty if there are no design values
   std::optional<int> lot_size;       // number of devices in the production lot, tested or not
   std::string letterhead = {};       // a picture as a data: address, or lines of text; empty if there is none
-  std::string letterhead_file = {};  // name or path of the letterhead
+  std::string letterhead_file = {};  // name or path of its file
   std::string_view report_units = record_units.id;  // id of the unit system in which reports show values
 
   bool operator==(Acceptance const&) const = default;

@@ -63,6 +63,15 @@ void require_rules(TomlTable& table, toml::node const& node, std::string const& 
                    "a name that isolaw rules lists, or a file in the folder of the lot file or below it");
 }
 
+// A complaint about a file that is not in the folder of the lot file or below it.
+std::optional<Complaint> outside_of(std::filesystem::path const& directory, std::string const& name) {
+  auto const place = leads_outside(directory / name, directory);
+  if (!place) return std::nullopt;
+  return Complaint{.found = fmt::format("{} leads outside, to {}", in_quotes(name), place->generic_string()),
+                   .allowed = "a file in the folder of the lot file or below it",
+                   .advice = "copying the file there, or --allow-outside on the command line"};
+}
+
 void read_acceptance(TomlTable& table, std::filesystem::path const& directory, LotFileOptions const& options,
                      Lot& lot) {
   auto& acceptance = lot.acceptance;
@@ -75,14 +84,9 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
       for (auto const& complaint : error.complaints())
         table.complain(*design, "design: " + complaint.found, complaint.allowed, complaint.advice);
     }
-  if (auto const* letterhead = table.find("letterhead"); letterhead != nullptr) {
-    auto& file = acceptance.letterhead_file;
-    auto const outside = options.allow_outside ? std::nullopt : leads_outside(directory / file, directory);
-    if (outside)
-      table.complain(*letterhead,
-                     fmt::format("letterhead: {} leads outside, to {}", in_quotes(file), outside->generic_string()),
-                     "a file in the folder of the lot file or below it",
-                     "copying the file there, or --allow-outside on the command line");
+  if (auto& file = acceptance.letterhead_file; !file.empty()) {
+    if (auto const outside = options.allow_outside ? std::nullopt : outside_of(directory, file))
+      table.complain(*table.find("letterhead"), "letterhead: " + outside->found, outside->allowed, outside->advice);
     file = (directory / file).string();
   }
   auto const* rules = table.find("rules");
@@ -93,10 +97,8 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
   if (!lot.rules_are_file) return;
   if (options.allow_outside) return require_rules(table, *rules, name, acceptance.rules_file, options);
   // A path that leads outside is refused whether or not the file exists, so a lot file cannot probe for files.
-  if (auto const outside = leads_outside(directory / name, directory))
-    table.complain(*rules, fmt::format("rules: {} leads outside, to {}", in_quotes(name), outside->generic_string()),
-                   "a built-in rule set, or a file in the folder of the lot file or below it",
-                   "copying the file there, or --allow-outside on the command line");
+  if (auto const outside = outside_of(directory, name))
+    table.complain(*rules, "rules: " + outside->found, "a built-in rule set, or " + outside->allowed, outside->advice);
   else
     require_rules(table, *rules, name, acceptance.rules_file, options);
 }
@@ -226,11 +228,8 @@ class DeviceReader {
 
  private:
   void check_inside(std::string const& name) const {
-    if (auto const outside = options_.allow_outside ? std::nullopt : leads_outside(directory_ / name, directory_))
-      throw Error({.where = {},
-                   .found = fmt::format("{} leads outside, to {}", in_quotes(name), outside->generic_string()),
-                   .allowed = "files in the folder of the lot file or below it",
-                   .advice = "copying the record there, or --allow-outside on the command line"});
+    if (auto const outside = options_.allow_outside ? std::nullopt : outside_of(directory_, name))
+      throw Error(*outside);
   }
 
   static std::string name_in(TomlTable& table) {

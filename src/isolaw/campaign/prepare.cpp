@@ -101,24 +101,23 @@ data::TestRecord read_tests(DeviceInput const& input) {
   return data::record_of_tests(std::move(tests));
 }
 
-// Reads a device's tests without the corrections by hand, but keeps the factor of the force, which says what the rig
-// measures. Returns an empty record if there are no corrections.
+// Reads the files of a device's tests a second time, without the corrections by hand. Returns an empty record if this
+// fails.
 data::TestRecord read_uncorrected(DeviceInput input) {
-  bool any = false;
-  for (auto& test : input.tests) {
-    auto& corrections = test.read.corrections;
-    data::Corrections const kept{.force_factor = corrections.force_factor};
-    any = any || corrections != kept;
-    corrections = kept;
+  for (auto& test : input.tests)
+    if (auto as_it_is = data::without_corrections(test.read)) test.read = *std::move(as_it_is);
+  try {
+    return read_tests(input);
+  } catch (Error const&) {
+    return {};  // FindingKind::uncorrected_not_known says so
   }
-  return any ? read_tests(input) : data::TestRecord();
 }
 
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = input.name, .file = input.shown_file(), .info = input.info};
   try {
     device.raw = read_tests(input);
-    device.uncorrected = read_uncorrected(input);
+    if (data::is_corrected(device.raw)) device.uncorrected = read_uncorrected(input);
     clean(device, cleaning, false_signals);
     show_files(device.raw.recognised, input.directory);
     show_files(device.raw.warnings, input.directory);
@@ -128,7 +127,7 @@ Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleani
     for (auto& complaint : device.complaints)
       for (auto* part : {&complaint.where, &complaint.found, &complaint.allowed, &complaint.advice})
         *part = with_shown_files(std::move(*part), input.directory);
-    device.raw = {};
+    device.raw = device.uncorrected = {};
     device.raw.sha256 = hash_of_files(input);
   }
   device.raw.file = device.file;
@@ -177,7 +176,8 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   Device device{.name = std::move(given.name),
                 .file = given.record.file,
                 .info = std::move(given.info),
-                .raw = std::move(given.record)};
+                .raw = std::move(given.record),
+                .uncorrected = std::move(given.uncorrected)};
   device.vertical = prepare_vertical(given.vertical, {});
   try {
     clean(device, cleaning, FalseSignals::refused);

@@ -20,6 +20,7 @@ Contents prepare(Lot const& lot);
 struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
+  data::TestRecord uncorrected = {};  // `record` without corrections by hand, if it has any and this is known
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };

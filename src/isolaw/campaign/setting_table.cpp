@@ -30,6 +30,7 @@ constexpr std::pair<std::string_view, bool> analyses[]{{"full", true}, {"none", 
 constexpr std::pair<std::string_view, std::string_view> unit_ids[]{{unit_systems[0].id, unit_systems[0].id},
                                                                    {unit_systems[1].id, unit_systems[1].id},
                                                                    {unit_systems[2].id, unit_systems[2].id}};
+static_assert(std::size(unit_ids) == unit_systems.size());
 constexpr std::pair<std::string_view, bool> in_the_plane[]{{"none", false}, {"springs", true}};
 
 void set_laws(S& s, Json const& value) {

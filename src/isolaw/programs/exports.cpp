@@ -111,7 +111,7 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
                  .found = joined(to_form, "; "),
                  .allowed = "a form that is near to the law",
                  .advice = fmt::format("{}; or --anyway", the_law_itself)});
-  if (subject.doubts.objection) result.let_through.push_back(wording::remark(*subject.doubts.objection));
+  if (subject.doubts.objection) result.let_through.push_back(wording::remark(*subject.doubts.objection, units));
   std::ranges::move(to_form, std::back_inserter(result.let_through));
   return result;
 }

@@ -96,6 +96,16 @@ std::vector<bool> in_large_swings(data::FitRecord const& record, std::optional<d
   return inside;
 }
 
+// Finds the faults of the signals test by test, because stores do not hold them.
+void find_faults(data::TestRecord& record) {
+  record.faults.clear();
+  for (auto const& test : data::test_ranges(record.starts, record.size()))
+    for (auto& fault : data::signal_faults(test.of(record.disp_mm), test.of(record.force_kN), test.of(record.time_s))) {
+      for (auto& sample : fault.samples) sample += test.first;
+      record.faults.push_back(std::move(fault));
+    }
+}
+
 DeviceResult device_result(campaign::Device const& device, data::CleanOptions const& clean) {
   int const smooth = clean.smooth;
   DeviceResult result;
@@ -116,8 +126,7 @@ DeviceResult device_result(campaign::Device const& device, data::CleanOptions co
   if (device.record.size() > 0) result.in_large_swings = in_large_swings(device.record, clean.weights);
   result.vertical_test = device.vertical;
   if (auto uncorrected = device.uncorrected; uncorrected.size() > 0) {
-    // Stores do not hold the faults of a signal, such as the spikes that a correction repaired.
-    uncorrected.faults = data::signal_faults(uncorrected.disp_mm, uncorrected.force_kN, uncorrected.time_s);
+    find_faults(uncorrected);
     result.uncorrected = data::cyclic_properties(uncorrected);
   }
   if (device.usable())

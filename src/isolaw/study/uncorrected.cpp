@@ -23,7 +23,7 @@ Finding values_of(DeviceResult const& device, DeviceAcceptance const& acceptance
   }
   auto const* without = counting_cycle(*device.uncorrected, acceptance.block);
   auto const* with = counting_cycle(device.properties, device.acceptance.block);
-  if (without == nullptr || with == nullptr) {
+  if (without == nullptr) {
     finding.kind = FindingKind::uncorrected_without_properties;
     finding.words.push_back({"reason", wording::reasons(device.uncorrected->refusal)});
     return finding;
@@ -45,15 +45,11 @@ Finding values_of(DeviceResult const& device, DeviceAcceptance const& acceptance
 
 }  // namespace
 
-bool is_corrected(DeviceResult const& device) {
-  return std::ranges::any_of(device.raw.corrections, [](Finding const& each) {
-    bool const no_spikes = each.kind == FindingKind::spikes_repaired && each.number("count") == 0.0;
-    return each.kind != FindingKind::force_multiplied && !no_spikes;
-  });
-}
-
 void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   summary.without_corrections.reset();
+  auto const is_corrected = [](DeviceResult const& device) {
+    return device.status == "ok" && data::is_corrected(device.raw);
+  };
   if (std::ranges::none_of(summary.devices, is_corrected)) return;
   Summary without;
   without.title = summary.title;
@@ -70,17 +66,19 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   std::vector<DeviceAcceptance> devices;
   without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices);
   std::vector<std::string> corrected;
+  bool all_are_known = true;
   for (std::size_t d = 0; d < devices.size(); ++d) {
     auto& device = summary.devices[d];
-    bool const has_values = counting_cycle(device.properties, device.acceptance.block) != nullptr;
-    if (device.status == "ok" && is_corrected(device) && has_values) {
+    if (is_corrected(device)) {
       corrected.push_back(device.name);
-      device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
+      all_are_known = all_are_known && device.uncorrected;
+      if (counting_cycle(device.properties, device.acceptance.block) != nullptr)
+        device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
     }
     without.devices[d].acceptance = std::move(devices[d]);
   }
   auto const now = overall_verdict(summary), then = overall_verdict(without);
-  if (now.word.empty() && then.word.empty()) return;
+  if (!all_are_known || (now.word.empty() && then.word.empty())) return;
   bool const same = now.word == then.word;
   summary.without_corrections =
       Finding{.kind = same ? FindingKind::verdict_without_corrections_same : FindingKind::verdict_rests_on_corrections,

@@ -44,22 +44,22 @@ constexpr Phrase phrases[]{
     {"fitted_to", "devices", "a device that it was not fitted to"},
     {"larger", "unknown", " Nothing shows how it goes on to a larger amplitude."},
     {"larger", "known", ""},
-    {"rule", "not-finite", "its force is not finite in cycles of {amplitude_mm:4 mm}"},
+    {"rule", "not-finite", "its force is not finite in cycles of {amplitude_mm:4}"},
     {"rule", "not-finite-larger",
      "fitted to the smaller swings of the tests, its force is not finite in the larger ones"},
-    {"rule", "gives-energy", "it gives back energy in cycles of {amplitude_mm:4 mm}"},
-    {"rule", "not-stiff", "its stiffness is not positive in cycles of {amplitude_mm:4 mm}"},
+    {"rule", "gives-energy", "it gives back energy in cycles of {amplitude_mm:4}"},
+    {"rule", "not-stiff", "its stiffness is not positive in cycles of {amplitude_mm:4}"},
     {"rule", "stiffness",
-     "its stiffness at {amplitude_mm:4 mm} is {value:.2f} times that at {tested_mm:4 mm}, where the tests end"},
+     "its stiffness at {amplitude_mm:4} is {value:.2f} times that at {tested_mm:4}, where the tests end"},
     {"rule", "damping",
-     "its damping at {amplitude_mm:4 mm} is {value:.2f} times that at {tested_mm:4 mm}, where the tests end"},
+     "its damping at {amplitude_mm:4} is {value:.2f} times that at {tested_mm:4}, where the tests end"},
     {"rule", "overdamped",
-     "its damping in cycles of {amplitude_mm:4 mm} and {period_s:3} s is {value:%}[, but {measured:%} in the tests]"},
+     "its damping in cycles of {amplitude_mm:4} and {period_s:3} s is {value:%}[, but {measured:%} in the tests]"},
     {"rule", "overshoots",
-     "in cycles of {amplitude_mm:4 mm} its largest force is {value:.1f} times its force at the peaks"},
-    {"rule", "jumps", "in cycles of {amplitude_mm:4 mm} its force jumps by {value:%} of that at the peaks"},
+     "in cycles of {amplitude_mm:4} its largest force is {value:.1f} times its force at the peaks"},
+    {"rule", "jumps", "in cycles of {amplitude_mm:4} its force jumps by {value:%} of that at the peaks"},
     {"rule", "speed",
-     "in cycles of {amplitude_mm:4 mm} and {period_s:3} s its damping is {value:.2f} times that at the tested speed"},
+     "in cycles of {amplitude_mm:4} and {period_s:3} s its damping is {value:.2f} times that at the tested speed"},
     {"sure", "weak", ", with care"},
     {"sure", "tie", ""},
     {"sure", "clear", ""},
@@ -82,8 +82,8 @@ constexpr Phrase phrases[]{
     {"factors", "near", "factors within {grid_step:0%} of 1, the step of the search, would cover {wanted:0%}"},
     {"factors", "found", "factors of {factor_low:.2f} and {factor_high:.2f} would cover {wanted:0%}"},
     {"than_any", "longer", "no isolator goes that far"},
-    {"than_any", "stiffer", "{stiffness_kN_per_mm:4 kN/mm} is stiffer than any isolator"},
-    {"than_any", "softer", "{stiffness_kN_per_mm:4 kN/mm} is softer than any isolator"},
+    {"than_any", "stiffer", "{stiffness_kN_per_mm:4} is stiffer than any isolator"},
+    {"than_any", "softer", "{stiffness_kN_per_mm:4} is softer than any isolator"},
     {"whole", "yes", "the whole record, which has no cycle to report"},
 };
 
@@ -165,13 +165,13 @@ class Filler {
     if (!in_unit && !first().has_number(name)) return word(name);
     auto const number = in_unit ? fmt::format("{}_{}", name, first().word("unit")) : std::string(name);
     if (in_unit) inner.remove_prefix(4);
-    auto const spec = take_part(inner, ' ');
-    auto const stored = in_unit || inner == "unit" ? first().word("unit") : inner;
+    auto spec = take_part(inner, ' ');
+    bool const is_bare = spec.ends_with('!');
+    if (is_bare) spec.remove_suffix(1);
     count_ = first().number(number);
-    bool const named = !stored.starts_with('(');
-    auto const shown = shown_unit(named ? stored : stored.substr(1, stored.size() - 2), units_);
+    auto const shown = shown_unit(in_unit || inner == "unit" ? first().word("unit") : unit_of_name(number), units_);
     auto const text = range(group_, number, [&](double value) { return print(value, spec, shown); });
-    return named && !shown.unit.empty() ? text + " " + shown.unit : text;
+    return is_bare || shown.unit.empty() ? text : text + " " + shown.unit;
   }
 
   std::string word(std::string_view name) {

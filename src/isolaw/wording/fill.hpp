@@ -4,9 +4,9 @@
 //                 thousands, `.1f` what fmt prints. `%` prints 0.042 as "4.2 %", `%1` as well but always with one
 //                 decimal, `0%` as "4 %", and `few%` as "only 4.2 %", or 0 as "none". {name:law} is the name of the law
 //                 whose id is the word `name`
-//   {name:3 mm}   a number that is stored in mm, in the reader's unit of length, followed by this unit, which
-//                 {name:3 (mm)} leaves out. {name:3 unit} does so for the unit that is the word `unit`; without such a
-//                 word it prints no unit. {name:unit3} prints the number {name}_UNIT, where UNIT is the word `unit`
+//   {name_mm:3}   a number whose name ends with a unit of force or length, in the reader's units, followed by the unit,
+//                 which {name_mm:3!} leaves out. The unit of {name:3 unit} is the word `unit`; without such a word none
+//                 is printed. {name:unit3} prints the number {name}_UNIT, where UNIT is the word `unit`
 //   {law} {laws} {devices} {parameters} {block}   the members of the finding; {laws} are the other laws
 //   {one|many}    chosen by the list or the number that was printed last
 //   [ ... ]       left out if a field inside is absent, or if a number {name} inside is 0

@@ -110,7 +110,7 @@ std::span<Row const> rows() {
                "its prediction is poor: {objectives}."),
       campaign(
           prediction_unusable, "prediction-unusable", "prediction", serious, laws, each_alone, everywhere, law,
-          "its prediction is unusable: {objectives}.{collapse} Use it only for amplitudes and frequencies that it was fitted to[, up to {fitted_to_mm:3 mm}]."),
+          "its prediction is unusable: {objectives}.{collapse} Use it only for amplitudes and frequencies that it was fitted to[, up to {fitted_to_mm:3}]."),
       campaign(searches_disagree, "searches-disagree", "search", caution, search, by_words, everywhere, law,
                "{share:few%} of the runs came within 0.1 % of the best fit of this campaign."),
       campaign(runs_differ, "runs-differ", "search", caution, search, by_law, everywhere, law,
@@ -136,7 +136,7 @@ std::span<Row const> rows() {
           "its force is not finite in finer integration steps on {devices}: the result comes from the step, not from the law."),
       campaign(
           laws_disagree, "laws-disagree", "other laws", note, "Test to that displacement", one_sentence, taken, none,
-          "At {disp_mm:4 mm}{beyond}, the {count} best laws have a stiffness of {K_low_kN_per_mm:3 (kN/mm)} to {K_high_kN_per_mm:3 kN/mm} and dissipate {energy_low_kN_mm:3 (kN mm)} to {energy_high_kN_mm:3 kN mm} in a cycle."),
+          "At {disp_mm:4}{beyond}, the {count} best laws have a stiffness of {K_low_kN_per_mm:3!} to {K_high_kN_per_mm:3} and dissipate {energy_low_kN_mm:3!} to {energy_high_kN_mm:3} in a cycle."),
       campaign(prediction_good, "prediction-good", "prediction", note, "", each_alone, anywhere, law,
                "its prediction is good: {objectives}."),
       campaign(prediction_fair, "prediction-fair", "prediction", note, "", each_alone, anywhere, law,
@@ -153,7 +153,7 @@ std::span<Row const> rows() {
       campaign(
           amplitudes_mixed, "amplitudes-mixed", "lot", caution, "Compare the devices at one amplitude (--design disp=MM)",
           each_alone, in_report | on_certificate, none,
-          "The values of the lot are from cycles of {least_mm:3 (mm)} to {largest_mm:3 mm}. Stiffness and damping depend on the amplitude, so a part of their spread is none of the devices."),
+          "The values of the lot are from cycles of {least_mm:3!} to {largest_mm:3}. Stiffness and damping depend on the amplitude, so part of their spread comes from the amplitudes and not from the devices."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(
@@ -161,7 +161,7 @@ std::span<Row const> rows() {
           "It gives back {fitted_to} within {fits:%}[, and larger swings that it was not fitted to within {predicts:%}][, and blocks that it was not fitted to within {blocks:%}].[ {laws} {is|are} as good.]{larger}"),
       campaign(no_law_recommended, "no-law-recommended", "answer", serious, laws, one_sentence, taken, none,
                "No law can be recommended."),
-      answer(law_shown_up_to, "law-shown-up-to", "answer", "Shown up to {disp_mm:3 mm}."),
+      answer(law_shown_up_to, "law-shown-up-to", "answer", "Shown up to {disp_mm:3}."),
       answer(why_next, "why-next", "reason", "The next best, {law}, has a mean error of {error:%}."),
       answer(why_better_refused, "why-better-refused", "reason",
              "{law} has a smaller mean error ({error:%}), but is ruled out."),
@@ -189,13 +189,13 @@ std::span<Row const> rows() {
       answer_doubt(weak_cycle_damping, "weak-cycle-damping",
              "on the largest cycle its damping is {percent:.0f} % off"),
       answer_doubt(weak_stiffness_beyond, "weak-stiffness-beyond",
-             "its stiffness at {asked_mm:3 mm} is {ratio:.2f} times that at {tested_mm:3 mm}, where the tests end"),
+             "its stiffness at {asked_mm:3} is {ratio:.2f} times that at {tested_mm:3}, where the tests end"),
       answer_doubt(weak_damping_beyond, "weak-damping-beyond",
-             "its damping at {asked_mm:3 mm} is {ratio:.2f} times that at {tested_mm:3 mm}, where the tests end"),
+             "its damping at {asked_mm:3} is {ratio:.2f} times that at {tested_mm:3}, where the tests end"),
       answer_doubt(weak_far_beyond, "weak-far-beyond",
-             "the design asks for {asked_mm:3 mm}, {times:.1f} times the largest displacement tested"),
+             "the design asks for {asked_mm:3}, {times:.1f} times the largest displacement tested"),
       answer_doubt(weak_one_sided, "weak-one-sided",
-             "the tests reach {far_mm:3 mm} to one side and only {near_mm:3 mm} to the other"),
+             "the tests reach {far_mm:3} to one side and only {near_mm:3} to the other"),
       answer(weak_only_law, "weak-only-law", "confidence", "no other law was identified to compare it with"),
       answer(weak_incomplete, "weak-incomplete", "confidence", "the campaign is not complete"),
       answer(weak_search, "weak-search", "confidence", "{share:few%} of its searches reached the best fit found"),
@@ -205,7 +205,7 @@ std::span<Row const> rows() {
       answer(surer_finish, "surer-finish", "advice", "finish the campaign with the same command"),
       answer(surer_other_laws, "surer-other-laws", "advice", "identify other laws to compare it with (--laws)"),
       answer(surer_both_sides, "surer-both-sides", "advice", "test whole cycles that reach as far to both sides"),
-      answer(surer_design, "surer-design", "advice", "test up to the {asked_mm:3 mm} that the design asks for"),
+      answer(surer_design, "surer-design", "advice", "test up to the {asked_mm:3} that the design asks for"),
       answer(surer_fit_blocks, "surer-fit-blocks", "advice",
              "leave an amplitude or rate out of the fit (--fit-blocks)"),
       answer(surer_other_amplitude, "surer-other-amplitude", "advice",
@@ -284,7 +284,7 @@ std::span<Row const> rows() {
       campaign(
           displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement",
           each_alone, with_building, law,
-          "bearings move up to {most_mm:.0f mm} (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f mm}. Beyond that the law is extrapolated."),
+          "bearings move up to {most_mm:.0f} (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f}. Beyond that the law is extrapolated."),
       campaign(
           bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
@@ -314,13 +314,13 @@ std::span<Row const> rows() {
       doubt(signal_spike, "signal-spike", serious, by_words, "", wording::signal_spike),
       doubt(
           cycle_gives_energy, "cycle-gives-energy", serious, one_sentence,
-          "<cycle {cycle} of block {block} gives back {energy_kN_mm:4 kN mm} of energy>, and no device does that. Is a channel late, without its sign, or exchanged with the other?"),
+          "<cycle {cycle} of block {block} gives back {energy_kN_mm:4} of energy>, and no device does that. Is a channel late, without its sign, or exchanged with the other?"),
       doubt(
           cycle_not_stiff, "cycle-not-stiff", serious, one_sentence,
-          "<cycle {cycle} of block {block} has an effective stiffness of {K_eff_kN_per_mm:4 kN/mm}>, and no device does that. Does the force wrap around, or is it late, exchanged or of the other sign?"),
+          "<cycle {cycle} of block {block} has an effective stiffness of {K_eff_kN_per_mm:4}>, and no device does that. Does the force wrap around, or is it late, exchanged or of the other sign?"),
       doubt(
           not_cyclic, "not-cyclic", serious, one_sentence,
-          "the motion is not cyclic: {regular_swings} of {swings} swings to and fro repeat an amplitude or are symmetric within 5 %, which is {travel_percent:2} % of the travel; a cyclic test has {needed_percent} % or more. Amplitudes go from {least_mm:3 (mm)} to {largest_mm:3 mm}."),
+          "the motion is not cyclic: {regular_swings} of {swings} swings to and fro repeat an amplitude or are symmetric within 5 %, which is {travel_percent:2} % of the travel; a cyclic test has {needed_percent} % or more. Amplitudes go from {least_mm:3!} to {largest_mm:3}."),
       doubt(no_complete_cycle, "no-complete-cycle", serious, one_sentence, "", wording::no_complete_cycle),
       doubt(no_cycle_counts, "no-cycle-counts", serious, one_sentence,
             "no cycle counts: none has the amplitude and period of its block."),
@@ -329,12 +329,12 @@ std::span<Row const> rows() {
       doubt(vertical_test_refused, "vertical-test-refused", serious, by_words, "vertical test: {reason}"),
       doubt(
           units_implausible, "units-implausible", serious, by_words,
-          "{force_kN:4 kN} over {way_mm:4 mm}: {than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
+          "{force_kN:4} over {way_mm:4}: {than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
       doubt(vertical_stiffness_implausible, "vertical-stiffness-implausible", serious, by_words,
-            "vertical test: no isolator has a vertical stiffness of {K_v_kN_per_mm:4 kN/mm}. Are the units right?"),
+            "vertical test: no isolator has a vertical stiffness of {K_v_kN_per_mm:4}. Are the units right?"),
       doubt(
           vertical_softer_than_expected, "vertical-softer-than-expected", serious, one_sentence,
-          "vertical test: {K_v_kN_per_mm:4 kN/mm} is less than {least_ratio} times the horizontal stiffness. Is it a compression test, in the units that its file states?"),
+          "vertical test: {K_v_kN_per_mm:4} is less than {least_ratio} times the horizontal stiffness. Is it a compression test, in the units that its file states?"),
       doubt(
           time_in_days, "time-in-days", serious, one_sentence,
           "time runs <from {first_s:10} to {last_s:10} s>, {rate_Hz:4} samples a second. These look like days of a spreadsheet; try --units time=d."),
@@ -356,23 +356,23 @@ std::span<Row const> rows() {
           "time jumps: <{count} jump{|s} of up to {length_s:4} s, the longest after sample {sample} ({time_s:6} s); isolaw counts {taken_s:4} s of that as motion>. It estimates the time of the motion from the speed before and after the jump; periods and frequency leave out the rest."),
       doubt(
           noise, "noise", caution, one_sentence,
-          "noise of {disp_mm:2 mm} in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2 kN} in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),
+          "noise of {disp_mm:2} in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2} in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),
       doubt(
           drift, "drift", caution, by_words,
           "{channel} drifts: the middle of its cycles moves by <{drift:unit3} through block {block}>, {percent:2} % of the whole travel (limit {limit_percent} %)."),
       doubt(
           loop_open, "loop-open", caution, one_sentence,
-          "<cycle {cycle} of block {block} ends {closure_mm:3 mm} from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). The energy may be wrong by this gap times the force, {energy_kN_mm:3 kN mm}."),
+          "<cycle {cycle} of block {block} ends {closure_mm:3} from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). The energy may be wrong by this gap times the force, {energy_kN_mm:3}."),
       doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
       doubt(
           off_centre, "off-centre", caution, by_words,
           "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. This does not change peak-to-peak stiffness and energy; it changes F/d of one side and the laws. `isolaw calibrate --center` removes it."),
       doubt(
           starts_off_zero, "starts-off-zero", caution, one_sentence,
-          "the first sample is at {disp_mm:4 mm}, {percent:2} % of the half range of {half_range_mm:4 mm}; laws start at rest at zero."),
+          "the first sample is at {disp_mm:4}, {percent:2} % of the half range of {half_range_mm:4}; laws start at rest at zero."),
       doubt(
           several_amplitudes, "several-amplitudes", caution, one_sentence,
-          "cycles of several amplitudes, the smallest {least_mm:3 mm} and the largest {largest_mm:3 mm}: stiffness, energy and damping are from <cycle {cycle} of block {block} at {amplitude_mm:3 mm}>."),
+          "cycles of several amplitudes, the smallest {least_mm:3} and the largest {largest_mm:3}: stiffness, energy and damping are from <cycle {cycle} of block {block} at {amplitude_mm:3}>."),
       doubt(
           damping_undefined, "damping-undefined", caution, one_sentence,
           "equivalent damping is not defined: it relates the loop's energy to an effective stiffness, and hardly any of this device's force is stiffness."),
@@ -398,11 +398,11 @@ std::span<Row const> rows() {
             "{column} is not used: velocities are computed from displacement and time."),
       doubt(
           values_uncorrected, "values-uncorrected", caution, by_words,
-          "without the corrections by hand, K_eff would be {K_eff_kN_per_mm:4 kN/mm} instead of {now_K_eff_kN_per_mm:4 kN/mm}[ and damping {damping_percent:3} % instead of {now_damping_percent:3} %].[ The verdict would be {verdict} instead of {now_verdict}.][{verdict_same}]"),
+          "without the corrections by hand, K_eff would be {K_eff_kN_per_mm:4} instead of {now_K_eff_kN_per_mm:4}[ and damping {damping_percent:3} % instead of {now_damping_percent:3} %].[ The verdict would be {verdict} instead of {now_verdict}.][{verdict_same}]"),
       doubt(uncorrected_without_properties, "uncorrected-without-properties", caution, by_words,
             "without the corrections by hand there would be no properties: {reason}"),
       doubt(uncorrected_not_known, "uncorrected-not-known", caution, by_words,
-            "the store does not hold the record without its corrections, so nothing shows what they change."),
+            "isolaw does not have the record without its corrections by hand, so nothing shows what they change."),
       fact(
           samples_per_cycle, "samples-per-cycle",
           "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
@@ -410,22 +410,22 @@ std::span<Row const> rows() {
       fact(jump_of_force, "jump-of-force", "", wording::jump_of_force),
       fact(
           rig_friction, "rig-friction",
-          "if the rig's friction were 0.5 % of the vertical load of {load_kN:4 kN}, it would be {friction_kN:3 kN} and add {damping_points:2} points of damping (2 F_f / (pi K D))."),
+          "if the rig's friction were 0.5 % of the vertical load of {load_kN:4}, it would be {friction_kN:3} and add {damping_points:2} points of damping (2 F_f / (pi K D))."),
       fact(
           moving_mass, "moving-mass",
-          "each tonne that moves between the device and the load cell reduces the stiffness by {stiffness_kN_per_mm:2 kN/mm} at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
+          "each tonne that moves between the device and the load cell reduces the stiffness by {stiffness_kN_per_mm:2} at {frequency_Hz:3} Hz, {percent:2} % of it (m w^2)."),
       fact(
           stands_still, "stands-still",
           "the device is at rest <for {still_s:3} s in cycle {cycle} of block {block}, longer than its period[, and so in {others} more cycle{|s}]>. Period, frequency and samples per cycle leave out that rest, but rubber recovers and cools meanwhile."),
       fact(cut_off_zero, "cut-off-zero",
-           "cycles are cut where displacement passes {centre_mm:4 mm}, the centre of the motion."),
+           "cycles are cut where displacement passes {centre_mm:4}, the centre of the motion."),
       fact(largest_speed, "largest-speed", "", wording::largest_speed),
       fact(
           average_over_samples, "average-over-samples",
           "the moving average over {window_samples} samples, of {samples_per_cycle:3} in a cycle, removes {percent:2} % of the motion at the test's frequency and {third_harmonic_percent:2} % of its third harmonic. This affects only the laws; properties are computed from raw values."),
       fact(
           largest_swings, "largest-swings",
-          "the largest swings, with an amplitude of {amplitude_mm:4 mm} on average ({pairs} pair{|s} of neighbours), have a stiffness of {K_kN_per_mm:4 kN/mm} and a damping of {damping_percent:3} %."),
+          "the largest swings, with an amplitude of {amplitude_mm:4} on average ({pairs} pair{|s} of neighbours), have a stiffness of {K_kN_per_mm:4} and a damping of {damping_percent:3} %."),
       fact(file_format, "file-format", stated),
       fact(header_found, "header-found", stated),
       fact(column_taken, "column-taken", stated),
@@ -442,14 +442,14 @@ std::span<Row const> rows() {
       fact(skew_removed, "skew-removed", "", wording::skew_removed),
       fact(
           friction_removed, "friction-removed",
-          "the rig's friction of [{friction_kN:6 kN}][{coefficient:6} times the vertical load] was subtracted in the direction of the motion"),
+          "the rig's friction of [{friction_kN:6}][{coefficient:6} times the vertical load] was subtracted in the direction of the motion"),
       fact(
           inertia_removed, "inertia-removed",
-          "the inertia of a moving mass of {mass_kg:6} kg was subtracted, {least_kN:3 (kN)} to {largest_kN:3 kN}; its acceleration comes from displacement averaged three times over {window_samples} samples"),
+          "the inertia of a moving mass of {mass_kg:6} kg was subtracted, {least_kN:3!} to {largest_kN:3}; its acceleration comes from displacement averaged three times over {window_samples} samples"),
       fact(force_multiplied, "force-multiplied", "force multiplied by {factor:6}"),
       fact(
           centred, "centred",
-          "centred: {disp_mm:4 mm} subtracted from displacement and {force_kN:4 kN} from force, (max + min) / 2 over <[cycle {cycle} of block {block}][{whole}]>"),
+          "centred: {disp_mm:4} subtracted from displacement and {force_kN:4} from force, (max + min) / 2 over <[cycle {cycle} of block {block}][{whole}]>"),
       fact(
           smoothed, "smoothed",
           "displacement and force averaged over {window_samples} samples, fewer at the ends[: this removes {percent:2} % of a sine of the test's frequency and {third_harmonic_percent:2} % of its third harmonic]"),

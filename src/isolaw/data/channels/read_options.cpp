@@ -91,6 +91,14 @@ std::map<Channel, std::string> parse_units(std::string_view text) {
   return units;
 }
 
+std::optional<ReadOptions> without_corrections(ReadOptions options) {
+  Corrections const kept{.force_factor = options.corrections.force_factor};
+  if (options.corrections == kept) return std::nullopt;
+  options.corrections = kept;
+  options.checks_physics = false;
+  return options;
+}
+
 std::string parse_test(std::string_view text) {
   auto const word = lower(trimmed(text));
   if (word == "all") return word;

@@ -40,9 +40,14 @@ struct ReadOptions {
   std::optional<std::string> sheet;        // name or number of a workbook's sheet, a .mat file's struct or a JSON key
   std::optional<std::string> test;         // which test of several: a number from 1, or "all" to join them
   Corrections corrections;                 // options --skew-ms and so on
+  bool checks_physics = true;              // refuse a record whose loops give energy back
 
   bool operator==(ReadOptions const&) const = default;
 };
+
+// The options for reading a record as it is, without the corrections by hand; nullopt if there are none. The factor of
+// the force stays, because it says what the rig measures. A record as it is need not be possible.
+std::optional<ReadOptions> without_corrections(ReadOptions options);
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the
 // header names it. Throws Error on an unknown channel.

@@ -53,4 +53,11 @@ std::vector<FitRecord> tests_of(FitRecord const& record) {
   return tests;
 }
 
+bool is_corrected(TestRecord const& record) {
+  return std::ranges::any_of(record.corrections, [](Finding const& each) {
+    bool const no_spikes = each.kind == FindingKind::spikes_repaired && each.number("count") == 0.0;
+    return each.kind != FindingKind::force_multiplied && !no_spikes;
+  });
+}
+
 }  // namespace isolaw::data

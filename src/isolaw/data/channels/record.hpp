@@ -53,6 +53,10 @@ struct TestRecord {
   std::size_t size() const { return disp_mm.size(); }
 };
 
+// True if a correction by hand changed the record. A factor of the force does not count: it says what the rig measures,
+// such as two devices in double shear. A repair of spikes that found none does not count either.
+bool is_corrected(TestRecord const& record);
+
 // Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
 // The objective of these laws does not depend on the time scale if sampling is uniform.
 struct FitRecord {

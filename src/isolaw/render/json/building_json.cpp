@@ -17,20 +17,23 @@ constexpr double mm_per_m = 1e3;
 class BuildingWriter {
  public:
   BuildingWriter(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits)
-      : out_(out), study_(study), answers_(answers), digits_(digits) {}
+      : out_(out),
+        study_(study),
+        answers_(answers),
+        digits_(digits),
+        systems_(digits == Digits::all ? stored_units : UnitSystems(unit_systems)) {}
 
   void operator()() {
     auto const& s = study_.file.settings;
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
-    UnitSystems const systems = digits_ == Digits::all ? stored_units : UnitSystems(unit_systems);
-    write_said(out_.key("verdict"), systems,
+    write_said(out_.key("verdict"), systems_,
                [&](auto const& units) { return wording::paragraph(answers_.verdict, units); });
     out_.key("bounds_are_enough");
     answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
     out_.member("enough", building::wanted_share).key("warnings");
-    warnings(systems);
-    write_findings(out_, "findings", answers_.warnings, wording::with_building, systems);
-    write_findings(out_, "calibration", answers_.calibration, wording::with_building, systems);
+    warnings();
+    write_findings(out_, "findings", answers_.warnings, wording::with_building, systems_);
+    write_findings(out_, "calibration", answers_.calibration, wording::with_building, systems_);
     out_.member("assumed", answers_.assumed);
     number("weight_kN", answers_.weight_kN);
     write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
@@ -46,13 +49,16 @@ class BuildingWriter {
   }
 
  private:
-  void warnings(UnitSystems systems) {
-    std::vector<std::vector<std::string>> texts;  // [system][warning]
-    for (auto const& units : systems) texts.push_back(building_warnings(answers_, units));
+  void warnings() {
     out_.begin_array();
-    for (std::size_t i = 0; i < texts.front().size(); ++i)
-      write_said(out_, systems,
-                 [&](auto const& units) { return texts[static_cast<std::size_t>(&units - systems.data())][i]; });
+    for (std::size_t i = 0; i < building_warnings(answers_).size(); ++i)
+      write_said(out_, systems_, [&](auto const& units) { return building_warnings(answers_, units)[i]; });
+    out_.end_array();
+  }
+  void doubts(building::LawAnswer const& law) {
+    out_.begin_array();
+    for (auto const& group : wording::grouped(law.doubts, wording::with_building))
+      write_said(out_, systems_, [&](auto const& units) { return wording::sentence(group, units); });
     out_.end_array();
   }
   std::optional<int> rounding() const { return digits_ == Digits::all ? std::nullopt : std::optional(shown_digits); }
@@ -155,7 +161,7 @@ class BuildingWriter {
   void nested(building::LawAnswer const& law, std::string_view key) {
     if (key == "histories") return histories(law);
     if (key == "checked") return write_rows(out_, checked_results, law.checked, digits_);
-    if (key == "doubts") return void(out_.value(wording::sentences(law.doubts, wording::with_building)));
+    if (key == "doubts") return doubts(law);
     out_.begin_object();
     if (key == "coverage") coverage(law);
     if (key == "floor_spectra") {
@@ -181,6 +187,7 @@ class BuildingWriter {
   building::Study const& study_;
   building::Answers const& answers_;
   Digits digits_;
+  UnitSystems systems_;
 };
 
 }  // namespace

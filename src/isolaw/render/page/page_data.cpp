@@ -377,15 +377,15 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   out.key("units").begin_object().member("chosen", shown.id);
   out.key("systems").objects(unit_systems, [&](UnitSystem const& system) {
     out.member("id", system.id).key("units").object([&] {
-      for (auto const& ending : unit_endings)
-        out.key(ending[1]).object([&] {
-          auto const shown = shown_unit(ending[1], system);
+      for (auto const& stored : result_units)
+        out.key(stored.unit).object([&] {
+          auto const shown = shown_unit(stored.unit, system);
           out.member("unit", shown.unit).member("factor", shown.factor);
         });
     });
   });
-  out.key("endings").array(unit_endings,
-                           [&](auto const& each) { out.begin_array().value(each[0]).value(each[1]).end_array(); });
+  out.key("endings").array(
+      result_units, [&](auto const& stored) { out.begin_array().value(stored.ending).value(stored.unit).end_array(); });
   std::set<std::string_view> own{"o", "s", "from", "width"};  // parts of curves and of histograms
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)

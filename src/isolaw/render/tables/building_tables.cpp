@@ -14,9 +14,8 @@ namespace {
 constexpr auto distribution_columns =
     study::columns(study::distribution_results, {"lower", "nominal", "upper", "p16", "p50", "p84", "p95",
                                                  "motion_std_ln", "lot_std_ln", "lot_share", "uncertain_std_ln"});
-constexpr auto coverage_columns =
-    study::columns(study::coverage_results,
-                   {"inside", "lower", "upper", "below", "above", "factor_low", "factor_high", "not_monotonic"});
+constexpr auto coverage_columns = study::columns(
+    study::coverage_results, {"inside", "lower", "upper", "below", "above", "factor_low", "factor_high"});
 constexpr auto checked_columns = study::columns(
     study::checked_results, {"outcome", "isolator_mm", "energy_error", "step_s", "missed_mm", "lanes_off_percent",
                              "equivalent_mm", "equivalent_error_percent", "equivalent_period_s", "equivalent_damping"});
@@ -41,12 +40,12 @@ std::string building_csv(building::Study const& study, building::Answers const& 
 
 std::string coverage_csv(building::Study const& study, building::Answers const& answers) {
   CsvTable table;
-  table.add("law", "draws", "quantity").head(coverage_columns).end_row();
+  table.add("law", "draws", "quantity").head(coverage_columns).row("not monotonic");
   for (auto const& law : answers.laws)
-    for (std::size_t i = 0; i < law.coverage.size(); ++i)
-      table.add(law.law, law.draws, name_in(law.coverage[i].quantity, study.units()))
-          .cells(coverage_columns, law.coverage[i])
-          .end_row();
+    for (auto const& of : law.coverage)
+      table.add(law.law, law.draws, name_in(of.quantity, study.units()))
+          .cells(coverage_columns, of)
+          .row(of.monotony ? wording::remark(*of.monotony, study.units()) : std::string());
   return table.take();
 }
 

@@ -11,8 +11,10 @@ import { varianceSection } from './building/variance.js';
 import { verdictSection } from './building/verdict.js';
 import { onChoice } from './choice.js';
 import { element } from './dom.js';
-import { followWindow, showSections } from './shell.js';
+import { followAddress, followWindow, showSections } from './shell.js';
 import { count } from './text.js';
+import { UNITS, isOtherThanReported } from './units.js';
+
 const SECTIONS = [
   verdictSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
 ];
@@ -28,5 +30,8 @@ document.getElementById('colophon').append(
   element('span', { class: 'screen' }, '; the data of every figure can be saved as CSV'),
   '.',
 );
+followAddress({
+  write: () => isOtherThanReported && history.replaceState(null, '', (location.hash.split('?')[0] || '#') + '?units=' + UNITS),
+});
 showSections(SECTIONS, { onChoice });
 followWindow();

@@ -43,12 +43,17 @@ export const isReported = (device, block, cycle) =>
 export const reportedCycle = (device) =>
   device.blocks.flatMap((block) => block.cycles.filter((cycle) => isReported(device, block, cycle)))[0] ?? null;
 
-const reportedBlock = (device) => device.blocks.find((block) => block.number === device.reported?.block);
-// The cycle whose values a rule set judges. It is the reported one, unless the design values name another amplitude.
-export const assessedBlock = (device) => device.blocks.find((block) => block.number === device.counting_block) ?? reportedBlock(device);
-export function assessedCycle(device) {
-  const some = counted(assessedBlock(device) ?? { cycles: [] });
+// The cycle that stands for a block: its third counted cycle, or the last one if it has fewer.
+export function countingCycle(block) {
+  const some = counted(block);
   return some[Math.min(some.length, 3) - 1] ?? null;
+}
+
+// The block that counts for a device: the one nearest to the design displacement, or that of the largest amplitude.
+export const assessedBlock = (device) => device.blocks.find((block) => block.number === device.counting_block);
+export function assessedCycle(device) {
+  const block = assessedBlock(device);
+  return block ? countingCycle(block) : null;
 }
 export const noCycles = (device) => device.properties_refusal || device.message || 'none was found';
 

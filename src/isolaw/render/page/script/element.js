@@ -3,6 +3,13 @@
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 
+export function svg(tag, attributes = {}, ...children) {
+  const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+  node.append(...children);
+  return node;
+}
+
 // Returns a function that creates an element. `set` typesets a child that is a text: it returns nodes, such as a symbol
 // with its subscript. `unset` returns the same text without typesetting, for attributes, which cannot hold nodes.
 export const elementsWith = (set, unset) => (tag, attributes = {}, ...children) => {

@@ -1,18 +1,11 @@
+import { svg } from './element.js';
+
 // A circle as an SVG path. icon() draws shapes [path, fill, stroke] in a field of 12 by 12.
 export const ROUND = 'M6 .8 A5.2 5.2 0 1 1 5.99 .8 Z';
 
 export function icon(...shapes) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 12 12');
-  svg.setAttribute('aria-hidden', 'true');
-  for (const [d, fill, stroke] of shapes) {
-    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    path.setAttribute('d', d);
-    path.style.fill = fill;
-    path.style.stroke = stroke;
-    svg.append(path);
-  }
-  return svg;
+  const paths = shapes.map(([d, fill, stroke]) => svg('path', { d, style: `fill: ${fill}; stroke: ${stroke}` }));
+  return svg('svg', { viewBox: '0 0 12 12', 'aria-hidden': 'true' }, ...paths);
 }
 
 const TONES = { 'held by its box': 'care', dominated: 'poor', 'not adequate': 'poor', 'not ranked': 'muted' };
@@ -26,7 +19,7 @@ const CIRCLE = 'M6 1 A5 5 0 1 1 5.99 1 Z',
 export function marker(role, tone = roleTone(role)) {
   const colour = 'var(--' + tone + ')';
   const path = role === 'not adequate' ? CROSS : tone === 'poor' ? DIAMOND : CIRCLE;
-  const svg = icon([path, roleTone(role) === 'good' ? colour : 'none', colour]);
-  svg.firstChild.setAttribute('stroke-width', '1.8');
-  return svg;
+  const drawing = icon([path, roleTone(role) === 'good' ? colour : 'none', colour]);
+  drawing.firstChild.setAttribute('stroke-width', '1.8');
+  return drawing;
 }

@@ -1,6 +1,7 @@
-import { reportedCycle } from './cycles.js';
+import { assessedCycle } from './cycles.js';
 import { report } from './report.js';
-import { count, isNumber, mean } from './text.js';
+import { THIN, count, isNumber, mean, trimmed } from './text.js';
+import { isConverted } from './units.js';
 import { concerns, worstVerdict } from './verdicts.js';
 
 // The lot's quantities. Each gets one verdict for all limits on its mean, or none if the rule set has no such limit.
@@ -18,7 +19,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// Returns the assessed value (mean over both sides), otherwise the value of the vertical test or reported cycle.
+// Returns the assessed value (mean over both sides), or else that of the vertical test or of the block that counts.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)
@@ -28,9 +29,13 @@ export function deviceValue(device, quantity) {
     };
   if (quantity === 'K_v') return isNumber(device.vertical?.K_v_kN_per_mm) ? { value: device.vertical.K_v_kN_per_mm, verdict: 'not assessed' } : null;
   const [key] = Object.entries(report.headings.cycles).find(([, [{ title }]]) => title === quantity) ?? [];
-  const value = reportedCycle(device)?.[key];
+  const value = assessedCycle(device)?.[key];
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;
 }
+
+// The design values with the digits in which they were given, or with five digits in other units. Empty without any.
+export const designText = () =>
+  (report.assessment?.design ?? []).map(({ name, value, unit }) => name + ' ' + (isConverted ? trimmed(value, 5) : value) + THIN + unit).join(', ');
 
 export const sampleText = ({ value, limit, verdict, reason }) =>
   [count(value, 'device') + ' tested', limit, verdict].filter(Boolean).join(', ') + (reason ? ': ' + reason : '');

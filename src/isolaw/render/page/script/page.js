@@ -3,7 +3,7 @@
 
 import { objectiveDevicesFigure } from './accuracy/objectives.js';
 import { objectiveRelativeFigure, objectiveSpreadFigure } from './accuracy/spread.js';
-import { certificateSection } from './certificate/section.js';
+import { afterPrintingCertificate, certificateSection } from './certificate/section.js';
 import { chosen, onChoice } from './choice.js';
 import { lawChooser, readAddress, writeAddress } from './choosers.js';
 import { answerFigure } from './decision/answer.js';
@@ -41,7 +41,7 @@ import { provenanceSection } from './provenance/section.js';
 import { publishedLawsFigure } from './published/laws.js';
 import { publishedVerdictFigure, statementsFigure } from './published/statements.js';
 import { devices, inspection, laws, ranking, report, usable } from './report.js';
-import { followWindow, showSections } from './shell.js';
+import { followAddress, followWindow, showSections } from './shell.js';
 import { count } from './text.js';
 import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
@@ -99,8 +99,7 @@ function buildPage() {
     '.',
   );
 
-  readAddress();
-  window.addEventListener('hashchange', () => (location.hash.includes('?') ? readAddress() : writeAddress()));
+  followAddress({ read: readAddress, write: writeAddress });
   showSections(SECTIONS.filter((section) => !(section.laws && inspection)), {
     onChoice,
     opened: (section, node) => {
@@ -127,5 +126,6 @@ followWindow({
   },
   afterPrint: () => {
     for (const details of document.querySelectorAll('details.law')) details.restore();
+    afterPrintingCertificate();
   },
 });

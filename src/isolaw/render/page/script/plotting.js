@@ -1,6 +1,6 @@
-import { data } from './data.js';
 import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
+import { data } from './units.js';
 
 // If there are more laws than colours, colours and symbols repeat, with open symbols and dashed lines in the key.
 export const SYMBOLS = data.symbols;

@@ -1,5 +1,5 @@
-import { data } from './data.js';
-import { atTheHead, printed } from './text.js';
+import { atTheHead, decoded, printed } from './text.js';
+import { data } from './units.js';
 
 export const report = data;
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
@@ -76,16 +76,12 @@ export function numberColumn(kind, key, more = {}) {
   return { title: atTheHead(title), unit, number: true, text: (of) => printed(of[key], heading), ...more };
 }
 
-// Decodes a curve of the data block: value k is offset + step * (sum of the integers up to k).
+// The values of a curve of the data block, which are decoded once.
 const decodedCurves = new WeakMap();
 
 export function curve(coded) {
   if (!coded) return null;
   let values = decodedCurves.get(coded);
-  if (!values) {
-    let level = 0;
-    values = coded.d.map((difference) => coded.o + coded.s * (level += difference));
-    decodedCurves.set(coded, values);
-  }
+  if (!values) decodedCurves.set(coded, (values = decoded(coded)));
   return values;
 }

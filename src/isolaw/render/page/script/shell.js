@@ -1,4 +1,4 @@
-import { element } from './dom.js';
+import { button, element } from './dom.js';
 import { buildFigure, drawn, redraw, redrawDependents, render, reserve } from './figure.js';
 import { joinTables, partTables } from './tables.js';
 import { typeset } from './symbols.js';
@@ -49,24 +49,32 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   if (section) document.getElementById(section)?.scrollIntoView();
 }
 
-// The page is loaded again in the chosen units, because every number, sentence and plot changes. A page in a frame of
-// another origin cannot load itself, so it asks the page around it; without an answer the units stay as they are.
+// Buttons that write units into the address, which followAddress() follows. The program's page shows a report from a
+// blob in a sandboxed frame, which cannot change its address, so it asks that page.
 function unitsChooser() {
-  const follow = () => {
+  const press = ({ currentTarget: { value } }) => {
     const [section, rest] = location.hash.slice(1).split('?');
-    const asked = new URLSearchParams(rest ?? '');
-    asked.set('units', select.value);
+    const asked = new URLSearchParams(rest);
+    asked.set('units', value);
     const address = '#' + section + '?' + asked;
-    if (window.parent !== window) {
-      window.parent.postMessage('isolaw: open ' + address, '*');
-      setTimeout(() => (select.value = UNITS), 1000);
-      return;
-    }
-    history.replaceState(null, '', address);
-    location.reload();
+    if (location.protocol === 'blob:' && window.parent !== window) window.parent.postMessage('isolaw: open ' + address, '*');
+    else location.hash = address;
   };
-  const select = element('select', { id: 'units', change: follow }, UNIT_SYSTEMS.map((id) => element('option', { value: id, selected: id === UNITS }, id)));
-  return element('label', { class: 'units screen' }, 'Units', select);
+  const buttons = UNIT_SYSTEMS.map((id) => button(id, press, { value: id, 'aria-pressed': String(id === UNITS) }));
+  return element('div', { class: 'units choice screen', role: 'group', 'aria-label': 'Units' }, buttons);
+}
+
+// Follows the page's address, which may change by a link or by hand. `read` takes the reader's choices from it, and
+// `write` adds them to an address that lacks them. In other units the page is loaded again, because every number,
+// sentence and plot changes.
+export function followAddress({ read = () => {}, write }) {
+  read();
+  window.addEventListener('hashchange', () => {
+    const units = new URLSearchParams(location.hash.split('?')[1]).get('units');
+    if (UNIT_SYSTEMS.includes(units) && units !== UNITS) return location.reload();
+    read();
+    return write();
+  });
 }
 
 function markCurrentSection(main, contents) {

@@ -1,7 +1,7 @@
 // Typesets symbols in text as letter and index; data.notation has both for each name. Words that can only be symbols
 // are recognised in any text. Other names of parameters may be plain words, so symbol() marks them.
 
-import { data } from './data.js';
+import { data } from './units.js';
 
 const MARK = '\u2063'; // an invisible character; text without typesetting may keep it
 const { words, parameters } = data.notation;

@@ -70,6 +70,12 @@ export const percentText = (share) => Number((100 * share).toPrecision(3)) + THI
 // An error that is a share of the force, as percent.
 export const errorText = (error) => (!isNumber(error) ? DASH : (error < 10 ? fixed(100 * error, 1) : '> 1000') + THIN + '%');
 
+// Decodes a curve of the data block: value k is o + s * (sum of the integers of d up to k).
+export function decoded({ o, s, d }) {
+  let level = 0;
+  return d.map((difference) => o + s * (level += difference));
+}
+
 export const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 
 export const spanText = (values, digits, text = fixed) => {

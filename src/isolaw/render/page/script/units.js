@@ -4,7 +4,8 @@
 const stored = JSON.parse(document.getElementById('isolaw-data').textContent);
 const { systems, chosen, endings, own } = stored.units;
 const asked = new URLSearchParams(location.hash.split('?')[1] ?? '').get('units');
-const place = Math.max(0, systems.findIndex(({ id }) => id === (asked ?? chosen)));
+const placeOf = (id) => systems.findIndex((one) => one.id === id);
+const place = placeOf(asked) < 0 ? placeOf(chosen) : placeOf(asked);
 const system = systems[place].units;
 
 export const unitShown = (unit) => system[unit]?.unit ?? unit;
@@ -26,20 +27,18 @@ export const LOOP_HOVER = hovered('x', 'mm', 1) + ', ' + hovered('y', 'kN', 1);
 const unitOf = (key) => endings.find(([ending]) => ('_' + key).endsWith(ending))?.[1];
 
 // Converts a value with everything in it. The end of a key names the unit of its numbers; an object may name the unit
-// of some of its members, which are listed in `own`. Parameters stay in the units of their law's formula, and shares of
-// draws have no unit. A sentence
-// that holds values is stored once for each system.
+// of those of its members that are listed in `own`. Parameters stay in the units of their law's formula. The coverage
+// stays too: its keys name quantities, such as isolator_mm, but its numbers are shares of draws. A sentence that holds
+// values is stored once for each system.
 function converted(value, key, unit) {
   if (typeof value === 'number') return unit ? inUnits(value, unit) : value;
   if (value === null || typeof value !== 'object' || key === 'parameters' || key === 'coverage') return value;
   if (Array.isArray(value)) return value.map((item) => converted(item, key, unit));
   if (value.said) return value.said[place];
-  const inside = value.unit ?? unit;
   const result = {};
   for (const [name, member] of Object.entries(value)) {
     const holdsObjects = typeof member === 'object' && typeof member?.[0] !== 'number';
-    const inherits = own.includes(name) || holdsObjects;
-    result[name] = converted(member, name, unitOf(name) ?? (inherits ? inside : undefined));
+    result[name] = converted(member, name, unitOf(name) ?? (own.includes(name) ? (value.unit ?? unit) : holdsObjects ? unit : undefined));
   }
   if (system[value.unit]) {
     result.unit = unitShown(value.unit);
@@ -48,4 +47,4 @@ function converted(value, key, unit) {
   return result;
 }
 
-export const shownData = converted(stored);
+export const data = converted(stored);

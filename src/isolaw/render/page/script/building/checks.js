@@ -4,7 +4,12 @@ import { laws, study } from './study.js';
 import { MM, decimalsIn } from '../units.js';
 
 const rows = laws.flatMap((law) => law.checked.map((checked, motion) => ({ law, checked, motion: study.motions[motion].name })));
-const NUMBERS = ['isolator_mm', 'energy_error', 'step_s', 'missed_mm', 'lanes_off_percent', 'equivalent_mm', 'equivalent_error_percent', 'equivalent_period_s', 'equivalent_damping'];
+// The numbers of a row in the CSV: the title of the column, and the key in the data.
+const NUMBERS = [
+  ['bearing [' + MM + ']', 'isolator_mm'], ['energy error', 'energy_error'], ['step [s]', 'step_s'], ['step error [' + MM + ']', 'missed_mm'],
+  ['draws deviate [%]', 'lanes_off_percent'], ['hand method [' + MM + ']', 'equivalent_mm'], ['error of the hand method [%]', 'equivalent_error_percent'],
+  ['period [s]', 'equivalent_period_s'], ['damping', 'equivalent_damping'],
+];
 
 export const checksSection = {
   id: 'checks',
@@ -19,8 +24,8 @@ export const checksSection = {
         'Results of the implicit integrator, and how far the integrator of the draws deviates. Equivalent linear analysis with each motion\u2019s own spectrum deviates by ' +
         deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent)), 0) + ' on average.',
       csv: () => ({
-        columns: ['law', 'motion', 'outcome', ...NUMBERS],
-        rows: rows.map(({ law, motion, checked }) => [law.id, motion, checked.outcome, ...NUMBERS.map((key) => checked[key])]),
+        columns: ['law', 'motion', 'outcome', ...NUMBERS.map(([title]) => title)],
+        rows: rows.map(({ law, motion, checked }) => [law.id, motion, checked.outcome, ...NUMBERS.map(([, key]) => checked[key])]),
       }),
       build: () =>
         tableOf(

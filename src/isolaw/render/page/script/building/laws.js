@@ -3,7 +3,7 @@ import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { DASH, fixed, isNumber, plain } from '../text.js';
 import { spanOf } from './histogram.js';
-import { axisTitle, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { axisTitle, laws, nameAndUnit, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 export const lawsSection = {
   id: 'laws',
@@ -20,8 +20,8 @@ export const lawsSection = {
         'Thick line: 16 to 84\u202f% of the draws; mark: median; end of the line: 95\u202f%. Grey: between the two bound analyses.' +
         (chosen.quantity === 'isolator_mm' ? ' Medians differ by ' + spreadText(study.law_std_ln) + ' between laws.' : ''),
       csv: () => ({
-        columns: ['law', 'lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'],
-        rows: laws.map((law) => [law.id, ...['lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'].map((key) => law.quantities[chosen.quantity][key])]),
+        columns: ['law', 'quantity', 'unit', 'lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'],
+        rows: laws.map((law) => [law.id, ...nameAndUnit(chosen.quantity), ...['lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'].map((key) => law.quantities[chosen.quantity][key])]),
       }),
       height: () => 80 + 54 * laws.length,
       draw,
@@ -35,7 +35,7 @@ export const lawsSection = {
         Math.round(100 * study.enough) + '\u202f% (in steps of 2\u202f%).',
       csv: () => ({
         columns: ['law', 'quantity', 'inside', 'interval lower', 'interval upper', 'below', 'above', 'factor lower', 'factor upper'],
-        rows: covered().map(({ law, key, of }) => [law.id, key, of.inside, of.lower, of.upper, of.below, of.above, of.factor_low, of.factor_high]),
+        rows: covered().map(({ law, key, of }) => [law.id, quantityOf(key).title, of.inside, of.lower, of.upper, of.below, of.above, of.factor_low, of.factor_high]),
       }),
       build: coverage,
     },

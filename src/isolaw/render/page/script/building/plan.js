@@ -2,7 +2,7 @@ import { choose, chosen } from '../choice.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
-import { laws, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+import { laws, nameAndUnit, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
 import { KN, LOOP_HOVER, MM, inUnits } from '../units.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
@@ -28,7 +28,7 @@ export const planSection = {
       caption: () => 'Means over the motions. Nominal: without draws; any excess of the draws comes from unequal devices.',
       csv: () => ({
         columns: ['law', 'quantity', 'unit', 'nominal', 'p50', 'p95'],
-        rows: laws.flatMap((law) => TWISTS.map((key) => [law.id, key, quantityOf(key).unit, ...['nominal', 'p50', 'p95'].map((of) => law.quantities[key][of])])),
+        rows: laws.flatMap((law) => TWISTS.map((key) => [law.id, ...nameAndUnit(key), ...['nominal', 'p50', 'p95'].map((of) => law.quantities[key][of])])),
       }),
       build: torsion,
     },

@@ -1,9 +1,9 @@
 import { chosen } from '../choice.js';
 import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
-import { atTheHead, plain, short } from '../text.js';
+import { atTheHead, plain, short, unitText } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { axisTitle, first, grouped, isCovered, laws, numberText, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { axisTitle, first, grouped, isCovered, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
 
 const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);
@@ -105,7 +105,7 @@ function fractiles() {
   const uncertain = first.quantities[key].uncertain_std_ln !== null;
   const columns = [
     { title: 'Law', cell: (law) => law.name },
-    ...FRACTILES.map(([of, title]) => ({ title, number: true, cell: (law) => numberText(law.quantities[key][of]) })),
+    ...FRACTILES.map(([of, title]) => ({ title, unit: unitText(unitOf(quantity())), number: true, cell: (law) => numberText(law.quantities[key][of]) })),
     ...(isCovered(key) ? [{ title: 'Inside', unit: 'of draws', number: true, cell: (law) => (100 * law.coverage.of[key].inside).toFixed(1) + '\u202f%' }] : []),
     { title: 'Scatter, motions', number: true, cell: (law) => spreadText(law.quantities[key].motion_std_ln) },
     { title: 'Scatter, lot', number: true, cell: (law) => spreadText(law.quantities[key].lot_std_ln) },
@@ -116,9 +116,9 @@ function fractiles() {
 
 function motionData() {
   return {
-    columns: ['law', 'motion', 'nominal', 'p16', 'p50', 'p84', 'p95'],
+    columns: ['law', 'motion', 'quantity', 'unit', 'nominal', 'p16', 'p50', 'p84', 'p95'],
     rows: laws.flatMap((law) =>
-      law.quantities[chosen.quantity].by_motion.map((of, i) => [law.id, study.motions[i].name, of.nominal, of.p16, of.p50, of.p84, of.p95]),
+      law.quantities[chosen.quantity].by_motion.map((of, i) => [law.id, study.motions[i].name, ...nameAndUnit(chosen.quantity), of.nominal, of.p16, of.p50, of.p84, of.p95]),
     ),
   };
 }
@@ -127,6 +127,6 @@ function allData() {
   const keys = [...FRACTILES.map(([key]) => key), 'motion_std_ln', 'lot_std_ln', 'uncertain_std_ln'];
   return {
     columns: ['law', 'quantity', 'unit', ...keys],
-    rows: laws.flatMap((law) => study.quantities.map(({ key, unit }) => [law.id, key, unit, ...keys.map((of) => law.quantities[key][of])])),
+    rows: laws.flatMap((law) => study.quantities.map(({ key }) => [law.id, ...nameAndUnit(key), ...keys.map((of) => law.quantities[key][of])])),
   };
 }

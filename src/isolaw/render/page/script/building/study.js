@@ -1,6 +1,6 @@
 import { choose, chooser, chosen } from '../choice.js';
-import { data } from '../data.js';
 import { atTheHead, fixed, significant, unitText, withUnit } from '../text.js';
+import { data } from '../units.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
@@ -9,6 +9,8 @@ export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
 export const unitOf = ({ unit }) => (unit === '-' ? '' : unit);
+// The cells of the columns 'quantity' and 'unit' of a CSV.
+export const nameAndUnit = (key) => [quantityOf(key).title, quantityOf(key).unit];
 export const axisTitle = (quantity) => quantity.title + (unitOf(quantity) ? ' [' + unitText(quantity.unit) + ']' : '');
 export const valueText = (value, quantity) => withUnit(value, unitText(quantity.unit), 3);
 export const isCovered = (key) => key in first.coverage.of;

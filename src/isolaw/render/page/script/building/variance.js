@@ -68,7 +68,7 @@ function csv() {
   return {
     columns: ['law', 'quantity', ...of.map(({ key }) => key), 'lot_share'],
     rows: laws.flatMap((law) =>
-      study.quantities.map(({ key }) => [law.id, key, ...of.map((part) => law.quantities[key][part.key]), law.quantities[key].lot_share]),
+      study.quantities.map(({ key, title }) => [law.id, title, ...of.map((part) => law.quantities[key][part.key]), law.quantities[key].lot_share]),
     ),
   };
 }

@@ -3,3 +3,22 @@ import { element } from '../dom.js';
 // Makes a line that is filled in on the page or on paper. The page does not save the entry.
 export const blank = (label, more = {}) =>
   element('span', { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label, ...more });
+
+// A line whose entry is repeated on other pages of the certificate.
+const lines = new Map(); // label -> {line, echoes}
+export function echoed(label) {
+  const echoes = [];
+  const line = blank(label, { input: () => echoes.forEach((node) => (node.textContent = line.textContent)) });
+  lines.set(label, { line, echoes });
+  return line;
+}
+
+// The label of an echoed line with its entry, which may also be filled in on paper. Empty if there is no such line.
+export function echo(label) {
+  if (!lines.has(label)) return [];
+  const { line, echoes } = lines.get(label);
+  const node = element('span', { class: 'echo' });
+  node.textContent = line.textContent;
+  echoes.push(node);
+  return [label + '\u00a0', node, ' '];
+}

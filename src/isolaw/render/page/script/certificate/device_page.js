@@ -1,12 +1,15 @@
-import { chosen, onChoice } from '../choice.js';
+import { chosen } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
 import { assessedBlock, assessedCycle } from '../cycles.js';
 import { element, sentences, strong, termList } from '../dom.js';
+import { drawn, render } from '../figure.js';
+import { designText } from '../lot.js';
 import { devices, recordsOf, report, tested } from '../report.js';
 import { tableOf } from '../tables.js';
-import { DASH, THIN, deviation, enumerate, fixed, isNumber, limitText, sentence, significant, trimmed, withUnit } from '../text.js';
+import { DASH, THIN, deviation, enumerate, fixed, isNumber, limitText, sentence, significant, withUnit } from '../text.js';
 import { KN, MM, decimalsIn } from '../units.js';
 import { verdictBadge } from '../verdicts.js';
+import { echo } from './blank.js';
 import { letterhead } from './letterhead.js';
 import { loopDrawing } from './loop.js';
 import { signatures } from './signatures.js';
@@ -16,21 +19,22 @@ export const certificateDeviceFigure = {
   id: 'certificate-device',
   title: 'A page for each device',
   wanted: () => devices.length > 1 && tested.length > 0,
+  depends: ['tested'],
   controls: () => [deviceChooser('certificate-of', tested, 'tested')],
-  build: pages,
+  build: () => element('div', { class: 'device-pages' }, (showsAll ? tested : [devices[chosen.tested]]).map(pageOf)),
 };
 
-function pages() {
-  const holder = element('div', { class: 'device-pages' });
-  const show = () => holder.replaceChildren(devicePage(devices[chosen.tested]));
-  onChoice((changes) => 'tested' in changes && show());
-  show();
-  holder.showAll = () => holder.replaceChildren(...tested.map(devicePage));
-  holder.showChosen = show;
-  return holder;
-}
+let showsAll = false;
+const made = new Map(); // device -> its page, which keeps what was filled in
+const pageOf = (device) => made.get(device) ?? made.set(device, devicePage(device)).get(device);
 
-export const devicePages = () => document.querySelector('.device-pages');
+export function showDevicePages({ all }) {
+  showsAll = all;
+  const place = drawn.get(certificateDeviceFigure);
+  if (!place) return;
+  place.stale = true;
+  render(certificateDeviceFigure);
+}
 
 function devicePage(device) {
   const place = tested.indexOf(device);
@@ -45,14 +49,20 @@ function devicePage(device) {
       : null,
     device.assessments.length > 0 ? assessments(device) : values(device),
     element('div', { class: 'side-by-side' }, loopDrawing(device), element('div', {}, ...notes(device))),
-    element('div', { class: 'page-foot' }, signatures(), footer(device, place)),
+    element(
+      'div',
+      { class: 'page-foot' },
+      element('p', { class: 'bound' }, ...['Certificate number', 'Laboratory', 'Client, project'].flatMap(echo)),
+      signatures(),
+      footer(device, place),
+    ),
   );
 }
 
 function facts(device) {
   const block = assessedBlock(device),
     load = assessedCycle(device)?.N_mean_kN;
-  const { rule_set: rules, design } = report.assessment;
+  const rules = report.assessment?.rule_set;
   const given = (value, text) => (value === null || value === undefined || value === '' ? '' : text(value));
   return [
     ['Device', [device.name, given(device.serial, (serial) => 'serial number ' + serial), given(device.lot, (lot) => 'lot ' + lot)].filter(Boolean).join(', ')],
@@ -71,7 +81,7 @@ function facts(device) {
       ].filter(Boolean).join(', '),
     ],
     ...(rules ? [['Held to', rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? ' (text verified)' : ' (limits not verified)')]] : []),
-    ...(design?.length > 0 ? [['Design values', design.map(({ name, value, unit }) => name + ' ' + trimmed(value) + THIN + unit).join(', ')]] : []),
+    ...(designText() ? [['Design values', designText()]] : []),
   ];
 }
 
@@ -91,7 +101,7 @@ function assessments(device) {
   );
 }
 
-// Without a rule set the page has the values of the reported cycle.
+// Without a rule set the page has the values of the cycle that counts.
 function values(device) {
   const cycle = assessedCycle(device);
   if (!cycle) return element('p', {}, 'No cyclic properties: ' + device.properties_refusal);

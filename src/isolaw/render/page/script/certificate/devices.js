@@ -50,7 +50,7 @@ function certificateCaption() {
   return (
     (report.assessment?.rule_set
       ? 'Values over the cycles that the rule set counts. '
-      : 'Values of the third counted cycle of the largest amplitude. ') +
+      : 'Values of the third counted cycle of the block that counts. ') +
     (marked
       ? '\u25be: outlier of the lot (modified z-score above 3.5).'
       : unjudged.length > 0 || lotQuantities.length === 0
@@ -75,7 +75,7 @@ function certificateColumns() {
 function certificateTable() {
   const common = commonlyOpen();
   const same = (digits) => (key) => new Set(devices.map((device) => fixed(assessedBlock(device)?.[key], digits))).size === 1;
-  const sameAmplitude = same(1)('amplitude_mm'),
+  const sameAmplitude = same(decimalsIn('mm', 1))('amplitude_mm'),
     sameFrequency = same(2)('frequency_Hz');
   const judged = (device) => {
     const { verdict, failed, open } = deviceVerdict(device),

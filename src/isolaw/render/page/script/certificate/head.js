@@ -1,9 +1,10 @@
 import { assessedBlock, assessedCycle, counted } from '../cycles.js';
 import { element } from '../dom.js';
+import { designText } from '../lot.js';
 import { devices, report } from '../report.js';
-import { THIN, count, enumerate, isNumber, sentence, significant, spanText, trimmed, unitText } from '../text.js';
+import { THIN, count, enumerate, isNumber, sentence, significant, spanText, unitText } from '../text.js';
 import { WORDS, verdictBadge } from '../verdicts.js';
-import { blank } from './blank.js';
+import { blank, echoed } from './blank.js';
 import { letterhead } from './letterhead.js';
 import { KN, MM, decimalsIn, unitShown } from '../units.js';
 
@@ -30,9 +31,8 @@ function certificateHead() {
   ].filter(Boolean);
   const tested = devices.flatMap((device) => device.blocks.filter((block) => counted(block).length > 0));
   // Amplitudes that differ by less than 1 % are one step of the test.
-  const steps = [...new Set(tested.map((block) => block.amplitude_mm).sort((a, b) => a - b)
-    .reduce((found, value) => [...found, found.length > 0 && value < 1.01 * found.at(-1) ? found.at(-1) : value], []))]
-    .map((value) => significant(value, 3));
+  const steps = [];
+  for (const value of tested.map((block) => block.amplitude_mm).sort((a, b) => a - b)) if (!(value < 1.01 * steps.at(-1))) steps.push(value);
   const load = spanText(devices.map((device) => assessedCycle(device)?.N_mean_kN), 3, significant);
   const thickness = spanText(devices.map((device) => device.rubber_thickness_mm), decimalsIn('mm', 1)),
     area = spanText(devices.map((device) => device.rubber_area_mm2), decimalsIn('mm^2', 0));
@@ -42,9 +42,9 @@ function certificateHead() {
   ].filter(Boolean);
   const compressed = devices.filter((device) => device.vertical?.file).length;
   const facts = [
-    ...(report.letterhead ? [] : [['Laboratory', blank('Laboratory')]]),
-    ['Client, project', blank('Client, project')],
-    ['Certificate no.', blank('Certificate number', { input: echoNumber })],
+    ...(report.letterhead ? [] : [['Laboratory', echoed('Laboratory')]]),
+    ['Client, project', echoed('Client, project')],
+    ['Certificate no.', echoed('Certificate number')],
     ['Test', 'cyclic shear of ' + count(devices.filter((device) => !device.copy_of).length, 'device') + (compressed > 0 ? ', compression of ' + compressed : '') + (isNumber(lot?.size) ? ' of a lot of ' + lot.size : '')],
     ...(lots.length > 0 ? [['Lot', enumerate(lots)]] : []),
     [
@@ -53,7 +53,7 @@ function certificateHead() {
     ],
     ['Temperature', temperature ? temperature + THIN + '\u00b0C' : blank('Temperature')],
     ...(conditions.length > 0 ? [['Conditions', conditions.join(', ')]] : []),
-    ...(steps.length > 1 ? [['Blocks tested', '\u00b1' + steps.join(', \u00b1') + THIN + MM]] : []),
+    ...(steps.length > 1 ? [['Blocks tested', steps.map((value) => '\u00b1' + significant(value, 3)).join(', ') + THIN + MM]] : []),
     ...(load ? [['Vertical load', load + THIN + KN + ' (mean of the cycle)']] : []),
     ...(rubber.length > 0 ? [['Rubber', rubber.join(', ')]] : []),
     [
@@ -62,14 +62,7 @@ function certificateHead() {
         ? rules.title + (rules.edition ? ', ' + rules.edition : '') + (rules.verified_by ? ' (text verified)' : ' (limits not verified: no verdict)')
         : 'no rule set: values, no verdict',
     ],
-    ...(report.assessment?.design?.length > 0
-      ? [
-          [
-            'Design values',
-            report.assessment.design.map(({ name, value, unit }) => name + ' ' + trimmed(value) + THIN + unit).join(', '),
-          ],
-        ]
-      : []),
+    ...(designText() ? [['Design values', designText()]] : []),
   ];
   const long = new Set(['Blocks tested', 'Held to', 'Design values']);
   return element(
@@ -87,10 +80,6 @@ function certificateHead() {
     ),
     certificateResult(),
   );
-}
-
-function echoNumber({ currentTarget }) {
-  for (const echo of document.querySelectorAll('.certificate-number')) echo.textContent = currentTarget.textContent;
 }
 
 function certificateResult() {

@@ -1,4 +1,5 @@
 import { assessedBlock, assessedCycle } from '../cycles.js';
+import { svg } from '../element.js';
 import { slice } from '../raw.js';
 import { curve, devices, tested } from '../report.js';
 import { trimmed } from '../text.js';
@@ -14,16 +15,7 @@ export const certificateLoopFigure = {
 
 const WIDE = 330,
   HIGH = 250,
-  LEFT = 44,
   BELOW = 34;
-const NAMESPACE = 'http://www.w3.org/2000/svg';
-
-function drawn(tag, attributes, text = null) {
-  const node = document.createElementNS(NAMESPACE, tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  if (text !== null) node.textContent = text;
-  return node;
-}
 
 // Round values from -most to most, about three on each side of zero.
 function ticks(most) {
@@ -41,22 +33,25 @@ export function loopDrawing(device) {
     F = curve(raw.force_kN);
   const most = (values) => 1.06 * Math.max(...values.map(Math.abs)) || 1;
   const [mostX, mostF] = [most(x), most(F)];
-  const across = (value) => LEFT + ((value / mostX + 1) / 2) * (WIDE - LEFT),
+  const left = Math.max(44, 6 + 6 * trimmed(ticks(mostF)[0]).length); // with room for a label such as -1000000
+  const across = (value) => left + ((value / mostX + 1) / 2) * (WIDE - left),
     down = (value) => ((1 - value / mostF) / 2) * (HIGH - BELOW);
   const line = (xs, Fs) => xs.map((value, i) => (i === 0 ? 'M' : 'L') + across(value).toFixed(1) + ' ' + down(Fs[i]).toFixed(1)).join('');
-  const svg = drawn('svg', { viewBox: `0 0 ${WIDE} ${HIGH}`, class: 'loop-drawing', role: 'img', 'aria-label': 'Force over displacement of ' + device.name });
-  for (const value of ticks(mostX)) {
-    svg.append(drawn('path', { d: `M${across(value)} 0V${HIGH - BELOW}`, class: 'grid' }));
-    svg.append(drawn('text', { x: across(value), y: HIGH - BELOW + 13, 'text-anchor': 'middle' }, trimmed(value)));
-  }
-  for (const value of ticks(mostF)) {
-    svg.append(drawn('path', { d: `M${LEFT} ${down(value)}H${WIDE}`, class: 'grid' }));
-    svg.append(drawn('text', { x: LEFT - 5, y: down(value) + 3.5, 'text-anchor': 'end' }, trimmed(value)));
-  }
-  svg.append(drawn('path', { d: line(x, F), class: 'all' }));
   const cycle = assessedCycle(device);
-  if (cycle) svg.append(drawn('path', { d: line(slice(raw, x, cycle.first, cycle.last), slice(raw, F, cycle.first, cycle.last)), class: 'reported' }));
   const title = (cycle ? 'cycle ' + cycle.number + ' of block ' + assessedBlock(device).number + ' black' : 'whole record') + '; displacement [' + MM + '], force [' + KN + ']';
-  svg.append(drawn('text', { x: (WIDE + LEFT) / 2, y: HIGH - 5, 'text-anchor': 'middle' }, title));
-  return svg;
+  return svg(
+    'svg',
+    { viewBox: `0 0 ${WIDE} ${HIGH}`, class: 'loop-drawing', role: 'img', 'aria-label': 'Force over displacement of ' + device.name },
+    ...ticks(mostX).flatMap((value) => [
+      svg('path', { d: `M${across(value)} 0V${HIGH - BELOW}`, class: 'grid' }),
+      svg('text', { x: across(value), y: HIGH - BELOW + 13, 'text-anchor': 'middle' }, trimmed(value)),
+    ]),
+    ...ticks(mostF).flatMap((value) => [
+      svg('path', { d: `M${left} ${down(value)}H${WIDE}`, class: 'grid' }),
+      svg('text', { x: left - 5, y: down(value) + 3.5, 'text-anchor': 'end' }, trimmed(value)),
+    ]),
+    svg('path', { d: line(x, F), class: 'all' }),
+    ...(cycle ? [svg('path', { d: line(slice(raw, x, cycle.first, cycle.last), slice(raw, F, cycle.first, cycle.last)), class: 'reported' })] : []),
+    svg('text', { x: (WIDE + left) / 2, y: HIGH - 5, 'text-anchor': 'middle' }, title),
+  );
 }

@@ -1,7 +1,7 @@
 import { button, element } from '../dom.js';
 import { report } from '../report.js';
 import { certificateBoundsFigure } from './bounds.js';
-import { certificateDeviceFigure, devicePages } from './device_page.js';
+import { certificateDeviceFigure, showDevicePages } from './device_page.js';
 import { certificateDevicesFigure } from './devices.js';
 import { certificateHeadFigure } from './head.js';
 import { certificateLimitsFigure } from './limits.js';
@@ -37,13 +37,14 @@ function mark(section) {
 function certificateControls() {
   const print = () => {
     document.documentElement.dataset.only = 'certificate';
-    devicePages()?.showAll();
+    showDevicePages({ all: true });
     window.print();
   };
-  window.addEventListener('afterprint', () => {
-    if (!document.documentElement.dataset.only) return;
-    delete document.documentElement.dataset.only;
-    devicePages()?.showChosen();
-  });
   return [button('Print the certificate', print, { class: 'action' }), element('span', { class: 'muted' }, 'The lines below can be filled in here before printing.')];
+}
+
+export function afterPrintingCertificate() {
+  if (!document.documentElement.dataset.only) return;
+  delete document.documentElement.dataset.only;
+  showDevicePages({ all: false });
 }

@@ -2,7 +2,7 @@ import { element, strong } from '../dom.js';
 import { devices, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
 import { count } from '../text.js';
-import { blank } from './blank.js';
+import { blank, echo } from './blank.js';
 
 export const certificateSignatureFigure = {
   id: 'certificate-signature',
@@ -41,9 +41,8 @@ function signatureBlock() {
     element(
       'p',
       { class: 'bound' },
-      'Certificate ',
-      element('span', { class: 'certificate-number' }),
-      ' \u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
+      ...echo('Certificate number'),
+      '\u2013 ' + (report.title || 'isolation devices') + ', ' + count(devices.length, 'device'),
     ),
     signatures(),
     element(

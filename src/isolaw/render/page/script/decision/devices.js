@@ -2,6 +2,7 @@ import { chosen, onChoice } from '../choice.js';
 import { chooseDevice } from '../choosers.js';
 import { reportedCycle } from '../cycles.js';
 import { button, element } from '../dom.js';
+import { svg } from '../element.js';
 import { record } from '../loops/fits.js';
 import { colourOf, paddedRange } from '../plotting.js';
 import { curve, devices, drawable, headingOf, headingText, laws, report } from '../report.js';
@@ -62,18 +63,11 @@ function loopStrip() {
   const colour = laws[chosen.law] ? 'var(--' + colourOf(laws[chosen.law]) + ')' : '';
   const tiles = loops.map(({ device, x, F, force }) => {
     const apart = oneReason(device);
-    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    svg.setAttribute('viewBox', `0 0 ${WIDE} ${HIGH}`);
-    svg.setAttribute('aria-hidden', 'true');
-    for (const [values, stroke] of [[F, 'var(--ink)'], [force, colour]]) {
-      if (!values) continue;
-      const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-      path.setAttribute('d', outline(x, values, limits));
-      path.style.stroke = stroke;
-      svg.append(path);
-    }
+    const lines = [[F, 'var(--ink)'], [force, colour]].filter(([values]) => values);
+    const paths = lines.map(([values, stroke]) => svg('path', { d: outline(x, values, limits), style: 'stroke: ' + stroke }));
+    const drawing = svg('svg', { viewBox: `0 0 ${WIDE} ${HIGH}`, 'aria-hidden': 'true' }, ...paths);
     const tile = button('', () => chooseDevice(device.index), { class: apart ? 'tile apart' : 'tile', 'data-device': device.index });
-    tile.append(svg, element('span', {}, device.name), ...(apart ? [element('small', {}, apart)] : []));
+    tile.append(drawing, element('span', {}, device.name), ...(apart ? [element('small', {}, apart)] : []));
     return tile;
   });
   const follow = () => {

@@ -1,6 +1,6 @@
 import { chosen, onChoice } from '../choice.js';
 import { deviceChooser } from '../choosers.js';
-import { counted } from '../cycles.js';
+import { countingCycle } from '../cycles.js';
 import { element } from '../dom.js';
 import { drawn } from '../figure.js';
 import { forceRange, isLargeSwing, isScored, record } from '../loops/fits.js';
@@ -9,7 +9,6 @@ import { curve, devices, drawable, laws } from '../report.js';
 import { THIN, errorText, fixed, plain, significant } from '../text.js';
 import { KN, LOOP_HOVER, MM, decimalsIn } from '../units.js';
 
-const THIRD = 3;
 export const MOST_LOOPS = 24; // a lot of more devices is shown as points, not as small loops
 
 export const answerLoopFigure = {
@@ -25,13 +24,12 @@ export const answerLoopFigure = {
   below: timeSlider,
 };
 
-// The parts of the record that are drawn in full: the third cycle of each block, or the last one if a block has fewer.
-// Null if the record has no cycles; then all of it is drawn in full.
+// The parts of the record that are drawn in full: one cycle of each block. Null if the record has no cycles; then all
+// of it is drawn in full.
 export function cyclesShown(device) {
   const axis = rawTime(device);
-  const cycles = device.blocks.map((block) => counted(block)).filter((some) => some.length > 0);
-  if (cycles.length === 0) return null;
-  return cycles.map((some) => some.find(({ number }) => number === THIRD) ?? some[some.length - 1]).map(({ first, last }) => [axis.of(first), axis.of(last)]);
+  const cycles = device.blocks.map(countingCycle).filter(Boolean);
+  return cycles.length > 0 ? cycles.map(({ first, last }) => [axis.of(first), axis.of(last)]) : null;
 }
 
 function shown() {

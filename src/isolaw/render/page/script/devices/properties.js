@@ -1,4 +1,4 @@
-import { counted, countedCycles, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
+import { counted, countedCycles, countingCycle, cycleData, isReported, noCycles, reportedCycle } from '../cycles.js';
 import { element, onScreen, strong } from '../dom.js';
 import { devices, headingOf, numberColumn } from '../report.js';
 import { said, table } from '../tables.js';
@@ -69,7 +69,7 @@ function propertiesTable() {
       return [{ className: 'group', cells: [...lead(true), none] }];
     }
     return blocks.map((block, i) => {
-      const cycle = counted(block)[Math.min(2, counted(block).length - 1)];
+      const cycle = countingCycle(block);
       return {
         className:
           [i === 0 ? 'group' : '', several && isReported(device, block, cycle) ? 'strong' : ''].join(' ').trim() ||

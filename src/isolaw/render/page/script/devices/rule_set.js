@@ -1,8 +1,7 @@
 import { element, termList } from '../dom.js';
-import { sampleText } from '../lot.js';
+import { designText, sampleText } from '../lot.js';
 import { report } from '../report.js';
-import { THIN, sentence, trimmed } from '../text.js';
-import { isConverted } from '../units.js';
+import { sentence } from '../text.js';
 
 export const ruleSetFigure = {
   id: 'rule-set',
@@ -12,7 +11,7 @@ export const ruleSetFigure = {
 };
 
 function ruleSetStatement() {
-  const { rule_set: rules, design, lot } = report.assessment;
+  const { rule_set: rules, lot } = report.assessment;
   const facts = [
     [
       'Rule set',
@@ -20,12 +19,7 @@ function ruleSetStatement() {
     ],
     ...(rules?.source ? [['Source', rules.source]] : []),
     ...(rules ? [['Verified by', rules.verified_by || 'nobody']] : []),
-    [
-      'Design values',
-      design.length > 0
-        ? design.map(({ name, value, unit }) => name + ' ' + (isConverted ? trimmed(value, 5) : value) + THIN + unit).join(', ')
-        : 'none given, so no deviations',
-    ],
+    ['Design values', designText() || 'none given, so no deviations'],
     ...(rules && lot?.sample ? [['Sample', sampleText(lot.sample)]] : []),
     ...(lot?.note ? [['The lot', lot.note]] : []),
     ...(lot?.mean_analysis?.sentence ? [['Mean properties', lot.mean_analysis.sentence]] : []),

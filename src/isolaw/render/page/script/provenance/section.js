@@ -1,8 +1,8 @@
 import { commandLine, element, strong, termList } from '../dom.js';
+import { designText } from '../lot.js';
 import { devices, inspection, laws, recordsOf, report } from '../report.js';
 import { tableOf } from '../tables.js';
-import { THIN, count, isNumber, short, trimmed } from '../text.js';
-import { isConverted } from '../units.js';
+import { count, isNumber, short } from '../text.js';
 
 const settingsFigure = {
   id: 'settings',
@@ -62,13 +62,13 @@ export const provenanceSection = {
 
 function settingRows() {
   const text = (value) => (Array.isArray(value) ? value.join(', ') || 'none' : String(value));
-  const { rule_set: rules = null, design = [], lot = null } = report.assessment ?? {};
+  const { rule_set: rules = null, lot = null } = report.assessment ?? {};
   return [
     ['isolaw', report.isolaw],
     ['seed', report.seed],
     ...Object.entries(report.settings).map(([key, value]) => [key, text(value)]),
     ...(rules ? [['rules', rules.id]] : []),
-    ...(design.length > 0 ? [['design', design.map(({ name, value, unit }) => name + '=' + (isConverted ? trimmed(value, 5) + THIN + unit : value)).join(', ')]] : []),
+    ...(designText() ? [['design', designText()]] : []),
     ...(isNumber(lot?.size) ? [['lot-size', lot.size]] : []),
   ];
 }

@@ -1,3 +1,0 @@
-import { shownData } from './units.js';
-
-export const data = shownData;
