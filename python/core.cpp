@@ -25,6 +25,8 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
+#include "isolaw/programs/subject.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/wording/table.hpp"
@@ -644,6 +646,70 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   return complaints;
 }
 
+Unit unit_named(std::string const& text, Dimension dimension) {
+  auto const unit = parse_unit(text);
+  if (unit && unit->dimension == dimension) return *unit;
+  throw Error({.where = "units",
+               .found = in_quotes(text),
+               .allowed = fmt::format("a unit of {}: {}", name(dimension), known_units(dimension))});
+}
+
+// A law for isolaw.opensees: its parameters in the law's order, how it is integrated, the factors of its bounds, what
+// converts the units of the model, and the warnings about it. `source` is a campaign, or the law's parameters.
+py::dict law_for_opensees(std::string const& law_id, py::object const& source, std::string const& device,
+                          std::pair<std::string, std::string> const& units, bool in_plane, bool anyway) {
+  auto const& law = laws::find_law(law_id);
+  auto const force = unit_named(units.first, Dimension::force), length = unit_named(units.second, Dimension::length);
+  std::vector<double> parameters;
+  std::vector<std::string> warnings;
+  double dead_band_mm = 0.0;
+  int refinement = 1;
+  std::optional<double> lower, upper;
+  std::string bounds = "no bounds, because the law was given by its parameters";
+  bool is_fitted_as_springs = false;
+  if (py::isinstance<Campaign>(source)) {
+    auto const& campaign = source.cast<Campaign const&>();
+    auto const subject = programs::make_subject(campaign.contents, campaign.summary, law_id, device);
+    study::require_taken(subject.doubts,
+                         study::whose(law_id, subject.lot ? std::nullopt : std::optional<std::string_view>(device)),
+                         anyway);
+    warnings = wording::sentences(subject.doubts.findings, wording::with_law);
+    if (subject.doubts.objection) warnings.push_back(wording::remark(*subject.doubts.objection));
+    warnings.insert(warnings.end(), subject.beyond.begin(), subject.beyond.end());
+    parameters = subject.parameters;
+    dead_band_mm = subject.dead_band_mm;
+    refinement = subject.refinement;
+    if (subject.bounds.lower) lower = subject.bounds.lower->overall;
+    if (subject.bounds.upper) upper = subject.bounds.upper->overall;
+    bounds = subject.bounds.source;
+    if (auto const springs = fitted_law(campaign.contents, law_id, device).springs; in_plane && springs) {
+      parameters = springs->parameters;
+      is_fitted_as_springs = true;
+    }
+  } else {
+    parameters = parameters_of(law, source);
+  }
+  bool const is_coupled = !is_fitted_as_springs && !laws::no_coupled_form(law_id, parameters);
+  if (in_plane && !is_coupled && !law.info.traits.odd)
+    throw Error({.where = "law " + law_id,
+                 .found = "its force depends on the side, so springs around a circle cannot follow it",
+                 .allowed = "a law of equal force on both sides"});
+  py::dict result;
+  result["parameters"] = parameters;
+  result["dead_band"] = dead_band_mm / law.info.length.in_record_units;
+  result["parts"] = refinement;
+  result["length_to_law"] = length.in_record_units / law.info.length.in_record_units;
+  result["force_from_law"] = law.info.force.in_record_units / force.in_record_units;
+  result["lower"] = lower;
+  result["upper"] = upper;
+  result["bounds"] = bounds;
+  result["springs"] = is_coupled ? 0 : laws::usual_springs;
+  result["fitted_as_springs"] = is_fitted_as_springs;
+  result["rate_independent"] = law.info.traits.rate_independent;
+  result["warnings"] = warnings;
+  return result;
+}
+
 void raise_error(Error const& thrown) {
   Error const error(in_keywords(thrown.complaints()));
   py::list complaints;
@@ -832,6 +898,8 @@ void add_campaigns(py::module_& m) {
         py::gil_scoped_release const released;
         render::write_outputs(c.summary, directory);
       });
+  m.def("law_for_opensees", &law_for_opensees, py::arg("law"), py::arg("source"), py::arg("device"), py::arg("units"),
+        py::arg("in_plane"), py::arg("anyway"));
 }
 
 void add_calibration(py::module_& m) {

@@ -1,0 +1,51 @@
+// Vector, Matrix and ID of OpenSees over memory of ours: the program's constructors make them, and they own nothing.
+#pragma once
+
+#include <cstddef>
+
+#include "program.hpp"
+
+namespace isolaw::opensees {
+
+// The members that this library reads. Program::prove_values() compares them with what the program writes.
+struct Vector {
+  using Number = double;
+  int size;
+  double* numbers;
+};
+struct Id {
+  using Number = int;
+  int size;
+  int* numbers;
+};
+struct Matrix {  // two rows and columns, column after column
+  using Number = double;
+};
+
+template <class Value>
+class ValuesOf {
+ public:
+  ValuesOf(Program const& program, typename Value::Number* numbers);
+  ValuesOf(ValuesOf const&) = delete;
+  ValuesOf& operator=(ValuesOf const&) = delete;
+  Value& get() const { return *reinterpret_cast<Value*>(const_cast<std::byte*>(memory_)); }
+
+ private:
+  static constexpr std::size_t more_than_it_needs = 64;
+  alignas(16) std::byte memory_[more_than_it_needs] = {};
+};
+
+template <>
+inline ValuesOf<Vector>::ValuesOf(Program const& program, double* numbers) {
+  program.calls().begin_vector(memory_, numbers, 2);
+}
+template <>
+inline ValuesOf<Matrix>::ValuesOf(Program const& program, double* numbers) {
+  program.calls().begin_matrix(memory_, numbers, 2, 2);
+}
+template <>
+inline ValuesOf<Id>::ValuesOf(Program const& program, int* numbers) {
+  program.calls().begin_id(memory_, numbers, 2, false);
+}
+
+}  // namespace isolaw::opensees

@@ -1,0 +1,175 @@
+"""The laws of isolaw in OpenSeesPy as it is installed from PyPI, without a re-fit and without compiling anything.
+
+>>> import openseespy.opensees as ops, isolaw, isolaw.opensees
+>>> isolaw.opensees.attach(ops)
+>>> isolaw.opensees.material(7, "power-masing", isolaw.load("out/lot"), bound="upper", units=("kN", "mm"))
+
+A material has a tag like those of ``ops.uniaxialMaterial``, and elements use it in the same way. OpenSees owns it: ``ops.wipe()``
+removes it. What this needs of OpenSees, and what it does not do, is in docs/opensees.md.
+"""
+
+import ctypes as _ctypes
+import math as _math
+import os as _os
+import pathlib as _pathlib
+import sys as _sys
+import warnings as _warnings
+
+from . import Campaign as _Campaign
+from . import _core
+from ._error import Error
+
+__all__ = ["attach", "material", "section"]
+
+_attached = None  # file of the module that attach() proved
+
+
+class _Law(_ctypes.Structure):  # IsolawLaw in opensees/law.hpp
+    _fields_ = [
+        ("id", _ctypes.c_char_p),
+        ("parameters", _ctypes.POINTER(_ctypes.c_double)),
+        ("count", _ctypes.c_size_t),
+        ("dead_band", _ctypes.c_double),
+        ("parts", _ctypes.c_int),
+        ("length_to_law", _ctypes.c_double),
+        ("force_from_law", _ctypes.c_double),
+        ("factor", _ctypes.c_double),
+        ("lower", _ctypes.c_double),
+        ("upper", _ctypes.c_double),
+        ("springs", _ctypes.c_int),
+        ("axes", (_ctypes.c_double * 3) * 2),
+    ]
+
+
+def _library():
+    file = _pathlib.Path(__file__).parent / "_opensees.so"
+    if not file.exists():
+        raise Error(
+            f"isolaw.opensees: this build has no library for OpenSees ({_sys.platform}); "
+            "allowed: Linux and macOS; try: isolaw export --to openseespy, a script with a re-fitted material"
+        )
+    return _ctypes.PyDLL(_os.fspath(file))  # keeps Python's lock, because OpenSees writes its messages through Python
+
+
+def _call(name, *arguments):
+    reason = _ctypes.create_string_buffer(4000)
+    function = getattr(_library(), name)
+    function.restype = _ctypes.c_bool
+    if not function(*arguments, reason, _ctypes.c_size_t(len(reason))):
+        raise Error(reason.value.decode())
+
+
+def attach(ops=None):
+    """Finds the OpenSees that runs in this Python, and proves that its classes are laid out as isolaw expects.
+
+    ops: the module ``openseespy.opensees``, which is imported if none is given. material() and section() attach by
+    themselves, so this call is only needed for another module than that of PyPI. Raises Error if the program is another
+    one or its classes differ; then nothing was changed.
+    """
+    global _attached
+    if ops is None:
+        try:
+            import openseespy.opensees as ops
+        except ImportError as error:
+            raise Error(f"isolaw.opensees: {error}; allowed: a Python with OpenSeesPy; try: pip install openseespy") from None
+    try:
+        file = _sys.modules[ops.node.__module__].__file__
+    except (AttributeError, KeyError):
+        raise Error(f"isolaw.opensees: {ops!r} is no module of OpenSees; allowed: openseespy.opensees") from None
+    _call("isolaw_attach", _os.fsencode(file))
+    _attached = _os.fsencode(file)
+
+
+def _factor(bound, found):
+    if isinstance(bound, str):
+        factor = {"nominal": 1.0, "lower": found["lower"], "upper": found["upper"]}.get(bound)
+        if factor is None:
+            there = [name for name in ("lower", "upper") if found[name] is not None]
+            raise Error(
+                f"bound: {bound!r}; allowed: {', '.join(['nominal', *there])} or a factor on the force above 0 ({found['bounds']})"
+            )
+        return factor
+    if not (_math.isfinite(bound) and bound > 0.0):
+        raise Error(f"bound: {bound!r}; allowed: nominal, lower, upper or a factor on the force above 0")
+    return float(bound)
+
+
+def _add(call, tag, law, source, device, bound, units, anyway, axes=None):
+    if _attached is None:
+        attach()
+    given = source._core if isinstance(source, _Campaign) else source
+    found = _core.law_for_opensees(law, given, device, tuple(units), call == "isolaw_section", anyway)
+    for sentence in found["warnings"]:
+        _warnings.warn(sentence, stacklevel=3)
+    if not found["rate_independent"]:
+        _warnings.warn(
+            f"the force of {law} depends on velocity, which is 0 in a static analysis: there it gives the force of an endlessly slow motion",
+            stacklevel=3,
+        )
+    parameters = (_ctypes.c_double * len(found["parameters"]))(*found["parameters"])
+    none = float("nan")
+    arguments = _Law(
+        law.encode(),
+        parameters,
+        len(parameters),
+        found["dead_band"],
+        found["parts"],
+        found["length_to_law"],
+        found["force_from_law"],
+        _factor(bound, found),
+        none if found["lower"] is None else found["lower"],
+        none if found["upper"] is None else found["upper"],
+        found["springs"],
+    )
+    if axes is not None:
+        for row, axis in enumerate(axes):
+            arguments.axes[row][:] = axis
+    _call(call, _attached, _ctypes.c_int(tag), _ctypes.byref(arguments))
+
+
+def material(tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), anyway=False):
+    """Adds a law to the running OpenSees as a uniaxial material with this tag: force over displacement.
+
+    law: an id of isolaw.laws(). source: a Campaign that fitted the law, or its parameters as a dict by name (in the law's
+    units). device: the name of a device of the campaign, or "lot" for the law of all devices together. bound: "nominal",
+    "lower", "upper" (of the campaign's rule set, or of the devices tested), or a factor on the force. units: force and
+    length of the model. anyway: take a law whose prediction is unusable.
+
+    The parameters "factor", "lower" and "upper" of ops.parameter change the factor on the force during an analysis; 1
+    for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force, deformation, tangent, energy.
+    A law that depends on velocity takes that of the element.
+
+    What the campaign doubts about the law is given by warnings.warn. Raises Error for an unknown law, device, bound or
+    unit, for a law that should not be taken, and for a tag that exists.
+    """
+    _add("isolaw_material", tag, law, source, device, bound, units, anyway)
+
+
+def section(tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), orient=None, anyway=False):
+    """Adds a law in two directions to the running OpenSees, as a section with the forces VY and VZ.
+
+    It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. As in ``isolaw.building``, the
+    law has one state for both directions if it has such a form, and is a set of springs around the circle otherwise.
+    Arguments are those of material(). orient: the six numbers of the element's ``-orient``, which laws that depend on
+    velocity need (default 1, 0, 0, 0, 1, 0).
+
+    Raises Error as material() does, and for a law whose force differs from side to side.
+    """
+    axes = _axes([1.0, 0.0, 0.0, 0.0, 1.0, 0.0] if orient is None else [float(value) for value in orient])
+    _add("isolaw_section", tag, law, source, device, bound, units, anyway, axes)
+
+
+def _cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def _axes(orient):
+    """The local axes y and z of an element with this orientation: the x axis, and a vector in the plane of x and y."""
+    if len(orient) != 6:
+        raise Error(f"orient: {len(orient)} numbers; allowed: six, those of the element's -orient")
+    z = _cross(orient[:3], orient[3:])
+    y = _cross(z, orient[:3])
+    lengths = [_math.hypot(*axis) for axis in (y, z)]
+    if min(lengths) == 0.0:
+        raise Error(f"orient: {orient}; allowed: two directions that are not parallel")
+    return [[value / length for value in axis] for axis, length in zip((y, z), lengths)]

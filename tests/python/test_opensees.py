@@ -1,0 +1,290 @@
+"""The laws in OpenSeesPy from PyPI, as isolaw.opensees adds them: every law, in one and in two directions."""
+
+import csv
+import math
+import pathlib
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+
+import isolaw
+import isolaw.opensees
+from devices import InFolder, arrays, program, write_csv
+
+try:
+    import openseespy.opensees as ops
+except ImportError as error:
+    raise unittest.SkipTest(f"skipped: {error} (tools/opensees.sh build/opensees installs it)") from None
+
+LAWS = isolaw.laws()
+TIME = np.linspace(0.0, 3.0, 601)
+# Three cycles of a rising amplitude, up to the displacement of the record that the boxes come from.
+PATH = 100.0 * np.sin(2.0 * np.pi * TIME) * (0.3 + 0.7 * TIME / 3.0)
+
+
+def usual_parameters(law):
+    """The middle of the law's search box on a bilinear record."""
+    t, x, F = arrays()
+    box = isolaw.box(law, isolaw.record(x, F, t))
+    middle = {}
+    for name, p in box.items():
+        if not p["free"]:
+            middle[name] = p["value"]
+        elif p["scale"] == "linear" or p["lower"] <= 0.0:
+            middle[name] = 0.5 * (p["lower"] + p["upper"])
+        else:
+            middle[name] = math.sqrt(p["lower"] * p["upper"])
+    return middle
+
+
+def two_nodes(*free):
+    """A model of two nodes, of which the second may move along the given directions from 1."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 3, "-ndf", 6)
+    for tag in (1, 2):
+        ops.node(tag, 0.0, 0.0, 0.0)
+    ops.fix(1, 1, 1, 1, 1, 1, 1)
+    ops.fix(2, *(0 if direction in free else 1 for direction in range(1, 7)))
+
+
+def add(kind, *arguments, **keywords):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        getattr(isolaw.opensees, kind)(*arguments, **keywords)
+
+
+def driven(response, **paths):
+    """Moves the second node along the paths, by direction, and returns the element's responses after each step."""
+    for direction, path in paths.items():
+        number = int(direction[1:])
+        ops.timeSeries("Path", number, "-dt", 1.0, "-values", 0.0, *map(float, path))
+        ops.pattern("Plain", number, number)
+        ops.sp(2, number, 1.0)
+    ops.constraints("Lagrange")
+    ops.numberer("Plain")
+    ops.system("FullGeneral")
+    ops.algorithm("Newton")
+    ops.test("NormDispIncr", 1e-10, 20)
+    ops.integrator("LoadControl", 1.0)
+    ops.analysis("Static")
+    found = []
+    for _ in range(len(next(iter(paths.values())))):
+        if ops.analyze(1) != 0:
+            raise AssertionError("a step failed")
+        found.append(ops.eleResponse(1, *response))
+    return np.array(found)
+
+
+def force_in_opensees(law, parameters, path, **keywords):
+    two_nodes(1)
+    add("material", 7, law, parameters, **keywords)
+    ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+    return driven(("force",), d1=path)[:, 6]
+
+
+class Materials(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        isolaw.opensees.attach(ops)
+        write_csv(cls.path / "a.csv", *arrays(20.0))
+        write_csv(cls.path / "b.csv", *arrays(24.0))
+        cls.lot = isolaw.calibrate(
+            [cls.path / "a.csv", cls.path / "b.csv"], ["bilinear", "bouc-wen", "power-masing-viscous"], runs=1, replicates=0
+        )
+
+    def test_every_law_has_the_force_of_isolaw(self):
+        for law, about in LAWS.items():
+            with self.subTest(law=law):
+                parameters = usual_parameters(law)
+                # A static analysis has no velocity, so the motion takes very long for isolaw.
+                expected = isolaw.force(law, parameters, isolaw.motion(PATH, 1e9 * TIME))
+                found = force_in_opensees(law, parameters, PATH)
+                self.assertLess(np.abs(found - expected).max(), 1e-6 * np.abs(expected).max())
+
+    def test_units_and_bounds(self):
+        parameters = self.lot.parameters("bilinear", "lot")
+        expected = isolaw.force("bilinear", parameters, isolaw.motion(PATH, TIME))
+        in_m = force_in_opensees("bilinear", self.lot, 1e-3 * PATH, units=("N", "m"))
+        self.assertLess(np.abs(in_m - 1e3 * expected).max(), 1e-9 * np.abs(in_m).max())
+        upper = force_in_opensees("bilinear", self.lot, PATH, bound="upper")
+        lower = force_in_opensees("bilinear", self.lot, PATH, bound="lower")
+        self.assertLess(np.abs(lower).max(), np.abs(expected).max())
+        self.assertGreater(np.abs(upper).max(), np.abs(expected).max())
+        half = force_in_opensees("bilinear", self.lot, PATH, bound=0.5)
+        self.assertLess(np.abs(half - 0.5 * expected).max(), 1e-9 * np.abs(expected).max())
+
+    def test_tangents_are_slopes_of_the_force(self):
+        for law in LAWS:
+            with self.subTest(law=law):
+                parameters = usual_parameters(law)
+
+                def after(x, v):
+                    """Force, tangent and damping of a new material after a step from 30 mm."""
+                    ops.wipe()
+                    add("material", 7, law, parameters)
+                    ops.testUniaxialMaterial(7)
+                    for start in (0.0, 15.0, 30.0):
+                        ops.setStrain(start, 10.0)
+                    ops.setStrain(x, v)
+                    return ops.getStress(), ops.getTangent(), ops.getDampTangent()
+
+                force, tangent, damping = after(31.0, 40.0)
+                slope = (after(31.0 + 1e-5, 40.0)[0] - after(31.0 - 1e-5, 40.0)[0]) / 2e-5
+                by_velocity = (after(31.0, 40.0 + 1e-3)[0] - after(31.0, 40.0 - 1e-3)[0]) / 2e-3
+                self.assertAlmostEqual(tangent, slope, delta=2e-4 * abs(slope) + 1e-6 * abs(force))
+                self.assertAlmostEqual(damping, by_velocity, delta=2e-4 * abs(by_velocity) + 1e-6 * abs(force))
+
+    def test_the_force_follows_the_velocity_in_a_transient_analysis(self):
+        law, parameters = "power-masing-viscous", usual_parameters("power-masing-viscous")
+        ops.wipe()
+        ops.model("basic", "-ndm", 1, "-ndf", 1)
+        ops.node(1, 0.0)
+        ops.node(2, 0.0, "-mass", 1e-2)  # kN s2/mm
+        ops.fix(1, 1)
+        add("material", 7, law, parameters)
+        ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+        ops.timeSeries("Trig", 1, 0.0, 10.0, 1.0, "-factor", 60.0)
+        ops.pattern("Plain", 1, 1)
+        ops.load(2, 1.0)
+        ops.constraints("Plain")
+        ops.numberer("Plain")
+        ops.system("FullGeneral")
+        ops.algorithm("Newton")
+        ops.test("NormDispIncr", 1e-9, 30)
+        ops.integrator("Newmark", 0.5, 0.25)
+        ops.analysis("Transient")
+        rows = []
+        for _ in range(300):
+            self.assertEqual(ops.analyze(1, 0.01), 0)
+            rows.append((ops.nodeDisp(2, 1), ops.nodeVel(2, 1), ops.eleResponse(1, "material", 1, "stress")[0]))
+        # The same material alone, along the same displacements and velocities.
+        ops.wipe()
+        add("material", 7, law, parameters)
+        ops.testUniaxialMaterial(7)
+        largest = max(abs(force) for _, _, force in rows)
+        static = isolaw.force(law, parameters, isolaw.motion([0.0] + [x for x, _, _ in rows], 1e9 * np.arange(301.0)))[1:]
+        for x, v, force in rows:
+            ops.setStrain(x, v)
+            self.assertAlmostEqual(ops.getStress(), force, delta=1e-6 * largest)
+        self.assertGreater(max(abs(force - slow) for (_, _, force), slow in zip(rows, static)), 0.01 * largest)
+
+    def test_parameters_reset_and_responses(self):
+        two_nodes(1)
+        add("material", 7, "bilinear", self.lot)
+        ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+        ops.parameter(1, "element", 1, "material", 1, "upper")
+        force = driven(("force",), d1=PATH)[:, 6]
+        tangent = ops.eleResponse(1, "material", 1, "tangent")[0]
+        energy = ops.eleResponse(1, "material", 1, "energy")[0]
+        self.assertAlmostEqual(energy, np.trapezoid(force, PATH) if hasattr(np, "trapezoid") else np.trapz(force, PATH), delta=1e-6 * energy)
+        self.assertEqual(ops.eleResponse(1, "material", 1, "force")[0], ops.eleResponse(1, "material", 1, "stress")[0])
+        self.assertEqual(ops.eleResponse(1, "material", 1, "deformation")[0], ops.eleResponse(1, "material", 1, "strain")[0])
+        ops.updateParameter(1, 1.0)
+        upper = ops.eleResponse(1, "material", 1, "tangent")[0] / tangent
+        self.assertGreater(upper, 1.0)
+        ops.updateParameter(1, 0.0)
+        self.assertAlmostEqual(ops.eleResponse(1, "material", 1, "tangent")[0], tangent)
+        ops.reset()
+        self.assertEqual(ops.eleResponse(1, "material", 1, "energy")[0], 0.0)
+        self.assertEqual(ops.eleResponse(1, "material", 1, "stress")[0], 0.0)
+
+    def test_elements_with_one_material_are_independent(self):
+        two_nodes(1, 2)
+        add("material", 7, "bouc-wen", usual_parameters("bouc-wen"))
+        ops.element("zeroLength", 1, 1, 2, "-mat", 7, 7, "-dir", 1, 2)
+        found = driven(("force",), d1=PATH, d2=0.5 * PATH)
+        alone = isolaw.force("bouc-wen", usual_parameters("bouc-wen"), isolaw.motion(0.5 * PATH, TIME))
+        self.assertLess(np.abs(found[:, 7] - alone).max(), 1e-6 * np.abs(alone).max())
+
+    def test_wrong_input_is_an_error_and_adds_nothing(self):
+        ops.wipe()
+        bilinear = usual_parameters("bilinear")
+        for arguments, keywords, said in (
+            ((7, "no-law", bilinear), {}, "no-law"),
+            ((7, "bilinear", {"K1": 1.0}), {}, "also needs"),
+            ((7, "bilinear", bilinear), {"bound": "upper"}, "allowed: nominal"),
+            ((7, "bilinear", bilinear), {"bound": -1.0}, "above 0"),
+            ((7, "bilinear", bilinear), {"units": ("mm", "kN")}, "a unit of force"),
+            ((7, "bilinear", self.lot), {"device": "c"}, "c"),
+        ):
+            with self.subTest(said=said), self.assertRaisesRegex(isolaw.Error, said):
+                add("material", *arguments, **keywords)
+        add("material", 7, "bilinear", bilinear)
+        with self.assertRaisesRegex(isolaw.Error, "material 7: a material of this tag exists already"):
+            add("material", 7, "bilinear", bilinear)
+        with self.assertRaisesRegex(isolaw.Error, "no module of OpenSees"):
+            isolaw.opensees.attach(math)
+        with self.assertRaisesRegex(isolaw.Error, "exports no"):
+            isolaw.opensees._call("isolaw_attach", isolaw._core.__file__.encode())
+        with self.assertRaisesRegex(isolaw.Error, "not loaded in this process"):
+            isolaw.opensees._call("isolaw_attach", b"/nowhere/opensees.so")
+
+    def test_what_the_campaign_doubts_is_warned_of(self):
+        ops.wipe()
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            isolaw.opensees.material(7, "power-masing-viscous", self.lot)
+        said = " ".join(str(one.message) for one in caught)
+        self.assertIn("depends on velocity, which is 0 in a static analysis", said)
+
+    def test_a_database_is_refused_by_a_sentence(self):
+        script = f"""
+import sys
+sys.path[:0] = {sys.path!r}
+import openseespy.opensees as ops, isolaw.opensees
+ops.model("basic", "-ndm", 1, "-ndf", 1)
+ops.node(1, 0.0); ops.node(2, 0.0); ops.fix(1, 1)
+isolaw.opensees.material(7, "bilinear", {usual_parameters("bilinear")!r})
+ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+ops.database("File", {str(self.path / "base")!r})
+try:
+    ops.save(1)
+except ops.OpenSeesError:
+    print("still there")
+"""
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertIn("still there", done.stdout)
+        self.assertIn("OpenSees cannot make this object anew", done.stderr)
+
+
+class Sections(InFolder):
+    X = 100.0 * np.sin(np.pi * TIME)
+    Y = 60.0 * np.sin(2.0 * np.pi * TIME)
+
+    def simulated(self, law, parameters, how):
+        """The forces that isolaw simulate gives for the motion in two directions."""
+        (self.path / "p.toml").write_text("".join(f'"{name}" = {value!r}\n' for name, value in parameters.items()))
+        write_csv(self.path / "m.csv", TIME, self.X, self.Y, header="time [s],x displacement [mm],y [mm]")
+        printed = program("simulate", law, "--motion", "m.csv", "--columns", "disp=2", "--second-disp", "3", "--parameters", "p.toml",
+                          "--bidirectional", how, "--dead-band", "0", cwd=self.path)  # fmt: skip
+        rows = [row for row in csv.reader(printed.splitlines()) if row and not row[0].startswith("#")]
+        head = rows[0]
+        columns = [i for i, name in enumerate(head) if "force" in name.lower()]
+        return np.array([[float(row[i]) for i in columns] for row in rows[1:]])
+
+    def test_laws_in_two_directions_are_those_of_simulate(self):
+        isolaw.opensees.attach(ops)
+        for law, about in LAWS.items():
+            if not about["rate_independent"]:
+                continue
+            parameters = usual_parameters(law)
+            with self.subTest(law=law):
+                two_nodes(2, 3)
+                try:
+                    add("section", 9, law, parameters)
+                except isolaw.Error as error:
+                    self.assertIn("depends on the side", str(error))
+                    continue
+                ops.element("zeroLengthSection", 1, 1, 2, 9)
+                found = driven(("section", "force"), d2=self.X, d3=self.Y)
+                is_coupled = isolaw._core.law_for_opensees(law, parameters, "lot", ("kN", "mm"), True, False)["springs"] == 0
+                expected = self.simulated(law, parameters, "coupled" if is_coupled else "springs")
+                self.assertLess(np.abs(found - expected).max(), 1e-5 * np.abs(expected).max())
+
+
+if __name__ == "__main__":
+    unittest.main()
