@@ -285,6 +285,50 @@ class Sections(InFolder):
                 expected = self.simulated(law, parameters, "coupled" if is_coupled else "springs")
                 self.assertLess(np.abs(found - expected).max(), 1e-5 * np.abs(expected).max())
 
+    def test_a_law_of_velocity_gets_that_of_the_nodes(self):
+        law, parameters = "power-masing-viscous", usual_parameters("power-masing-viscous")
+        ops.wipe()
+        ops.model("basic", "-ndm", 3, "-ndf", 6)
+        ops.node(1, 0.0, 0.0, 0.0)
+        ops.node(2, 0.0, 0.0, 0.0, "-mass", *(1e-2,) * 6)
+        ops.fix(1, 1, 1, 1, 1, 1, 1)
+        ops.fix(2, 0, 0, 1, 1, 1, 1)
+        orient = (0.0, 0.0, 1.0, 0.6, 0.8, 0.0)  # a vertical bearing, whose local y axis is not a global one
+        add("section", 9, law, parameters, orient=orient)
+        ops.element("zeroLengthSection", 1, 1, 2, 9, "-orient", *orient)
+        for direction, period in ((1, 1.0), (2, 0.7)):
+            ops.timeSeries("Trig", direction, 0.0, 10.0, period, "-factor", 60.0)
+            ops.pattern("Plain", direction, direction)
+            ops.load(2, *(1.0 if i == direction else 0.0 for i in range(1, 7)))
+        ops.constraints("Plain")
+        ops.numberer("Plain")
+        ops.system("FullGeneral")
+        ops.algorithm("Newton")
+        ops.test("NormDispIncr", 1e-9, 30)
+        ops.integrator("Newmark", 0.5, 0.25)
+        ops.analysis("Transient")
+        y, z = np.array([0.6, 0.8]), np.array([-0.8, 0.6])  # local axes in the global plane
+        motion, forces = [], []
+        for _ in range(200):
+            self.assertEqual(ops.analyze(1, 0.01), 0)
+            u, v = np.array(ops.nodeDisp(2)[:2]), np.array(ops.nodeVel(2)[:2])
+            motion.append((u @ y, u @ z, v @ y, v @ z))
+            forces.append(ops.eleResponse(1, "section", "force"))
+        # The same springs around the circle, one after another (src/isolaw/laws/plane/springs.hpp).
+        count = 16
+        of_force = math.tan(0.5 * math.pi / count)
+        way = 2.0 / count / of_force
+        expected = np.zeros((len(motion), 2))
+        for i in range(count):
+            n = np.array([math.cos(math.pi * i / count), math.sin(math.pi * i / count)])
+            ops.wipe()
+            add("material", 7, law, parameters)
+            ops.testUniaxialMaterial(7)
+            for row, (uy, uz, vy, vz) in enumerate(motion):
+                ops.setStrain(way * float(n @ (uy, uz)), way * float(n @ (vy, vz)))
+                expected[row] += of_force * ops.getStress() * n
+        self.assertLess(np.abs(np.array(forces) - expected).max(), 1e-6 * np.abs(expected).max())
+
 
 if __name__ == "__main__":
     unittest.main()
