@@ -655,15 +655,15 @@ Unit unit_named(std::string const& text, Dimension dimension) {
 }
 
 // A law for isolaw.opensees: its parameters in the law's order, how it is integrated, the factors of its bounds, what
-// converts the units of the model, and the warnings about it. `source` is a campaign, or the law's parameters.
+// converts the units of the model, and the warnings about it. `source` is a campaign, or the law's parameters, to which
+// dead band and refinement are given as well.
 py::dict law_for_opensees(std::string const& law_id, py::object const& source, std::string const& device,
-                          std::pair<std::string, std::string> const& units, bool in_plane, bool anyway) {
+                          std::pair<std::string, std::string> const& units, bool in_plane, bool anyway,
+                          double dead_band_mm, int refinement) {
   auto const& law = laws::find_law(law_id);
   auto const force = unit_named(units.first, Dimension::force), length = unit_named(units.second, Dimension::length);
   std::vector<double> parameters;
   std::vector<std::string> warnings;
-  double dead_band_mm = 0.0;
-  int refinement = 1;
   std::optional<double> lower, upper;
   std::string bounds = "no bounds, because the law was given by its parameters";
   bool is_fitted_as_springs = false;
@@ -688,6 +688,9 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
     }
   } else {
     parameters = parameters_of(law, source);
+    steps(refinement);
+    if (!(dead_band_mm >= 0.0))
+      throw Error({.where = "dead_band_mm", .found = fmt::format("{}", dead_band_mm), .allowed = "0 or more"});
   }
   bool const is_coupled = !is_fitted_as_springs && !laws::no_coupled_form(law_id, parameters);
   if (in_plane && !is_coupled && !law.info.traits.odd)
@@ -899,7 +902,7 @@ void add_campaigns(py::module_& m) {
         render::write_outputs(c.summary, directory);
       });
   m.def("law_for_opensees", &law_for_opensees, py::arg("law"), py::arg("source"), py::arg("device"), py::arg("units"),
-        py::arg("in_plane"), py::arg("anyway"));
+        py::arg("in_plane"), py::arg("anyway"), py::arg("dead_band_mm"), py::arg("refinement"));
 }
 
 void add_calibration(py::module_& m) {

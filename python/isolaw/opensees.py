@@ -10,6 +10,7 @@ removes it. What this needs of OpenSees, and what it does not do, is in docs/ope
 
 import ctypes as _ctypes
 import math as _math
+import operator as _operator
 import os as _os
 import pathlib as _pathlib
 import sys as _sys
@@ -94,11 +95,13 @@ def _factor(bound, found):
     return float(bound)
 
 
-def _add(call, tag, law, source, device, bound, units, anyway, axes=None):
+def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes=None):
     if _attached is None:
         attach()
     given = source._core if isinstance(source, _Campaign) else source
-    found = _core.law_for_opensees(law, given, device, tuple(units), call == "isolaw_section", anyway)
+    found = _core.law_for_opensees(
+        law, given, device, tuple(units), call == "isolaw_section", anyway, float(dead_band_mm), _operator.index(refinement)
+    )
     for sentence in found["warnings"]:
         _warnings.warn(sentence, stacklevel=3)
     if not found["rate_independent"]:
@@ -127,13 +130,16 @@ def _add(call, tag, law, source, device, bound, units, anyway, axes=None):
     _call(call, _attached, _ctypes.c_int(tag), _ctypes.byref(arguments))
 
 
-def material(tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), anyway=False):
+def material(
+    tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), anyway=False, dead_band_mm=0.0, refinement=1
+):
     """Adds a law to the running OpenSees as a uniaxial material with this tag: force over displacement.
 
     law: an id of isolaw.laws(). source: a Campaign that fitted the law, or its parameters as a dict by name (in the law's
     units). device: the name of a device of the campaign, or "lot" for the law of all devices together. bound: "nominal",
     "lower", "upper" (of the campaign's rule set, or of the devices tested), or a factor on the force. units: force and
-    length of the model. anyway: take a law whose prediction is unusable.
+    length of the model. anyway: take a law whose prediction is unusable. dead_band_mm, refinement: with parameters instead
+    of a campaign, the reversals that a law with a memory ignores, and the equal parts of each step.
 
     The parameters "factor", "lower" and "upper" of ops.parameter change the factor on the force during an analysis; 1
     for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force, deformation, tangent, energy.
@@ -142,10 +148,12 @@ def material(tag, law, source, *, device="lot", bound="nominal", units=("kN", "m
     What the campaign doubts about the law is given by warnings.warn. Raises Error for an unknown law, device, bound or
     unit, for a law that should not be taken, and for a tag that exists.
     """
-    _add("isolaw_material", tag, law, source, device, bound, units, anyway)
+    _add("isolaw_material", tag, law, source, device, bound, units, anyway, dead_band_mm, refinement)
 
 
-def section(tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), orient=None, anyway=False):
+def section(
+    tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm"), orient=None, anyway=False, dead_band_mm=0.0, refinement=1
+):
     """Adds a law in two directions to the running OpenSees, as a section with the forces VY and VZ.
 
     It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. As in ``isolaw.building``, the
@@ -156,7 +164,7 @@ def section(tag, law, source, *, device="lot", bound="nominal", units=("kN", "mm
     Raises Error as material() does, and for a law whose force differs from side to side.
     """
     axes = _axes([1.0, 0.0, 0.0, 0.0, 1.0, 0.0] if orient is None else [float(value) for value in orient])
-    _add("isolaw_section", tag, law, source, device, bound, units, anyway, axes)
+    _add("isolaw_section", tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes)
 
 
 def _cross(a, b):

@@ -16,6 +16,8 @@ def material(
     bound: _Bound = "nominal",
     units: tuple[str, str] = ("kN", "mm"),
     anyway: bool = False,
+    dead_band_mm: float = 0.0,
+    refinement: int = 1,
 ) -> None: ...
 def section(
     tag: int,
@@ -27,4 +29,6 @@ def section(
     units: tuple[str, str] = ("kN", "mm"),
     orient: Sequence[float] | None = None,
     anyway: bool = False,
+    dead_band_mm: float = 0.0,
+    refinement: int = 1,
 ) -> None: ...

@@ -1,6 +1,8 @@
 """The laws in OpenSeesPy from PyPI, as isolaw.opensees adds them: every law, in one and in two directions."""
 
+import contextlib
 import csv
+import io
 import math
 import pathlib
 import subprocess
@@ -12,7 +14,7 @@ import numpy as np
 
 import isolaw
 import isolaw.opensees
-from devices import InFolder, arrays, program, write_csv
+from devices import SOURCE, InFolder, arrays, program, write_csv
 
 try:
     import openseespy.opensees as ops
@@ -92,9 +94,8 @@ class Materials(InFolder):
         isolaw.opensees.attach(ops)
         write_csv(cls.path / "a.csv", *arrays(20.0))
         write_csv(cls.path / "b.csv", *arrays(24.0))
-        cls.lot = isolaw.calibrate(
-            [cls.path / "a.csv", cls.path / "b.csv"], ["bilinear", "bouc-wen", "power-masing-viscous"], runs=1, replicates=0
-        )
+        cls.laws = ["bilinear", "bouc-wen", "power-masing-viscous", "menegotto-pinto"]
+        cls.lot = isolaw.calibrate([cls.path / "a.csv", cls.path / "b.csv"], cls.laws, runs=1, replicates=0, out=cls.path / "O")
 
     def test_every_law_has_the_force_of_isolaw(self):
         for law, about in LAWS.items():
@@ -200,6 +201,29 @@ class Materials(InFolder):
         alone = isolaw.force("bouc-wen", usual_parameters("bouc-wen"), isolaw.motion(0.5 * PATH, TIME))
         self.assertLess(np.abs(found[:, 7] - alone).max(), 1e-6 * np.abs(alone).max())
 
+    def test_an_exported_module_finds_every_changed_parameter(self):
+        for law in self.laws:
+            script = self.path / f"{law}.py"
+            program("export", self.path / "O", "--law", law, "--device", "lot", "--to", "openseespy-law", "--units", "N-m", "--anyway",
+                    "--out", script)  # fmt: skip
+            done = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual(done.stdout.count("PASS"), 3)
+            module = {"__name__": law}
+            exec(script.read_text(), module)
+            with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()):
+                warnings.simplefilter("ignore")
+                for name, value in list(module["PARAMETERS"].items()):
+                    if value == 0.0:
+                        continue
+                    with self.subTest(law=law, parameter=name):
+                        module["PARAMETERS"][name] = 1.001 * value
+                        try:
+                            self.assertFalse(module["self_check"]())
+                        except isolaw.Error:
+                            pass  # the changed value is not allowed
+                        module["PARAMETERS"][name] = value
+
     def test_wrong_input_is_an_error_and_adds_nothing(self):
         ops.wipe()
         bilinear = usual_parameters("bilinear")
@@ -230,6 +254,16 @@ class Materials(InFolder):
             isolaw.opensees.material(7, "power-masing-viscous", self.lot)
         said = " ".join(str(one.message) for one in caught)
         self.assertIn("depends on velocity, which is 0 in a static analysis", said)
+
+    def test_the_example_of_an_isolated_frame(self):
+        done = subprocess.run(
+            [sys.executable, SOURCE / "examples/python/isolated_frame.py", "--law", "bilinear", "--out", self.path / "frame"],
+            capture_output=True, text=True, timeout=300,
+        )  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
+        fixed, isolated = (float(line.split(" mm")[0].split()[-1]) for line in done.stdout.splitlines()[:2])
+        self.assertLess(isolated, 0.8 * fixed)
+        self.assertTrue((self.path / "frame/frame.csv").exists())
 
     def test_a_database_is_refused_by_a_sentence(self):
         script = f"""
@@ -281,7 +315,7 @@ class Sections(InFolder):
                     continue
                 ops.element("zeroLengthSection", 1, 1, 2, 9)
                 found = driven(("section", "force"), d2=self.X, d3=self.Y)
-                is_coupled = isolaw._core.law_for_opensees(law, parameters, "lot", ("kN", "mm"), True, False)["springs"] == 0
+                is_coupled = isolaw._core.law_for_opensees(law, parameters, "lot", ("kN", "mm"), True, False, 0.0, 1)["springs"] == 0
                 expected = self.simulated(law, parameters, "coupled" if is_coupled else "springs")
                 self.assertLess(np.abs(found - expected).max(), 1e-5 * np.abs(expected).max())
 

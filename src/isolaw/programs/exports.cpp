@@ -16,7 +16,7 @@
 namespace isolaw::programs {
 namespace {
 
-constexpr std::string_view the_law_itself = "--to opensees-cpp, abaqus or cpp, the law itself";
+constexpr std::string_view the_law_itself = "--to openseespy-law, opensees-cpp, abaqus or cpp, the law itself";
 
 Realisation realised(Subject const& subject, Remarks& remarks) {
   auto realisation = realise(subject);
@@ -53,6 +53,8 @@ constexpr std::array all{
                           Remarks& remarks) { return opensees_script(s, realised(s, remarks), units); }},
     Target{"openseespy", [](Subject const& s, UnitSystem const& units,
                             Remarks& remarks) { return openseespy_script(s, realised(s, remarks), units); }},
+    Target{"openseespy-law",
+           [](Subject const& s, UnitSystem const& units, Remarks&) { return openseespy_law(s, units); }},
     Target{"opensees-model",
            [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
              return opensees_model(s, realised_model(s, remarks), units);

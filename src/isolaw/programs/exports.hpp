@@ -43,6 +43,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 // Write the law's script with the building of `subject`. add_draws() must have added the laws drawn for its bearings.
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
+std::string openseespy_law(Subject const& subject, UnitSystem const& units);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);
 std::string abaqus_element(Subject const& subject, UnitSystem const& units);

@@ -276,7 +276,9 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
                                                          parameter_text(laws::find_law(realisation.substitute),
                                                                         realisation.substitute_parameters))});
   if (!realisation.substitute.empty() && !law_in_cpp(law.id).empty())
-    result.push_back({"The law itself", "--to opensees-cpp writes it as a material of OpenSees, to compile"});
+    result.push_back(
+        {"The law itself",
+         "--to openseespy-law brings it into OpenSeesPy; --to opensees-cpp writes it as a material of OpenSees, to compile"});
   for (auto& fact : replay_facts(subject, realisation, units)) result.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) result.push_back({"Refused", refused});
   for (auto& fact : validity(subject, units)) result.push_back(std::move(fact));

@@ -392,7 +392,7 @@ std::string export_command(Summary const& summary, Recommendation const& advice,
   auto const& law = summary.laws[*advice.law];
   return shell_quoted(std::vector<std::string>{"isolaw", "export", std::string(campaign), "--law", law.id, "--device",
                                                law.lot ? "lot" : device_names(summary).front(), "--to",
-                                               advice.programs ? "opensees-cpp" : "openseespy"});
+                                               advice.programs ? "openseespy-law" : "openseespy"});
 }
 
 Finding finding_of(LawSpread const& spread) {

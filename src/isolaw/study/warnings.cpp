@@ -10,6 +10,7 @@
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/adequacy.hpp"
+#include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"

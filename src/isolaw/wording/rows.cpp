@@ -218,7 +218,7 @@ std::span<Row const> rows() {
       answer(out_partial, "out-partial", "standing", "was not identified on every device"),
       answer(out_runs_away, "out-runs-away", "standing", "{rule}[ ({devices})]"),
       answer(not_in_opensees, "not-in-opensees", "answer",
-             "OpenSees has no such material. isolaw writes one to compile: export --to opensees-cpp"),
+             "OpenSees has no such material; isolaw brings the law itself into OpenSeesPy"),
       answer(headline_only_law, "headline-only-law", "comparison", "{law} is the only law that was identified."),
       answer(headline_best_of_both, "headline-best-of-both", "comparison",
              "{law} is both the most accurate and the most robust law{among}."),
