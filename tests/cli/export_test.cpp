@@ -151,6 +151,23 @@ TEST_F(Export, gives_every_law_to_every_target) {
   }
 }
 
+// Kikuchi-Aiken fits the first device of the example lot well, and yet gives thirty times the force of the peaks in
+// cycles of a tenth of the tested displacement. No target may pass that on.
+TEST_F(Export, refuses_a_law_whose_force_is_not_possible_within_the_tests) {
+  ASSERT_EQ(isolaw({"calibrate", ISOLAW_SOURCE_DIR "/examples/published-lot/device-01.csv", "--laws",
+                    "kikuchi-aiken,bouc-wen", "--analysis", "none", "--figures", "none", "--out", "C"})
+                .code,
+            0);
+  for (auto const* target : {"opensees", "openseespy-law", "opensees-cpp", "abaqus", "cpp", "sheet", "csv", "json"}) {
+    expect_refused(exported("kikuchi-aiken", "device-01", target),
+                   {"its force is not possible, even within the tests", "its largest force is", "--anyway"});
+    auto const anyway = exported("kikuchi-aiken", "device-01", target, {"--anyway"});
+    EXPECT_TRUE(contains(anyway.err, "its force is not possible, even within the tests")) << anyway.err;
+    EXPECT_TRUE(contains(anyway.out, "not possible")) << target;
+  }
+  EXPECT_EQ(exported("bouc-wen", "device-01", "cpp").code, 0);
+}
+
 TEST_F(Export, reads_the_store_alone_and_writes_files) {
   ASSERT_EQ(calibrate("bilinear").code, 0);
   auto const before = exported("bilinear", "b", "opensees", {"--units", "N-m"});

@@ -115,7 +115,8 @@ TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
   EXPECT_EQ(wording::paragraph(advice.answer),
             "Take C. It gives back what it was fitted to within 7.2 %, and larger swings that it was not fitted to "
             "within 9.1 %. B is as good.");
-  EXPECT_EQ(export_command(summary, advice, "out/lot"), "isolaw export out/lot --law C --device D0 --to openseespy-law");
+  EXPECT_EQ(export_command(summary, advice, "out/lot"),
+            "isolaw export out/lot --law C --device D0 --to openseespy-law");
   EXPECT_TRUE(contains(advice.why, "The next best, A, has a mean error of 10 %")) << advice.why;
 
   summary.laws[2].larger_swings_objective = 0.1042;  // a mean error of 0.0881, more than 1.10 times that of B

@@ -290,7 +290,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
   for (auto const& f : measured_facts(subject)) fact(f.label, f.text);
-  fact("Prediction", wording::remark(subject.doubts.prediction, units));
+  for (auto const& [label, said] : prediction_facts(subject, units)) fact(label, said);
   for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     fact("Warning", warning);
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);

@@ -250,6 +250,14 @@ std::string equations(laws::LawInfo const& law) {
   return joined(lines, ";  ");
 }
 
+std::vector<Fact> prediction_facts(Subject const& subject, UnitSystem const& units) {
+  std::vector<Fact> result{{"Prediction", wording::remark(subject.doubts.prediction, units)}};
+  auto const& objection = subject.doubts.objection;
+  if (objection && *objection != subject.doubts.prediction)
+    result.push_back({"Not for use", wording::remark(*objection, units)});
+  return result;
+}
+
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor) {
   auto const& law = subject.law->info;
@@ -266,7 +274,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
       {"Parameters", fmt::format("{} (units of the law: {}, {}, s)", parameter_text(*subject.law, subject.parameters),
                                  law.force.symbol, law.length.symbol)}};
   for (auto& fact : measured_facts(subject)) result.push_back(std::move(fact));
-  result.push_back({"Prediction", wording::remark(subject.doubts.prediction, units)});
+  for (auto& fact : prediction_facts(subject, units)) result.push_back(std::move(fact));
   for (auto& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     result.push_back({"Warning", std::move(warning)});
   result.push_back({"Units of this file", fmt::format("{}, {}, s", units.force.symbol, units.length.symbol)});

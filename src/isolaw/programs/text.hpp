@@ -47,6 +47,8 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
 std::string equations(laws::LawInfo const& law);  // the law's formula in one line
 std::vector<Fact> measured_facts(Subject const& subject);
+// How well the law predicts, and why it should not be used if there is another reason.
+std::vector<Fact> prediction_facts(Subject const& subject, UnitSystem const& units);
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);
 std::string deviation_text(Deviation const& deviation);

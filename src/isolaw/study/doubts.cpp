@@ -63,6 +63,9 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
         result.findings.insert(result.findings.end(), standing.weak.begin(), standing.weak.end());
     if (advice->spread) result.findings.push_back(finding_of(*advice->spread));
   }
+  for (auto const& fault : law.faults_inside)
+    if (device ? std::ranges::find(fault.devices, *device) != fault.devices.end() : fault.devices.empty())
+      result.objection = fault;
   if (law.prediction_unusable()) result.objection = result.prediction;
   return result;
 }
@@ -75,7 +78,7 @@ void require_taken(Doubts const& doubts, std::string const& where, bool anyway) 
   if (doubts.objection && !anyway)
     throw Error({.where = where,
                  .found = wording::remark(*doubts.objection),
-                 .allowed = "a law that predicts",
+                 .allowed = "a law whose forces are possible and that predicts",
                  .advice = "another law, or --anyway"});
 }
 

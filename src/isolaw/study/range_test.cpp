@@ -96,6 +96,30 @@ std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) 
   return std::nullopt;
 }
 
+// Calls check(cycle, amplitude in mm) for the cycles within the tested displacements; returns what the first call finds.
+std::optional<Finding> first_inside(Cycles const& law, Tested const& tested, auto const& check) {
+  auto found = check(law.tested, tested.disp_mm);
+  for (std::size_t i = 0; i < inner_shares.size() && !found; ++i)
+    found = check(law.inside[i], inner_shares[i] * tested.disp_mm);
+  return found;
+}
+
+// Returns the first cycle within the tested displacements in which the force overshoots or jumps.
+std::optional<Finding> fault_of_shape(Cycles const& law, Tested const& tested, Measured const& measured) {
+  if (measured.viscous) return std::nullopt;
+  return first_inside(law, tested, [](SteadyCycle const& cycle, double amplitude_mm) -> std::optional<Finding> {
+    if (cycle.overshoot > most_overshoot) return breach("overshoots", amplitude_mm, cycle.overshoot);
+    if (cycle.jump > most_jump) return breach("jumps", amplitude_mm, cycle.jump);
+    return std::nullopt;
+  });
+}
+
+// A fault within the tested displacements, which makes a law useless for any analysis and not only for a building.
+std::optional<Finding> fault_inside(Cycles const& law, Tested const& tested, Measured const& measured) {
+  auto found = first_inside(law, tested, [](SteadyCycle const& cycle, double mm) { return breach_of(cycle, mm); });
+  return found ? found : fault_of_shape(law, tested, measured);
+}
+
 std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measured const& measured) {
   auto const &here = law.tested, &there = law.asked;
   if (auto found = breach_of(here, tested.disp_mm)) return found;
@@ -125,16 +149,7 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
         return breach("speed", tested.disp_mm, change);
     }
   }
-  auto const check_shape = [&](SteadyCycle const& cycle, double amplitude_mm) -> std::optional<Finding> {
-    if (cycle.overshoot > most_overshoot) return breach("overshoots", amplitude_mm, cycle.overshoot);
-    if (cycle.jump > most_jump) return breach("jumps", amplitude_mm, cycle.jump);
-    return std::nullopt;
-  };
-  if (measured.viscous) return std::nullopt;
-  if (auto found = check_shape(here, tested.disp_mm)) return found;
-  for (std::size_t i = 0; i < inner_shares.size(); ++i)
-    if (auto found = check_shape(law.inside[i], inner_shares[i] * tested.disp_mm)) return found;
-  return std::nullopt;
+  return fault_of_shape(law, tested, measured);
 }
 
 // The period [s] at which cycles of the tested displacement have the tested peak velocity that is nearest to that of
@@ -207,7 +222,14 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
   std::optional<Finding> of_lot, of_devices;
   std::size_t refused = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    auto found = breach_of(all[i], limits[i], devices[i] != nullptr ? measured_on(*devices[i]) : any_viscous);
+    auto const measured = devices[i] != nullptr ? measured_on(*devices[i]) : any_viscous;
+    if (auto fault = fault_inside(all[i], limits[i], measured)) {
+      fault->kind = FindingKind::law_faulty;
+      fault->law = law.id;
+      if (devices[i] != nullptr) fault->devices = {devices[i]->name};
+      law.faults_inside.push_back(*std::move(fault));
+    }
+    auto found = breach_of(all[i], limits[i], measured);
     if (!found) continue;
     found->law = law.id;
     found->numbers.push_back({"tested_mm", limits[i].disp_mm});

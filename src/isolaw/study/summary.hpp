@@ -160,7 +160,9 @@ struct LawResult {
   // The means over the devices of the two values of the same names in DeviceFit, for the devices that have them; and
   // the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;      // empty if the law was identified on no device
+  std::optional<BeyondTests> beyond;  // empty if the law was identified on no device
+  // Faults of the law inside the tested displacements, each with the device or, for the law of the lot, without one.
+  std::vector<Finding> faults_inside = {};
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,

@@ -103,6 +103,8 @@ std::span<Row const> rows() {
           "{law} does not describe the devices. Its mean errors are too large[: {misfit:%1} of the force's standard deviation][, {K_eff_error_percent:.1f} % of the effective stiffness][, {energy_error_percent:.1f} % of the dissipated energy]."),
       campaign(law_runs_away, "law-runs-away", "not for a building", serious, "Take another law for a building",
                each_alone, everywhere, law, "it is not named for a building: {rule}[ ({devices})]."),
+      campaign(law_faulty, "law-faulty", "not for use", serious, "Take another law", each_alone, everywhere, law,
+               "its force is not possible, even within the tests: {rule}."),
       campaign(
           held_by_box, "held-by-box", "at bound", caution, parameters, each_alone, everywhere, law,
           "{count} of its {calibrated} parameters lie at a bound on half of the devices or more: the search box keeps them together, so its beta does not show robustness."),
