@@ -124,6 +124,42 @@ TEST(Online, follows_with_the_dead_band_of_the_record) {
   EXPECT_GT(away, 0.1);
 }
 
+// Within the dead band the force rests. The tangent must nevertheless be the slope of the force for the motion that
+// leaves the band, at the start and after a turn, so that the matrix of an analysis is not singular.
+TEST_P(EveryLaw, has_within_the_dead_band_the_slope_with_which_the_motion_leaves_it) {
+  auto const& law = laws::find_law(GetParam());
+  double const size = 100.0 / law.info.length.in_record_units, band = 0.005 * size;
+  int compared = 0;
+  for (double const share : {0.1, 0.35, 0.6}) {
+    laws::Online online(law.info.id, parameters_of(law, share), band);
+    double const first = online.trial(0.0, 0.0).by_x;
+    EXPECT_NE(first, 0.0) << share;
+    if (!law.info.traits.remembers) continue;
+    EXPECT_GT(first, 0.0) << share;
+    for (double const to : {0.0, 0.5 * size, size, -0.7 * size}) {
+      for (int part = 1; part <= 50; ++part) {
+        online.trial(0.02 * part * to, 0.0);
+        if (to != 0.0) online.commit();
+      }
+      // The motion turns within the band. Twice the band from the turn, or once from the start, it leaves the band.
+      double const back = to > 0.0 ? -1.0 : 1.0, edge = to + (to == 0.0 ? 1.0 : 2.0) * back * band;
+      auto const resting = online.trial(to, 0.0), turned = online.trial(to + 0.3 * back * band, 0.0);
+      auto const left = online.trial(edge + 0.1 * back * band, 0.0);
+      EXPECT_EQ(turned.force, resting.force) << share << " " << to;
+      EXPECT_NEAR(turned.by_x, left.by_x, 1e-6 * std::abs(left.by_x)) << share << " " << to;
+      EXPECT_NE(turned.by_x, 0.0) << share << " " << to;
+      // The tangents of the other laws are limited where their slope has no bound.
+      if (law.info.id != "gallardo" && law.info.id != "ramberg-osgood") continue;
+      double const h = 1e-4 * band;
+      auto const at = [&](double x) { return online.trial(x, 0.0).force; };
+      double const slope = (at(edge + 0.1 * back * band + h) - at(edge + 0.1 * back * band - h)) / (2.0 * h);
+      EXPECT_NEAR(turned.by_x, slope, 1e-3 * std::abs(slope)) << share << " " << to;
+      ++compared;
+    }
+  }
+  if (law.info.id == "gallardo" || law.info.id == "ramberg-osgood") EXPECT_EQ(compared, 12);
+}
+
 TEST(Online, an_unknown_law_is_refused) {
   EXPECT_THROW(laws::Online("no-law", std::vector<double>{}), Error);
 }

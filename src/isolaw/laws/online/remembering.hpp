@@ -33,7 +33,7 @@ struct Remembering {
     }
   };
 
-  static Dual law_force(Parameters const& p, LawConstants const& c, LawState& state, Step step) {
+  static Dual follow(Parameters const& p, LawConstants const& c, LawState& state, Step step) {
     step.x0 = state.x;
     step.x1 = state.follower.move(step.x1, p.dead_band);
     state.x = step.x1;
@@ -42,6 +42,22 @@ struct Remembering {
     step.direction = state.memory.direction;
     step.length = step.direction * step.dx;
     return Law::step(p, c, state.law, step, state.memory);
+  }
+
+  static Dual law_force(Parameters const& p, LawConstants const& c, LawState& state, Step const& step) {
+    double const pulled_to = state.follower.behind.v;
+    Dual F = follow(p, c, state, step);
+    if (p.dead_band <= 0.0 || state.follower.behind.v != pulled_to) return F;
+    // Within the dead band the force rests, and a tangent of 0 would make the matrix of an analysis singular. The tangent
+    // is therefore the slope of the force where the motion, in its direction, has left the band by a tenth of it. The
+    // slope at its very end may have no bound.
+    LawState beyond = state;
+    Members settled([](double&) {});
+    settled(beyond);
+    Step out = step;
+    out.x1 = Dual(pulled_to + 1.1 * step.direction * p.dead_band, 1.0, 0.0);
+    F.by_x = follow(p, c, beyond, out).by_x;
+    return F;
   }
   // [end]
 };
