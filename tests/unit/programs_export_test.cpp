@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "unit/programs_fixture.hpp"
+#include "unit/programs_box.hpp"
 
 namespace isolaw::programs_test {
 namespace {
@@ -242,6 +242,43 @@ TEST(Tables, say_in_their_head_what_they_hold) {
     EXPECT_NE(head.find(part), std::string::npos) << part << " is missing in\n" << head;
   EXPECT_EQ(protocol_csv(subject_of("bilinear", bilinear_parameters), unit_systems[0]).find("with its velocity"),
             std::string::npos);
+}
+
+// Materials of analysis programs start at rest. The first row must be at rest too, or a law that depends on the velocity
+// would begin with a force that no program can give.
+TEST(Tables, of_a_law_that_depends_on_velocity_begin_at_rest) {
+  auto subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35));
+  subject.protocol = two_cycles(75.0, 150.0, 0.5);
+  subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
+  auto const text = protocol_csv(subject, unit_systems[0]);
+  EXPECT_NE(text.find("from rest at zero"), std::string::npos) << text.substr(0, 3000);
+  std::string head;
+  auto const rows = rows_of(text, head);
+  EXPECT_EQ(rows[0], (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
+  EXPECT_NEAR(rows[1][2], 75.0 * std::numbers::pi * std::cos(std::numbers::pi / 40.0), 1e-6);
+  EXPECT_NE(rows[1][3], 0.0);
+}
+
+TEST(Sheets, write_the_equations_as_they_are) {
+  Remarks remarks;
+  auto const text = value_sheet(subject_of("bouc-wen", bouc_wen_parameters), unit_systems[0], remarks);
+  std::string_view const formula = laws::find_law("bouc-wen").info.formula;
+  EXPECT_NE(text.find("```\n" + std::string(formula.substr(0, formula.find('\n'))) + "\n"), std::string::npos);
+  EXPECT_NE(text.find("|z|^n"), std::string::npos);
+  EXPECT_EQ(text.find("_z_"), std::string::npos);
+}
+
+// A stiffness of 1e310 kN/mm is no number, so no link has a force.
+TEST(Sheets, without_a_link_refer_to_none) {
+  auto subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35));
+  for (double& x : subject.histories[0].disp_mm) x *= 1e-160;
+  for (double& f : subject.histories[0].law_kN) f *= 1e150;
+  Remarks remarks;
+  auto const text = value_sheet(subject, unit_systems[0], remarks);
+  ASSERT_EQ(remarks.objections.size(), 1u);
+  EXPECT_EQ(remarks.objections[0], "no link of these programs could be fitted in the law's place");
+  for (auto const* word : {"links above", "Errors below", "no model below"})
+    EXPECT_EQ(text.find(word), std::string::npos) << word << " in\n" << text;
 }
 
 // The program also computes the path from zero to the first sample and the turning points between samples. These points

@@ -20,7 +20,7 @@ std::string protocol_csv(Subject const& subject, UnitSystem const& units) {
   all.push_back(
       {"Protocol",
        fmt::format(
-           "two sine cycles at {:.4g} Hz from rest at zero, at half and at the whole tested amplitude, {} steps a cycle",
+           "two sine cycles at {:.4g} Hz from rest at zero, which the first row is, at half and at the whole tested amplitude, {} steps a cycle",
            subject.frequency_Hz, (path.disp_mm.size() - 1) / 2)});
   all.push_back(
       {"To check",

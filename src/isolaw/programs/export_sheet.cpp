@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 
+#include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
 #include "isolaw/wording/words.hpp"
@@ -230,8 +231,9 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
         "Displ 2", 0, 1, *corner, [&](auto const&) { return far; }, "twice the tested displacement");
     page.row("Force 2", 1, 0, *corner, [&](auto const& v) { return v.K1 * v.uy + v.K2 * (far - v.uy); });
   }
-  page.line(
-      "\n**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with this law; use one of the links above.");
+  page.line(fmt::format(
+      "{}**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with this law{}.",
+      wen || rubber || corner ? "\n" : "", wen || rubber || corner ? "; use one of the links above" : ""));
 }
 
 void others(Page& page, WenSet const& wen, CornerSet const& corner) {
@@ -285,7 +287,6 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
     page.line(fmt::format("| {} | {} |", label, harmless_markdown(text)));
   };
   fact("Law", fmt::format("{}: {} ({})", law.id, law.title, law.source));
-  fact("Equations", equations(law));
   fact("Of", (subject.lot ? std::string("the lot: one law for all its devices") : "device " + subject.device) +
                  (subject.title.empty() ? "" : ", lot " + subject.title));
   fact("Parameters", parameter_text(*subject.law, subject.parameters));
@@ -296,27 +297,33 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : away_facts(subject, {})) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
-  fact(
-      "Errors below",
-      "of the model's exact force, in percent of the peak force, on the calibration records; a program's own integration error comes on top");
+  auto const wen = plastic_wen(subject);
+  auto const corner = bilinear(subject);
+  bool const fitted = wen || corner;
+  if (fitted)
+    fact(
+        "Errors below",
+        "of the model's exact force, in percent of the peak force, on the calibration records; a program's own integration error comes on top");
+  else
+    fact("Links", "none of these programs could be fitted in the law's place, so only a cycle of the law follows");
   fact("The law itself", "not here: --to abaqus and --to opensees-cpp write it, in C++ for those programs");
   fact("Text input",
        "none; written from values, because the syntax of .s2k and of LS-DYNA's cards could not be verified");
   fact("Licence", fmt::format("{}: {}", export_licence, export_licence_text));
   for (auto const& note : subject.notes) fact("Note", note);
-  if (!law.traits.rate_independent)
+  if (fitted && !law.traits.rate_independent)
     fact("Rate", "no model below depends on the rate; they hold for the frequency tested");
+  page.line("\nEquations of the law:\n\n```");
+  for (auto rest = law.formula; !rest.empty();) page.line(trimmed(take_part(rest, '\n')));
+  page.line("```");
 
-  auto const wen = plastic_wen(subject);
-  auto const corner = bilinear(subject);
   auto const near = [](auto const& set) { return set && set->is_near; };
-  if (!wen && !corner)
-    remarks.objections.emplace_back(
-        "no link of these programs could be fitted in the law's place: the sheet holds its loop alone");
+  if (!fitted)
+    remarks.objections.emplace_back("no link of these programs could be fitted in the law's place");
   else if (!near(wen) && !near(corner))
     remarks.objections.push_back(fmt::format("the link that replaces the law in these programs is far off it: {}",
                                              wen ? wen->off : corner->off));
-  csi(page, subject, wen, rubber_isolator(subject), corner, units);
+  csi(page, subject, wen, fitted ? rubber_isolator(subject) : std::nullopt, corner, units);
   others(page, free_bouc_wen(subject, wen), corner);
 
   page.heading("To compare: one cycle of the law");

@@ -284,7 +284,7 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
     history.time_s.push_back(i / (steps_per_cycle * frequency_Hz));
     // std::sin gives no exact zero at multiples of pi.
     history.disp_mm.push_back(i % (steps_per_cycle / 2) == 0 ? 0.0 : size * std::sin(phase));
-    history.vel_mm_s.push_back(size * omega * std::cos(phase));
+    history.vel_mm_s.push_back(i == 0 ? 0.0 : size * omega * std::cos(phase));
   }
   return history;
 }

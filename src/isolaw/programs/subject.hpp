@@ -82,7 +82,8 @@ struct Subject {
   std::optional<Model> model;  // only for targets that write a whole building
 };
 
-// Makes two sine cycles from rest, without forces. The second cycle begins at the middle point.
+// Makes two sine cycles, without forces. The second begins at the middle point. The velocity is 0 at the first point,
+// where materials of analysis programs start at rest, and that of the sine at the others.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
