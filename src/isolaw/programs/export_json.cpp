@@ -82,6 +82,7 @@ void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck cons
                                     ? std::optional(units.from_mm(*form.nominal.longest_swing_mm))
                                     : std::nullopt);
     out.member("longest_step_of_the_records", units.from_mm(form.longest_step_mm));
+    out.member("longest_step_of_the_replay", units.from_mm(form.replayed_step_mm));
     write_commands(out, "nominal", form.nominal, units);
     if (form.lower) write_commands(out, "lower", *form.lower, units);
     if (form.upper) write_commands(out, "upper", *form.upper, units);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "isolaw/base/hash.hpp"
 #include "isolaw/data/properties/properties.hpp"
@@ -93,21 +94,40 @@ bool has_a_force(Form const& form, Subject const& subject) {
   });
 }
 
-Realised replayed(Form const& form, Subject const& subject) {
+std::vector<double> replay_in_pieces(Form const& form, std::span<double const> disp_mm, int pieces) {
+  return every(replay_kN(form, record_units, refined(disp_mm, pieces)), pieces);
+}
+
+// Pieces into which steps of at most `longest_mm` must be cut so that a cycle of the tested amplitude has the number of
+// steps that the file demands.
+int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, Subject const& subject,
+                    double longest_mm) {
+  if (form.exactness != Exactness::small_steps) return 1;
+  double const per_cycle = steps ? steps->per_cycle : finer_steps * protocol_steps;
+  double const longest_demanded_mm = 2.0 * std::numbers::pi * subject.tested.disp_mm / per_cycle;
+  return std::clamp(static_cast<int>(std::ceil(longest_mm / longest_demanded_mm - 1e-9)), 1, finer_steps);
+}
+
+// If the form stands for a law that it cannot give, `as_demanded` cuts the steps of the records into those that the
+// file demands: the deviation is then that of the form, without an error of integration that the file excludes.
+Realised replayed(Form const& form, Subject const& subject, bool as_demanded = false) {
   Realised realised{.nominal = form};
+  if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
   for (auto const& history : subject.histories) {
-    auto const force = replay_kN(form, record_units, history.disp_mm);
+    double const longest_mm = longest_step(history);
+    int const pieces = as_demanded ? pieces_demanded(form, realised.steps, subject, longest_mm) : 1;
+    auto const force = replay_in_pieces(form, history.disp_mm, pieces);
     keep_worst(realised.from_law, deviation(history, force, history.law_kN));
     if (!realised.from_measured) realised.from_measured.emplace();
     keep_worst(*realised.from_measured, deviation(history, force, history.measured_kN));
     realised.longest_travel_mm = std::max(realised.longest_travel_mm, longest_travel(history));
-    realised.longest_step_mm = std::max(realised.longest_step_mm, longest_step(history));
-    if (form.exactness != Exactness::small_steps) continue;
+    realised.longest_step_mm = std::max(realised.longest_step_mm, longest_mm);
+    realised.replayed_step_mm = std::max(realised.replayed_step_mm, longest_mm / pieces);
+    if (as_demanded || form.exactness != Exactness::small_steps) continue;
     if (!realised.finer) realised.finer.emplace();
-    auto const fine = replay_kN(form, record_units, refined(history.disp_mm, finer_steps));
-    keep_worst(*realised.finer, deviation(history, every(fine, finer_steps), history.law_kN));
+    keep_worst(*realised.finer,
+               deviation(history, replay_in_pieces(form, history.disp_mm, finer_steps), history.law_kN));
   }
-  if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
   return realised;
 }
 
@@ -159,10 +179,13 @@ Realisation refit(Subject const& subject, Realisation realisation) {
     auto const mapping = map_law(*one.law, one.parameters);
     for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
       auto const& form = mapping.forms[i];
-      auto realised = replayed(form, subject);
+      auto realised = replayed(form, subject, true);
       if (!std::isfinite(realised.from_law.largest) || !has_a_force(form, subject)) continue;
+      // A cycle of any amplitude has the demanded number of steps.
+      int const pieces = pieces_demanded(form, realised.steps, subject,
+                                         2.0 * std::numbers::pi * subject.tested.disp_mm / protocol_steps);
       realised.other_cycles =
-          other_cycles(subject, [&](History const& h) { return replay_kN(form, record_units, h.disp_mm); });
+          other_cycles(subject, [&](History const& h) { return replay_in_pieces(form, h.disp_mm, pieces); });
       add_bounds(realised, i, *one.law, one.parameters, subject.bounds);
       realisation.forms.push_back(std::move(realised));
     }

@@ -37,13 +37,15 @@ struct Realised {
   Form nominal;
   std::optional<Form> lower = {}, upper = {};
   std::vector<std::pair<std::string, Form>> draws =
-      {};                                       // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
-  Deviation from_law = {};                      // the largest over all histories, at the steps of the records
-  std::optional<Deviation> finer = {};          // the same with steps finer_steps times smaller; only for small_steps
+      {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
+  Deviation from_law = {};  // the largest over all histories, in steps of at most replayed_step_mm
+  std::optional<Deviation> finer =
+      {};  // the same, steps finer_steps times smaller; for small_steps, not for a substitute
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute
   std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no number of steps was enough
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, between two samples
+  double replayed_step_mm = 0.0;  // the longest in the replay: that of the records, or for a substitute as demanded
 };
 inline constexpr int finer_steps = 16;
 

@@ -51,7 +51,7 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     facts.push_back(
         {joined(titles),
          fmt::format("replayed on the calibration record{}, steps up to {:.3g} {}, against the law: {}",
-                     subject.histories.size() > 1 ? "s (the worst of them)" : "", units.from_mm(form.longest_step_mm),
+                     subject.histories.size() > 1 ? "s (the worst of them)" : "", units.from_mm(form.replayed_step_mm),
                      units.length.symbol, deviation_text(form.from_law))});
     if (form.finer)
       facts.push_back({fmt::format("  in steps {} times smaller", finer_steps), deviation_text(*form.finer)});
