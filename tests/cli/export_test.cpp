@@ -346,8 +346,18 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
 TEST_F(Export, keeps_devices_of_alike_names_apart) {
   write("lot.toml", "[[device]]\nname = 'P 1'\nfile = 'a.csv'\n[[device]]\nname = 'P-1'\nfile = 'b.csv'\n");
   ASSERT_EQ(isolaw({"calibrate", "lot.toml", "--laws", "bouc-wen", "--runs", "1", "--out", "C"}).code, 0);
-  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "cpp").out, "namespace isolaw_bouc_wen_P_1_1 {"));
-  EXPECT_TRUE(contains(exported("bouc-wen", "P-1", "cpp").out, "namespace isolaw_bouc_wen_P_1_2 {"));
+  // The title of the lot is its folder's name.
+  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "cpp").out, "_P_1_1_kN_mm {"));
+  EXPECT_TRUE(contains(exported("bouc-wen", "P-1", "cpp").out, "_P_1_2_kN_mm {"));
+  EXPECT_TRUE(contains(exported("bouc-wen", "P-1", "cpp", {"--units", "N-m"}).out, "_P_1_2_N_m {"));
+  for (auto const* to : {"cpp", "abaqus", "opensees-cpp"})
+    EXPECT_TRUE(contains(exported("bouc-wen", "P 1", to, {"--name", "pier_7"}).out, "namespace pier_7 {")) << to;
+  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "opensees", {"--anyway", "--name", "pier_7"}).out, "eval pier_7 {"));
+  auto const wrong = exported("bouc-wen", "P 1", "cpp", {"--name", "pier 7"});
+  EXPECT_EQ(wrong.code, 2) << wrong;
+  EXPECT_TRUE(contains(wrong.err, "--name: pier 7; allowed: a letter, then letters, digits and single _ between them"))
+      << wrong;
+  EXPECT_TRUE(contains(exported("bouc-wen", "P 1", "csv", {"--name", "a"}).err, "--name: is given with --to csv"));
 }
 
 }  // namespace

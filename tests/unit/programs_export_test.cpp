@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "isolaw/base/error.hpp"
 #include "unit/programs_box.hpp"
 
 namespace isolaw::programs_test {
@@ -299,6 +300,20 @@ TEST(Refits, root_mean_square_counts_each_sample_once) {
   EXPECT_NEAR(deviation(history, force, history.law_kN).largest, 100.0 * 3.0 / 12.0, 1e-12);
 }
 
+TEST(Names, tell_campaigns_and_units_apart) {
+  auto subject = subject_of("bouc-wen", bouc_wen_parameters);
+  EXPECT_EQ(identifier(subject, unit_systems[0]), "isolaw_bouc_wen_a_lot_D_kN_mm");
+  subject.title = "Bearings of the viaduct, delivery 2";
+  EXPECT_EQ(identifier(subject, unit_systems[1]), "isolaw_bouc_wen_Bearings_of_the_viad_D_N_m");
+  subject.name = "pier_7";
+  EXPECT_EQ(identifier(subject, unit_systems[1]), "pier_7");
+  EXPECT_NO_THROW(require_export_name("pier_7"));
+  EXPECT_NO_THROW(require_export_name(std::string(40, 'a')));
+  for (auto const& wrong : {"", "7a", "_a", "a_", "a__b", "a b", "a-b", "a;b", "é", "class", "std"})
+    EXPECT_THROW(require_export_name(wrong), Error) << wrong;
+  EXPECT_THROW(require_export_name(std::string(41, 'a')), Error);
+}
+
 TEST(Scripts, are_not_broken_by_hostile_names) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   subject.device = "x\\\n[exec rm]\"\"\"; } {$a`b`\r # '''";
@@ -317,7 +332,8 @@ TEST(Scripts, are_not_broken_by_hostile_names) {
     EXPECT_TRUE(found);
     EXPECT_EQ(text->find("\\\n"), std::string::npos);
   }
-  EXPECT_EQ(identifier(subject).find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"),
+  EXPECT_EQ(identifier(subject, unit_systems[0])
+                .find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"),
             std::string::npos);
 }
 

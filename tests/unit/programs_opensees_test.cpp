@@ -130,7 +130,7 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   for (auto const& c : exported) {
     auto const subject = subject_of(c.law, c.parameters);
     auto const realisation = realise(subject);
-    auto const space = identifier(subject);
+    auto const space = identifier(subject, unit_systems[0]);
     for (auto const& form : realisation.forms) {
       auto const& id = form.nominal.id;
       bool const is_bearing = id == "bearing";

@@ -28,7 +28,7 @@ TEST_F(Folder, headers_are_the_laws) {
   for (auto const& law : laws::catalogue()) {
     auto subject = subject_of(law.info.id, inside_box(law, 0.5));
     subject.refinement = law.info.id == "abe" ? 2 : 1;
-    auto const file = std::string(law.info.id) + ".hpp", space = identifier(subject);
+    auto const file = std::string(law.info.id) + ".hpp", space = identifier(subject, units);
     write(file, cpp_header(subject, units));
     includes += "#include \"" + file + "\"\n";
     for (double const share : shares) {
@@ -447,6 +447,42 @@ proc step {tag x} {
 }
 )text";
 
+// A second file of one name must not replace the first, or mix with it, without a word.
+TEST_F(Folder, files_of_one_name_that_differ_are_refused) {
+  auto const& units = unit_systems[0];
+  auto const first = subject_of("bilinear", bilinear_parameters);
+  auto second = first;
+  second.parameters[0] *= 1.1;
+  auto renamed = second;
+  renamed.name = "pier_7";
+  int number = 0;
+  for (auto const& subject : {first, second, renamed}) {
+    write(fmt::format("{}.hpp", ++number), cpp_header(subject, units));
+    write(fmt::format("{}.tcl", number), opensees_script(subject, realise(subject), units));
+  }
+  std::string const compile = ISOLAW_COMPILER " -std=c++17 -Wall -Wextra -Werror ";
+  auto const name = identifier(first, units);
+  write("both.cpp",
+        "#include \"1.hpp\"\n#include \"1.hpp\"\n#include \"3.hpp\"\n" + name + "::Material a;\npier_7::Material b;\n");
+  EXPECT_EQ(run(compile + "-c both.cpp"), 0) << read("printed");
+  write("both.cpp", "#include \"1.hpp\"\n#include \"2.hpp\"\n");
+  EXPECT_NE(run(compile + "-c both.cpp"), 0);
+  EXPECT_NE(read("printed").find("Another export of the name " + name + " is included already"), std::string::npos)
+      << read("printed");
+  // Compiled apart, each must keep its own law.
+  write("one.cpp", fmt::format("#include \"1.hpp\"\ndouble one() {{ return {}::Material().trial(1.0); }}\n", name));
+  write("two.cpp", fmt::format("#include \"2.hpp\"\n#include <cstdio>\ndouble one();\nint main() {{\n"
+                               "  std::printf(\"%.3f %.3f\", one(), {}::Material().trial(1.0));\n}}\n",
+                               name));
+  ASSERT_EQ(run(compile + "one.cpp two.cpp -o apart && ./apart"), 0) << read("printed");
+  EXPECT_EQ(read("printed"), "2.500 2.750");
+  if (!has("tclsh")) GTEST_SKIP() << "no tclsh (isolaw.sh installs tcl): the scripts cannot be run";
+  write("run.tcl", "source 1.tcl\nsource 1.tcl\nsource 3.tcl\nputs [catch {source 2.tcl} why]\nputs $why\n");
+  ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
+  EXPECT_EQ(read("printed"),
+            "1\nthe name " + name + " is taken: choose another for 2.tcl by --name of isolaw export\n");
+}
+
 TEST_F(Folder, tcl_scripts_check_themselves) {
   // isolaw itself does not need this interpreter; `./isolaw.sh test` installs it.
   if (!has("tclsh")) GTEST_SKIP() << "no tclsh (isolaw.sh installs tcl): the script cannot be run";
@@ -456,7 +492,7 @@ TEST_F(Folder, tcl_scripts_check_themselves) {
     realisation.forms.resize(1);
     write("bearing.tcl", opensees_script(subject, realisation, units));
     write("run.tcl", fmt::format("source stub.tcl\nsource bearing.tcl\nputs \"returned [{}::self_check]\"\n",
-                                 identifier(subject)));
+                                 identifier(subject, units)));
     ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
     EXPECT_NE(read("printed").find(good ? "PASS" : "FAIL"), std::string::npos) << read("printed");
     EXPECT_NE(read("printed").find(good ? "returned 1" : "returned 0"), std::string::npos) << read("printed");
@@ -476,8 +512,8 @@ TEST_F(Folder, tcl_scripts_check_themselves) {
   }
   auto const bearing = subject_of("bilinear", bilinear_parameters);
   write("bearing.tcl", opensees_script(bearing, realise(bearing), unit_systems[0]));
-  write("run.tcl",
-        "source stub.tcl\nsource bearing.tcl\n" + identifier(bearing) + "::bearing 7 1 2 upper -P 3 -Mz 4\n");
+  write("run.tcl", "source stub.tcl\nsource bearing.tcl\n" + identifier(bearing, unit_systems[0]) +
+                       "::bearing 7 1 2 upper -P 3 -Mz 4\n");
   ASSERT_EQ(run("tclsh run.tcl"), 0) << read("printed");
   EXPECT_TRUE(read("printed").starts_with("element elastomericBearingPlasticity 7 1 2 ")) << read("printed");
   EXPECT_TRUE(read("printed").ends_with(" 0.0 2.0 -P 3 -Mz 4\n")) << read("printed");

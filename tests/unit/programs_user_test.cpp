@@ -49,7 +49,7 @@ struct OfLaw {
   Subject subject;
   History path;
   std::vector<double> force_kN;
-  std::string name() const { return identifier(subject); }
+  std::string name() const { return identifier(subject, unit_systems[1]); }
 };
 
 // Every law of the catalogue, with parameters for which its memory matters.
@@ -140,7 +140,7 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
 TEST_F(OpenSeesMaterial, refuses_a_step_without_a_finite_tangent) {
   auto const subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.55));
   write("one.cpp", opensees_material(subject, metres) + "#include \"drive.hpp\"\n" +
-                       fmt::format("int main() {{\n  {0}::UserMaterial m(4);\n", identifier(subject)) + R"text(
+                       fmt::format("int main() {{\n  {0}::UserMaterial m(4);\n", identifier(subject, metres)) + R"text(
   require(m.setTrialStrain(0.01) == 0, "a small step is refused");
   require(m.setTrialStrain(0.75) != 0, "a step without a tangent is taken");
   require(std::isfinite(m.getStress()) && !std::isfinite(m.getTangent()), "the step is of another kind");
@@ -449,7 +449,8 @@ TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_n
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);
     write("one.cpp", abaqus_element(subject_of(id, inside_box(law, 0.5)), unit_systems[0]));
-    write("calls.cpp", std::string(calls_of_one) + fmt::format(R"text(
+    write("calls.cpp",
+          std::string(calls_of_one) + fmt::format(R"text(
 int main() {{
   Call c;
   c.svars.assign({}::variables, 0.0);
@@ -464,7 +465,7 @@ int main() {{
   }}
 }}
 )text",
-                                                               identifier(subject_of(id, inside_box(law, 0.5)))));
+                                                  identifier(subject_of(id, inside_box(law, 0.5)), unit_systems[0])));
     ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -Wall -Wextra -Werror calls.cpp -o calls"), 0)
         << read("printed").substr(0, 3000);
     ASSERT_EQ(run("./calls"), 0) << read("printed");

@@ -304,6 +304,10 @@ void add_export(Commands& commands) {
   c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
   add_acceptance(c, a.acceptance, false);
   c.add_option("--units", a.units, fmt::format("{} (default: the units of the campaign's reports)", unit_ids()));
+  c.add_option("--name", a.name,
+               fmt::format("name of the namespace and the commands in the file: letters, digits and _, at most {} "
+                           "(default: isolaw, the law, the campaign, the device and the units)",
+                           programs::longest_name));
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");

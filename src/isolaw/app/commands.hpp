@@ -98,7 +98,7 @@ struct ExportArguments {
   std::filesystem::path directory;
   std::string law, device, to;
   Values acceptance;  // options that change the bounds
-  std::optional<std::string> units;
+  std::optional<std::string> units, name;
   std::optional<std::filesystem::path> out;  // empty: standard output
   Values model, seed;                        // model: from programs::model_table(); seed: for the draws
   bool anyway = false;                       // export despite objections

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "isolaw/app/commands.hpp"
@@ -13,6 +15,7 @@
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/model_text.hpp"
+#include "isolaw/programs/text.hpp"
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw::app {
@@ -23,11 +26,18 @@ int export_law(ExportArguments const& a) {
     throw Error({.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
                  .found = fmt::format("is given with --to {}", a.to),
                  .allowed = "a target that writes a whole model: " + joined(programs::model_targets())});
+  constexpr std::array nameless{"openseespy", "json", "sheet", "csv"};
+  if (a.name && std::ranges::find(nameless, target.name) != nameless.end())
+    throw Error({.where = "--name",
+                 .found = fmt::format("is given with --to {}", a.to),
+                 .allowed = "a target whose file has a name: not " + joined(nameless)});
+  if (a.name) programs::require_export_name(*a.name);
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   auto const& units = find_unit_system(a.units ? *a.units : std::string(contents.acceptance.report_units));
   apply(a.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
   auto subject = programs::make_subject(contents, summary, a.law, a.device, units);
+  subject.name = a.name.value_or("");
   if (target.of_model) {
     programs::ModelOptions options;
     lay_over(programs::model_table(), a.model, options);

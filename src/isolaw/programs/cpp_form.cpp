@@ -64,11 +64,21 @@ std::string cpp_law(Subject const& subject, UnitSystem const& units) {
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = "no C++ form of it",
                  .allowed = "another target"});
-  auto const space = identifier(subject);
+  // Files of one name that are compiled apart have no symbols in common, thanks to the inline namespace.
+  auto const space = identifier(subject, units);
   std::string text = fmt::format(
-      "#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\nnamespace {} {{\n\n", space);
+      "#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\nnamespace {} {{\ninline namespace of_{} {{\n\n",
+      space, own_number_mark);
   text += parameters_struct(subject) + "\n" + constants(subject, units) + "\n" + code;
-  return text + fmt::format("}}  // namespace {}\n", space);
+  return text + fmt::format("}}  // inline namespace\n}}  // namespace {}\n", space);
+}
+
+std::string guarded(std::string_view name, std::string_view code) {
+  return fmt::format(
+      "#ifndef {0}_FILE\n#define {0}_FILE {1}\n\n{2}\n#elif {0}_FILE != {1}\n"
+      "#error \"Another export of the name {0} is included already: choose a name for one of them by --name of isolaw export\"\n"
+      "#endif\n",
+      name, own_number_mark, code);
 }
 
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material) {
@@ -111,7 +121,7 @@ int main() {{
 #endif
 )text",
       subject.frequency_Hz, number_lines(disp, ", ", "      "), number_lines(velocity, ", ", "      "),
-      number_lines(force, ", ", "      "), identifier(subject), material, exactly(allowed(subject.law->info)),
+      number_lines(force, ", ", "      "), identifier(subject, units), material, exactly(allowed(subject.law->info)),
       subject.law->info.id);
 }
 

@@ -9,8 +9,10 @@
 
 namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
-// Returns the includes and the law in namespace identifier(subject). Throws Error if the law has no C++ form.
+// Returns the includes and the law in namespace identifier(subject, units). Throws Error if the law has no C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
+// Puts `code` between lines that the compiler reads once, and that refuse another file of this name.
+std::string guarded(std::string_view name, std::string_view code);
 // Returns a main() for ISOLAW_SELF_CHECK. It drives `material` over the self-check's motion by trial() and commit().
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 

@@ -23,7 +23,7 @@ constexpr int fixed_variables = 64, turning_variables = 1000;
 }  // namespace
 
 std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
-  auto const name = identifier(subject);
+  auto const name = identifier(subject, units);
   bool const steady = subject.law->info.traits.rate_independent;
   bool const turns = remembers_turning_points(subject.law->info.id);
   int const variables = fixed_variables + (turns ? turning_variables : 0);
@@ -32,32 +32,34 @@ std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
   std::string factors = "1.0 as fitted";
   if (subject.bounds.lower) factors += fmt::format(", {} lower", exactly(subject.bounds.lower->overall));
   if (subject.bounds.upper) factors += fmt::format(", {} upper bound", exactly(subject.bounds.upper->overall));
-  return cpp_facts(subject, units, "Abaqus/Standard, user subroutine UEL in C++") +
-         fmt::format(
-             "// In the input file, for a spring along the first axis between nodes 10 and 20 (element 1):\n"
-             "//   *USER ELEMENT, TYPE=U1, NODES=2, COORDINATES=3, PROPERTIES=1, VARIABLES={1}\n"
-             "//   1\n"
-             "//   *ELEMENT, TYPE=U1, ELSET=ISOLATORS\n"
-             "//   1, 10, 20\n"
-             "//   *UEL PROPERTY, ELSET=ISOLATORS\n"
-             "//   1.0\n"
-             "// The property is the factor on the force: {2}. Along any line: data line 1, 2, 3, PROPERTIES=4, and the\n"
-             "// direction behind the factor. Displacements are from rest; the line does not turn with them; it has no mass.\n"
-             "{3}"
-             "// To run: c++ -std=c++17 -O2 -fPIC -c this-file -o {0}.o; abaqus job=model user={0}.o\n"
-             "// Or user=this-file, where compile_cpp of the environment file has C++17.\n"
-             "// Static (general and perturbed), direct integration in time with its half-increment residual, and the matrices\n"
-             "// of frequency steps. ENERGY(4) is all the work done on it. Not run in Abaqus: its calls were made by Fortran.\n"
-             "// {4}\n"
-             "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
-             name, variables, factors,
-             turns
-                 ? "// VARIABLES= holds what the law remembers of its turning points; it stops with a message where more are needed.\n"
-                 : "",
-             steady
-                 ? "The law does not depend on the velocity."
-                 : "The law depends on the velocity: in time that of the nodes, in static steps the increment over its time.") +
-         cpp_law(subject, units) + interface_part("abaqus.inc", marks) + cpp_check(subject, units, "DrivenElement");
+  return with_own_number(
+      cpp_facts(subject, units, "Abaqus/Standard, user subroutine UEL in C++") +
+      fmt::format(
+          "// In the input file, for a spring along the first axis between nodes 10 and 20 (element 1):\n"
+          "//   *USER ELEMENT, TYPE=U1, NODES=2, COORDINATES=3, PROPERTIES=1, VARIABLES={1}\n"
+          "//   1\n"
+          "//   *ELEMENT, TYPE=U1, ELSET=ISOLATORS\n"
+          "//   1, 10, 20\n"
+          "//   *UEL PROPERTY, ELSET=ISOLATORS\n"
+          "//   1.0\n"
+          "// The property is the factor on the force: {2}. Along any line: data line 1, 2, 3, PROPERTIES=4, and the\n"
+          "// direction behind the factor. Displacements are from rest; the line does not turn with them; it has no mass.\n"
+          "{3}"
+          "// To run: c++ -std=c++17 -O2 -fPIC -c this-file -o {0}.o; abaqus job=model user={0}.o\n"
+          "// Or user=this-file, where compile_cpp of the environment file has C++17.\n"
+          "// Static (general and perturbed), direct integration in time with its half-increment residual, and the matrices\n"
+          "// of frequency steps. ENERGY(4) is all the work done on it. Not run in Abaqus: its calls were made by Fortran.\n"
+          "// {4}\n"
+          "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
+          name, variables, factors,
+          turns
+              ? "// VARIABLES= holds what the law remembers of its turning points; it stops with a message where more are needed.\n"
+              : "",
+          steady
+              ? "The law does not depend on the velocity."
+              : "The law depends on the velocity: in time that of the nodes, in static steps the increment over its time.") +
+      guarded(name, cpp_law(subject, units) + interface_part("abaqus.inc", marks)) +
+      cpp_check(subject, units, "DrivenElement"));
 }
 
 }  // namespace isolaw::programs

@@ -1,8 +1,6 @@
 // Writes the law as a C++17 header that needs only the standard library.
 #include <fmt/format.h>
 
-#include <cctype>
-
 #include "isolaw/programs/cpp_form.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
@@ -10,24 +8,20 @@
 namespace isolaw::programs {
 
 std::string cpp_header(Subject const& subject, UnitSystem const& units) {
-  auto const space = identifier(subject);
-  auto guard = space;
-  for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return cpp_facts(subject, units, "C++17") +
-         fmt::format(
-             "// To use, in a user material: {0}::Material m(nominal, or lower or upper);\n"
-             "//   setTrialStrain(u, v): m.trial(u, v)   getStress: m.force()   getTangent: m.tangent()   getDampTangent: m.damping()\n"
-             "//   commitState: m.commit()   revertToLastCommit: m.revert()   revertToStart: m.revert_to_start()   copy: by value\n"
-             "//   a state sent or stored: m.state_size(), m.save(numbers), m.load(numbers, size)\n"
-             "//   {1}\n"
-             "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n"
-             "#ifndef {2}_HPP\n#define {2}_HPP\n\n",
-             space,
-             subject.law->info.traits.rate_independent
-                 ? "The law does not depend on the velocity."
-                 : "The law depends on the velocity: the element must pass it on.",
-             guard) +
-         cpp_law(subject, units) + "\n#endif\n" + cpp_check(subject, units, "Material");
+  auto const space = identifier(subject, units);
+  return with_own_number(
+      cpp_facts(subject, units, "C++17") +
+      fmt::format(
+          "// To use, in a user material: {0}::Material m(nominal, or lower or upper);\n"
+          "//   setTrialStrain(u, v): m.trial(u, v)   getStress: m.force()   getTangent: m.tangent()   getDampTangent: m.damping()\n"
+          "//   commitState: m.commit()   revertToLastCommit: m.revert()   revertToStart: m.revert_to_start()   copy: by value\n"
+          "//   a state sent or stored: m.state_size(), m.save(numbers), m.load(numbers, size)\n"
+          "//   {1}\n"
+          "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n",
+          space,
+          subject.law->info.traits.rate_independent ? "The law does not depend on the velocity."
+                                                    : "The law depends on the velocity: the element must pass it on.") +
+      guarded(space, cpp_law(subject, units)) + cpp_check(subject, units, "Material"));
 }
 
 }  // namespace isolaw::programs

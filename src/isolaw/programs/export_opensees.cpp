@@ -147,7 +147,7 @@ std::string check_procedure(SelfCheck const& check) {
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                             ScriptAddition const& addition) {
   auto const check = self_check(subject, realisation, units);
-  auto const space = identifier(subject);
+  auto const space = identifier(subject, units);
   std::string text;
   for (auto const& line : fact_lines(facts(subject, realisation, units, "OpenSees (Tcl)"))) text += "# " + line + "\n";
   for (auto const& line : fact_lines(addition.facts)) text += "# " + line + "\n";
@@ -155,8 +155,11 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
       "#\n# To use:   source this file; {0}::{1} 1        (or: 1 lower, 1 upper)\n"
       "# To check: OpenSees this-file check              (exit code 0 where all agree, 1 where not)\n"
       "#           or, in a program that holds no model: source this file; {0}::self_check\n"
-      "{2}\nnamespace eval {0} {{\n",
-      space, check.forms.front().function, addition.usage);
+      "{2}\n"
+      "if {{[namespace exists {0}] && !([info exists {0}::own_number] && ${0}::own_number eq \"{3}\")}} {{\n"
+      "  error \"the name {0} is taken: choose another for [info script] by --name of isolaw export\"\n}}\n"
+      "namespace eval {0} {{\n  variable own_number {3}\n",
+      space, check.forms.front().function, addition.usage, own_number_mark);
   for (auto const& form : check.forms) text += procedure(form);
   text += check_procedure(check) + addition.procedures + "}\n\n";
   // OpenSees exits with 0 even after an error in a script. The script therefore calls exit with a code of its own.
@@ -165,7 +168,7 @@ std::string opensees_script(Subject const& subject, Realisation const& realisati
       "  if {{[catch {{ {}::self_check }} all]}} {{\n    puts stderr $::errorInfo\n    exit 1\n  }}\n"
       "  exit [expr {{$all ? 0 : 1}}]\n}}\n",
       space);
-  return text + addition.dispatch;
+  return with_own_number(text + addition.dispatch);
 }
 
 }  // namespace isolaw::programs

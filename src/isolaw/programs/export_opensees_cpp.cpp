@@ -43,37 +43,39 @@ bool starts_steeply(Subject const& subject) {
 }  // namespace
 
 std::string opensees_material(Subject const& subject, UnitSystem const& units) {
-  auto const name = identifier(subject);
+  auto const name = identifier(subject, units);
   auto const variants = variants_of(subject);
   std::array<std::pair<std::string_view, std::string>, 4> const marks{{{"name", name},
                                                                        {"law", std::string(subject.law->info.id)},
                                                                        {"variants", variants.table},
                                                                        {"names", variants.names}}};
   auto const& traits = subject.law->info.traits;
-  return cpp_facts(subject, units, "OpenSees, a UniaxialMaterial in C++") +
-         fmt::format(
-             "// To build, against the source of the OpenSees that is run, by the compiler that made it:\n"
-             "//   s=OpenSees/SRC; c++ -std=c++17 -O2 -fPIC -shared -I$s -I$s/api -I$s/tagged -I$s/handler -I$s/matrix\n"
-             "//     -I$s/material -I$s/material/uniaxial -I$s/actor/actor -I$s/actor/channel -I$s/domain/component\n"
-             "//     this-file -o {0}.so\n"
-             "// To use in its Tcl program, with the library in a folder of LD_LIBRARY_PATH; behind the tag may stand one of\n"
-             "//   {1}, or a factor on the force:\n"
-             "//   uniaxialMaterial {0} $tag\n"
-             "// Python loads no libraries: there, on Windows, in parallel runs and with databases, the file is compiled with the\n"
-             "//   program: a line for OPS_{0} in uniaxialMaterialsMap of\n"
-             "//   SRC/interpreter/OpenSeesUniaxialMaterialCommands.cpp, and a number of its own, ISOLAW_CLASS_TAG, of which\n"
-             "//   FEM_ObjectBrokerAllClasses::getNewUniaxialMaterial makes {0}::UserMaterial.\n"
-             "// The strain is a displacement: for zeroLength and twoNodeLink. {2}\n"
-             "{3}"
-             "// To check the law: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
-             name, variants.names,
-             traits.rate_independent ? "The law does not depend on the velocity."
-                                     : "The law depends on the velocity, which both pass on.",
-             starts_steeply(subject)
-                 ? "// Its first motion has no bounded slope: where that step does not converge, algorithm KrylovNewton or\n"
-                   "//   NewtonLineSearch.\n"
-                 : "") +
-         cpp_law(subject, units) + interface_part("opensees.inc", marks) + cpp_check(subject, units, "Material");
+  return with_own_number(
+      cpp_facts(subject, units, "OpenSees, a UniaxialMaterial in C++") +
+      fmt::format(
+          "// To build, against the source of the OpenSees that is run, by the compiler that made it:\n"
+          "//   s=OpenSees/SRC; c++ -std=c++17 -O2 -fPIC -shared -I$s -I$s/api -I$s/tagged -I$s/handler -I$s/matrix\n"
+          "//     -I$s/material -I$s/material/uniaxial -I$s/actor/actor -I$s/actor/channel -I$s/domain/component\n"
+          "//     this-file -o {0}.so\n"
+          "// To use in its Tcl program, with the library in a folder of LD_LIBRARY_PATH; behind the tag may stand one of\n"
+          "//   {1}, or a factor on the force:\n"
+          "//   uniaxialMaterial {0} $tag\n"
+          "// Python loads no libraries: there, on Windows, in parallel runs and with databases, the file is compiled with the\n"
+          "//   program: a line for OPS_{0} in uniaxialMaterialsMap of\n"
+          "//   SRC/interpreter/OpenSeesUniaxialMaterialCommands.cpp, and a number of its own, ISOLAW_CLASS_TAG, of which\n"
+          "//   FEM_ObjectBrokerAllClasses::getNewUniaxialMaterial makes {0}::UserMaterial.\n"
+          "// The strain is a displacement: for zeroLength and twoNodeLink. {2}\n"
+          "{3}"
+          "// To check the law: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
+          name, variants.names,
+          traits.rate_independent ? "The law does not depend on the velocity."
+                                  : "The law depends on the velocity, which both pass on.",
+          starts_steeply(subject)
+              ? "// Its first motion has no bounded slope: where that step does not converge, algorithm KrylovNewton or\n"
+                "//   NewtonLineSearch.\n"
+              : "") +
+      guarded(name, cpp_law(subject, units) + interface_part("opensees.inc", marks)) +
+      cpp_check(subject, units, "Material"));
 }
 
 }  // namespace isolaw::programs

@@ -268,7 +268,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
 
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
-  auto const space = identifier(subject);
+  auto const space = identifier(subject, units);
   ScriptAddition addition;
   addition.facts = model_facts(subject, realisation, units);
   addition.usage = run_usage("OpenSees this-file", space + "_results", numbers);

@@ -237,7 +237,7 @@ def main(arguments):
 
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
   auto const numbers = model_numbers(subject, realisation, units);
-  auto const folder = identifier(subject) + "_results";
+  auto const folder = identifier(subject, units) + "_results";
   ScriptAddition addition;
   addition.facts = model_facts(subject, realisation, units);
   addition.usage = run_usage("python3 this-file", folder, numbers);

@@ -289,8 +289,7 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
   return history;
 }
 
-std::string plain_name(std::string_view name) {
-  constexpr std::size_t longest = 40;
+std::string plain_name(std::string_view name, std::size_t longest) {
   std::string plain;
   for (char const c : name) {
     bool const kept = static_cast<unsigned char>(c) < 128 && std::isalnum(static_cast<unsigned char>(c)) != 0;

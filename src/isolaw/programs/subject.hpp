@@ -60,6 +60,7 @@ struct Subject {
   laws::LawEntry const* law = nullptr;
   bool lot = false;
   std::string device;  // name of the device, or "lot"
+  std::string name;    // the export's name if the user chose one; else identifier() (text.hpp) makes it
   // Number of the device in the campaign, from 1, if plain_name() gives another device the same name. Otherwise 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's order and units
@@ -87,8 +88,9 @@ struct Subject {
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 
-// Makes a name that programs accept: letters and digits, at most 40 characters. `_` replaces runs of other characters.
-std::string plain_name(std::string_view name);
+// Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces runs of others.
+inline constexpr std::size_t longest_name = 40;
+std::string plain_name(std::string_view name, std::size_t longest = longest_name);
 
 // Throws Error if the campaign has no such law, device or result. Bounds::source and Subject::beyond use `units`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,

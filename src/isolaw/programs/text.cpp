@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <ranges>
 
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/programs/header_parts.hpp"
@@ -102,11 +106,39 @@ std::string harmless_markdown(std::string_view text) {
   return replaced(text, "\\|<>`[]*#&");
 }
 
-std::string identifier(Subject const& subject) {
+std::string identifier(Subject const& subject, UnitSystem const& units) {
+  if (!subject.name.empty()) return subject.name;
+  constexpr std::size_t longest_title = 20;
   auto name = "isolaw_" + plain_name(subject.law->info.id);
-  if (auto const device = plain_name(subject.device); !device.empty()) name += "_" + device;
+  for (auto const& part : {plain_name(subject.title, longest_title), plain_name(subject.device)})
+    if (!part.empty()) name += "_" + part;
   if (subject.number_among_alike > 0) name += fmt::format("_{}", subject.number_among_alike);
-  return name;
+  return name + "_" + plain_name(units.id);
+}
+
+void require_export_name(std::string_view name) {
+  constexpr std::string_view words_of_cpp =
+      " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl"
+      " concept const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype default delete"
+      " do double dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable"
+      " namespace new noexcept not not_eq nullptr operator or or_eq private protected public register reinterpret_cast"
+      " requires return short signed sizeof static static_assert static_cast struct switch template this thread_local throw"
+      " true try typedef typeid typename union unsigned using virtual void volatile wchar_t while xor xor_eq main std ";
+  bool const taken = words_of_cpp.find(" " + std::string(name) + " ") != std::string_view::npos;
+  if (!taken && !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+      name.size() <= longest_name && plain_name(name) == name)
+    return;
+  throw Error({.where = "--name",
+               .found = printable(name) + (taken ? ", a word of C++" : ""),
+               .allowed = fmt::format("a letter, then letters, digits and single _ between them, {} characters at most",
+                                      longest_name)});
+}
+
+std::string with_own_number(std::string text) {
+  auto const number = fmt::format("0x{:08x}", static_cast<std::uint32_t>(stable_hash(text)));
+  for (auto at = text.find(own_number_mark); at != std::string::npos; at = text.find(own_number_mark, at))
+    text.replace(at, own_number_mark.size(), number);
+  return text;
 }
 
 std::string exactly(double value) {

@@ -13,8 +13,15 @@ namespace isolaw::programs {
 // in a comment.
 std::string harmless(std::string_view text);
 std::string harmless_markdown(std::string_view text);
-// Name of the export, "isolaw_bouc_wen_P_1": letters, digits, single underscores; unique for each device of a campaign.
-std::string identifier(Subject const& subject);
+// Name of the export, "isolaw_bouc_wen_lot_P_1_kN_mm", of law, campaign, device and units, if the subject has none:
+// letters, digits, single underscores; unique for each device of a campaign.
+std::string identifier(Subject const& subject, UnitSystem const& units);
+// Throws Error if `name` cannot be the name of an export in Tcl, Python and C++.
+void require_export_name(std::string_view name);
+// Two files of one name that differ are not for one program. A script or C++ file holds a number that its whole text
+// determines, by which it recognises another file. with_own_number() replaces `own_number_mark` by it.
+inline constexpr std::string_view own_number_mark = "@own number@";
+std::string with_own_number(std::string text);
 
 // The shortest text from which the same number is read.
 std::string exactly(double value);
