@@ -1,0 +1,93 @@
+"""What docs/export.md says of steps that do not converge in OpenSees, and the tangent of a law that ignores tremor."""
+
+import unittest
+import warnings
+
+import isolaw
+import isolaw.opensees
+from devices import InFolder, arrays, write_csv
+from test_opensees import LAWS, ops, usual_parameters
+
+
+def one_bearing(law, source, **keywords):
+    """A model of one node on a bearing along 1, under a load of 1 in that direction."""
+    ops.wipe()
+    ops.model("basic", "-ndm", 1, "-ndf", 1)
+    ops.node(1, 0.0)
+    ops.node(2, 0.0, "-mass", 1.0)
+    ops.fix(1, 1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        isolaw.opensees.material(7, law, source, **keywords)
+    ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+    ops.constraints("Plain")
+    ops.numberer("Plain")
+    ops.system("FullGeneral")
+    ops.test("NormDispIncr", 1e-8, 50)
+
+
+def steps_under_load(law, parameters, algorithm, most, count=10):
+    """Steps of a static analysis to +most, -most and +most. Fewer than 5 count if one failed."""
+    one_bearing(law, parameters)
+    path = [0.0, *(most * k / count for k in range(1, count + 1))]
+    path += [most * (1.0 - k / count) for k in range(1, 2 * count + 1)]
+    path += [most * (k / count - 1.0) for k in range(1, 2 * count + 1)]
+    ops.timeSeries("Path", 1, "-dt", 1.0, "-values", *path)
+    ops.pattern("Plain", 1, 1)
+    ops.load(2, 1.0)
+    ops.algorithm(algorithm)
+    ops.integrator("LoadControl", 1.0)
+    ops.analysis("Static")
+    for step in range(5 * count):
+        if ops.analyze(1) != 0:
+            return step
+    return 5 * count
+
+
+class Steps(InFolder):
+    def test_under_load_newton_fails_after_a_turn_where_krylov_newton_from_the_start_does_not(self):
+        failed = {"Newton": {}, "KrylovNewton": {}}
+        for law in ("bouc-wen", "gallardo", "kikuchi-aiken", "power-masing", "ramberg-osgood"):
+            parameters = usual_parameters(law)
+            force = isolaw.force(law, parameters, isolaw.motion([0.0, 50.0, 100.0], [0.0, 1e9, 2e9]))
+            for algorithm, of in failed.items():
+                steps = steps_under_load(law, parameters, algorithm, 0.6 * abs(force[-1]))
+                if steps < 50:
+                    of[law] = steps
+        self.assertTrue(failed["Newton"])
+        self.assertLessEqual(set(failed["Newton"].values()), {0, 10, 30})  # the first step, and those after a turn
+        self.assertEqual(failed["KrylovNewton"], {})
+
+    def test_steps_of_displacement_converge_with_newton_for_every_law(self):
+        for law in LAWS:
+            with self.subTest(law=law):
+                one_bearing(law, usual_parameters(law))
+                ops.timeSeries("Linear", 1)
+                ops.pattern("Plain", 1, 1)
+                ops.load(2, 1.0)
+                ops.algorithm("Newton")
+                ops.integrator("DisplacementControl", 2, 1, 5.0)
+                ops.analysis("Static")
+                for step, count in ((5.0, 20), (-5.0, 40), (5.0, 40)):
+                    ops.integrator("DisplacementControl", 2, 1, step)
+                    self.assertEqual(ops.analyze(count), 0)
+
+    def test_a_law_that_ignores_tremor_has_a_first_stiffness_and_a_step_within_its_dead_band(self):
+        write_csv(self.path / "a.csv", *arrays(20.0))
+        for law in ("gallardo", "ramberg-osgood"):
+            with self.subTest(law=law):
+                fitted = isolaw.calibrate([self.path / "a.csv"], [law], runs=1, analysis="none", dead_band=0.5)
+                one_bearing(law, fitted, device="a")
+                self.assertGreater(ops.eigen("-fullGenLapack", 1)[0], 0.0)
+                # A load of nothing leaves the bearing within its dead band.
+                ops.timeSeries("Linear", 1)
+                ops.pattern("Plain", 1, 1)
+                ops.load(2, 0.0)
+                ops.algorithm("Newton")
+                ops.integrator("LoadControl", 1.0)
+                ops.analysis("Static")
+                self.assertEqual(ops.analyze(2), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
