@@ -26,7 +26,7 @@ int export_law(ExportArguments const& a) {
     throw Error({.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
                  .found = fmt::format("is given with --to {}", a.to),
                  .allowed = "a target that writes a whole model: " + joined(programs::model_targets())});
-  constexpr std::array nameless{"openseespy", "json", "sheet", "csv"};
+  constexpr std::array nameless{"openseespy", "openseespy-law", "json", "sheet", "csv"};
   if (a.name && std::ranges::find(nameless, target.name) != nameless.end())
     throw Error({.where = "--name",
                  .found = fmt::format("is given with --to {}", a.to),
