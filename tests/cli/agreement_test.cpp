@@ -93,11 +93,14 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
   for (auto const& entry : laws::catalogue()) {
     std::string const law(entry.info.id);
     SCOPED_TRACE(law);
-    auto const exported = [&](std::string const& to, std::string const& file) {
-      auto const output = isolaw({"export", "C", "--law", law, "--device", "a", "--to", to, "--anyway", "--out", file});
+    std::string space = law;
+    std::ranges::replace(space, '-', '_');
+    auto const exported = [&](std::string const& to, std::string const& file, Words const& more = {}) {
+      auto const output =
+          isolaw(Words{"export", "C", "--law", law, "--device", "a", "--to", to, "--anyway", "--out", file} + more);
       EXPECT_EQ(output.code, 0) << output;
     };
-    exported("cpp", law + ".hpp");
+    exported("cpp", law + ".hpp", {"--name", space});
     exported("csv", law + ".csv");
     auto const simulated = [&](std::string const& motion) {
       auto const output = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", motion,
@@ -110,8 +113,6 @@ TEST_F(Agreement, simulate_header_and_table_of_every_law_agree_at_every_step) {
     // computes the velocities from the path, whereas the exported table has velocities of its own.
     if (entry.info.traits.rate_independent)
       expect_alike(simulated(law + ".csv").force_kN, cases.back().table.force_kN, 1e-8, "simulate against the table");
-    std::string space = "isolaw_" + law + "_a";
-    std::ranges::replace(space, '-', '_');
     includes += "#include \"" + law + ".hpp\"\n";
     drives += fmt::format("  if (!std::strcmp(law, \"{}\")) drive({}::Material());\n", law, space);
   }

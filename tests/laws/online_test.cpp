@@ -157,7 +157,9 @@ TEST_P(EveryLaw, has_within_the_dead_band_the_slope_with_which_the_motion_leaves
       ++compared;
     }
   }
-  if (law.info.id == "gallardo" || law.info.id == "ramberg-osgood") EXPECT_EQ(compared, 12);
+  if (law.info.id == "gallardo" || law.info.id == "ramberg-osgood") {
+    EXPECT_EQ(compared, 12);
+  }
 }
 
 TEST(Online, an_unknown_law_is_refused) {
