@@ -187,7 +187,7 @@ TEST(Answer, IsOneScreen) {
 TEST(Answer, NamesTheLawTheNextCommandAndTheReport) {
   auto const text = answer(fixture::analysed(fixture::lot(10, 7)), "elsewhere", "out/lot");
   EXPECT_TRUE(contains(text, "Take Abe")) << text;
-  EXPECT_TRUE(contains(text, "isolaw export out/lot --law abe --device lot --to opensees-cpp")) << text;
+  EXPECT_TRUE(contains(text, "isolaw export out/lot --law abe --device lot --to openseespy-law")) << text;
   EXPECT_TRUE(contains(text, "elsewhere/report.html")) << text;
 }
 

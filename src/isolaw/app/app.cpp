@@ -311,8 +311,9 @@ void add_export(Commands& commands) {
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");
-  c.add_flag("--anyway", a.anyway,
-             "export even if the law's prediction is unusable, or the program's own material is far off");
+  c.add_flag(
+      "--anyway", a.anyway,
+      "export even if the law's prediction is unusable, its force is not possible, or the program's own material is far off");
 }
 
 void add_simulate(Commands& commands) {
@@ -348,7 +349,8 @@ void add_simulate(Commands& commands) {
   add(Heading::plane, "--springs", a.springs,
       "parameters that --bidirectional springs takes: fitted (to the springs) or given (the law's own); default: fitted with --from if the campaign has such a fit and --set changes nothing, otherwise given");
   c.add_option("--out", a.out, "file to write (default: standard output)");
-  c.add_flag("--anyway", a.anyway, "with --from: simulate even if the law's prediction is unusable");
+  c.add_flag("--anyway", a.anyway,
+             "with --from: simulate even if the law's prediction is unusable or its force is not possible");
 }
 
 void add_building(Commands& commands) {
