@@ -134,11 +134,13 @@ Table table_with_own_functions(Program const& program) {
     destroy(self);
     ::operator delete(self);
   });
-  table.own("5PrintER10OPS_Streami", +[](Material* self, void* stream, int) {
-    self->program->write(
-        stream,
-        fmt::format("isolaw tag: {}, law {}, factor {:g}, displacement {:g}, force {:g}\n", tag_of(self),
-                           self->about->id, self->factor, self->trial.disp, self->to_force() * self->trial.force.force));
+  table.own("5PrintER10OPS_Streami", +[](Material* self, void* stream, int flag) {
+    self->program->write(stream, flag == printed_as_json
+                                     ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})",
+                                                   tag_of(self), self->about->id, self->factor)
+                                     : fmt::format("isolaw tag: {}, law {}, factor {:g}, displacement {:g}, force {:g}\n",
+                                                   tag_of(self), self->about->id, self->factor, self->trial.disp,
+                                                   self->to_force() * self->trial.force.force));
   });
   table.own("11setResponseEPPKciR10OPS_Stream", &set_response);
   table.own("11getResponseEiR11Information", &get_response);

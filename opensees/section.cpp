@@ -142,11 +142,14 @@ Table table_with_own_functions(Program const& program) {
     destroy(self);
     ::operator delete(self);
   });
-  table.own("5PrintER10OPS_Streami", +[](Section* self, void* stream, int) {
-    self->program->write(stream, fmt::format("isolaw section tag: {}, law {}, factor {:g}, displacements {:g} and {:g}, forces {:g} and {:g}\n",
-                                             tag_of(self), self->about->id, self->factor, self->trial.disp[0],
-                                             self->trial.disp[1], self->factor * self->trial.force[0],
-                                             self->factor * self->trial.force[1]));
+  table.own("5PrintER10OPS_Streami", +[](Section* self, void* stream, int flag) {
+    self->program->write(
+        stream, flag == printed_as_json
+                    ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})", tag_of(self),
+                                  self->about->id, self->factor)
+                    : fmt::format("isolaw section tag: {}, law {}, factor {:g}, displacements {:g} and {:g}, forces {:g} and {:g}\n",
+                                  tag_of(self), self->about->id, self->factor, self->trial.disp[0], self->trial.disp[1],
+                                  self->factor * self->trial.force[0], self->factor * self->trial.force[1]));
   });
   table.own("26setTrialSectionDeformationERK6Vector", &try_deformation);
   table.own("21getSectionDeformationEv", +[](Section* self) { return &self->disp_vector.get(); });

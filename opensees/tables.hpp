@@ -36,6 +36,8 @@ class TableWithOwn {
 // Makes the part of an object that is the program's, and gives it `table`, which must live as long as the object.
 void construct_base(Program const& program, Class const& of, Table const& table, std::byte* base, int tag);
 
+inline constexpr int printed_as_json = 25000;  // flag of Print() in OpenSees: OPS_PRINT_PRINTMODEL_JSON
+
 int tag_of(void const* object);  // of a TaggedObject
 
 // The functions of MovableObject for an object of this library, which get the address of that part of the object.

@@ -96,6 +96,11 @@ def _factor(bound, found):
 
 
 def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes=None):
+    tag = _operator.index(tag)
+    if not -(2**31) <= tag < 2**31:
+        raise Error(f"tag: {tag}; allowed: whole numbers from -2**31 to 2**31 - 1")
+    if isinstance(units, str) or len(units) != 2:
+        raise Error(f'units: {units!r}; allowed: a unit of force and one of length, such as ("kN", "mm")')
     if _attached is None:
         attach()
     given = source._core if isinstance(source, _Campaign) else source

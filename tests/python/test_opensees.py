@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import io
+import json
 import math
 import pathlib
 import subprocess
@@ -233,6 +234,8 @@ class Materials(InFolder):
             ((7, "bilinear", bilinear), {"bound": "upper"}, "allowed: nominal"),
             ((7, "bilinear", bilinear), {"bound": -1.0}, "above 0"),
             ((7, "bilinear", bilinear), {"units": ("mm", "kN")}, "a unit of force"),
+            ((7, "bilinear", bilinear), {"units": "kN-mm"}, "a unit of force and one of length"),
+            ((2**40, "bilinear", bilinear), {}, "tag: 1099511627776"),
             ((7, "bilinear", self.lot), {"device": "c"}, "c"),
         ):
             with self.subTest(said=said), self.assertRaisesRegex(isolaw.Error, said):
@@ -254,6 +257,16 @@ class Materials(InFolder):
             isolaw.opensees.material(7, "power-masing-viscous", self.lot)
         said = " ".join(str(one.message) for one in caught)
         self.assertIn("depends on velocity, which is 0 in a static analysis", said)
+
+    def test_a_model_is_printed_as_json(self):
+        two_nodes(1)
+        add("material", 7, "bilinear", usual_parameters("bilinear"))
+        add("section", 9, "bilinear", usual_parameters("bilinear"))
+        ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+        ops.printModel("-JSON", "-file", str(self.path / "model.json"))
+        properties = json.loads((self.path / "model.json").read_text())["StructuralAnalysisModel"]["properties"]
+        self.assertEqual(properties["uniaxialMaterials"][0]["law"], "bilinear")
+        self.assertEqual(properties["sections"][0]["type"], "isolaw")
 
     def test_the_example_of_an_isolated_frame(self):
         done = subprocess.run(
