@@ -54,7 +54,7 @@ setup() {
 # Checks the format of every C++ file, or with --fix corrects it.
 format() {
   install_missing clang-format
-  mapfile -t sources < <(find src cli python examples tests bench fuzz -name '*.[ch]pp' | sort)
+  mapfile -t sources < <(find src cli opensees python examples tests bench fuzz -name '*.[ch]pp' | sort)
   if [ "${1:-}" = --fix ]; then
     printf '+ clang-format -i (%d files)\n' "${#sources[@]}" >&2
     clang-format -i "${sources[@]}"

@@ -12,14 +12,14 @@ extern "C" struct IsolawLaw {
   char const* id;
   double const* parameters;  // in the law's order and units
   std::size_t count;
-  double dead_band;            // in the law's unit of length; only laws with a memory use it
-  int parts;                   // equal parts into which each step is divided
-  double length_to_law;        // the law's units of length in one of the model
-  double force_from_law;       // the model's units of force in one of the law
-  double factor;               // on the force: 1, or the factor of a bound
-  double lower, upper;         // factors of the bounds; not a number if there are none
-  int springs;                 // sections: 0 for one state in both directions, else the number of springs
-  double axes[2][3];           // sections of laws that depend on velocity: the local axes y and z in global coordinates
+  double dead_band;       // in the law's unit of length; only laws with a memory use it
+  int parts;              // equal parts into which each step is divided
+  double length_to_law;   // the law's units of length in one of the model
+  double force_from_law;  // the model's units of force in one of the law
+  double factor;          // on the force: 1, or the factor of a bound
+  double lower, upper;    // factors of the bounds; not a number if there are none
+  int springs;            // sections: 0 for one state in both directions, else the number of springs
+  double axes[2][3];      // sections of laws that depend on velocity: the local axes y and z in global coordinates
 };
 
 namespace isolaw::opensees {

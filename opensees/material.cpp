@@ -48,8 +48,9 @@ int try_strain(Material* self, double disp, double velocity) noexcept try {
   if (std::isfinite(disp) && std::isfinite(velocity) && std::isfinite(force.force) && std::isfinite(force.by_x))
     return 0;
   complain(*self->program,
-           fmt::format("isolaw material {}: the law {} has no force at displacement {:g}, velocity {:g}; take a smaller step",
-                       tag_of(self), about.id, disp, velocity));
+           fmt::format(
+               "isolaw material {}: the law {} has no force at displacement {:g}, velocity {:g}; take a smaller step",
+               tag_of(self), about.id, disp, velocity));
   return -1;
 } catch (std::exception const& error) {
   complain(*self->program, fmt::format("isolaw material {}: {}", tag_of(self), error.what()));
@@ -108,8 +109,7 @@ void* set_response(Material* self, char const** words, int count, void* stream) 
   if (name == "energy") {
     constexpr std::size_t more_than_it_needs = 1024;
     void* const made = ::operator new(more_than_it_needs, std::nothrow);
-    if (made != nullptr)
-      program.calls().begin_response(made, self, energy_response, 0.0);
+    if (made != nullptr) program.calls().begin_response(made, self, energy_response, 0.0);
     return made;
   }
   char const* const as_stress[]{name == "force" ? "stress" : "strain"};
@@ -119,8 +119,7 @@ void* set_response(Material* self, char const** words, int count, void* stream) 
 
 int get_response(Material* self, int response, void* information) noexcept {
   auto const& program = *self->program;
-  if (response != energy_response)
-    return program.calls().get_response(self, response, information);
+  if (response != energy_response) return program.calls().get_response(self, response, information);
   double const energy = self->to_force() * self->trial.energy;
   return program.calls().set_number(information, energy);
 }
@@ -129,33 +128,44 @@ int get_response(Material* self, int response, void* information) noexcept {
 // of that part.
 Table table_with_own_functions(Program const& program) {
   TableWithOwn table(program, uniaxial_material);
-  table.own("D1Ev", +[](Material* self) { destroy(self); });
-  table.own("D0Ev", +[](Material* self) {
-    destroy(self);
-    ::operator delete(self);
-  });
-  table.own("5PrintER10OPS_Streami", +[](Material* self, void* stream, int flag) {
-    self->program->write(stream, flag == printed_as_json
-                                     ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})",
-                                                   tag_of(self), self->about->id, self->factor)
-                                     : fmt::format("isolaw tag: {}, law {}, factor {:g}, displacement {:g}, force {:g}\n",
-                                                   tag_of(self), self->about->id, self->factor, self->trial.disp,
-                                                   self->to_force() * self->trial.force.force));
-  });
+  table.own(
+      "D1Ev", +[](Material* self) { destroy(self); });
+  table.own(
+      "D0Ev", +[](Material* self) {
+        destroy(self);
+        ::operator delete(self);
+      });
+  table.own(
+      "5PrintER10OPS_Streami", +[](Material* self, void* stream, int flag) {
+        self->program->write(
+            stream,
+            flag == printed_as_json
+                ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})",
+                              tag_of(self), self->about->id, self->factor)
+                : fmt::format("isolaw tag: {}, law {}, factor {:g}, displacement {:g}, force {:g}\n", tag_of(self),
+                              self->about->id, self->factor, self->trial.disp,
+                              self->to_force() * self->trial.force.force));
+      });
   table.own("11setResponseEPPKciR10OPS_Stream", &set_response);
   table.own("11getResponseEiR11Information", &get_response);
   table.own("14setTrialStrainEdd", &try_strain);
-  table.own("9getStrainEv", +[](Material* self) { return self->trial.disp; });
-  table.own("13getStrainRateEv", +[](Material* self) { return self->trial.velocity; });
-  table.own("9getStressEv", +[](Material* self) { return self->to_force() * self->trial.force.force; });
-  table.own("10getTangentEv", +[](Material* self) { return self->to_stiffness() * self->trial.force.by_x; });
-  table.own("14getDampTangentEv", +[](Material* self) { return self->to_stiffness() * self->trial.force.by_v; });
+  table.own(
+      "9getStrainEv", +[](Material* self) { return self->trial.disp; });
+  table.own(
+      "13getStrainRateEv", +[](Material* self) { return self->trial.velocity; });
+  table.own(
+      "9getStressEv", +[](Material* self) { return self->to_force() * self->trial.force.force; });
+  table.own(
+      "10getTangentEv", +[](Material* self) { return self->to_stiffness() * self->trial.force.by_x; });
+  table.own(
+      "14getDampTangentEv", +[](Material* self) { return self->to_stiffness() * self->trial.force.by_v; });
   table.own("17getInitialTangentEv", &initial_tangent);
   table.own("11commitStateEv", &commit);
   table.own("18revertToLastCommitEv", &revert);
   table.own("13revertToStartEv", &restart);
   table.own("7getCopyEv", &copy);
-  table.own("9getEnergyEv", +[](Material* self) { return self->to_force() * self->trial.energy; });
+  table.own(
+      "9getEnergyEv", +[](Material* self) { return self->to_force() * self->trial.energy; });
   AsMovable<Material>::put_into(table);
   return table.take();
 }
@@ -163,12 +173,8 @@ Table table_with_own_functions(Program const& program) {
 Material* make(Program const& program, int tag, std::shared_ptr<Law const> about,
                std::shared_ptr<laws::Online const> virgin, double factor) {
   static Table const table = table_with_own_functions(program);
-  auto* const made = new Material{.base = {},
-                                  .program = &program,
-                                  .about = std::move(about),
-                                  .virgin = virgin,
-                                  .law = *virgin,
-                                  .factor = factor};
+  auto* const made = new Material{
+      .base = {}, .program = &program, .about = std::move(about), .virgin = virgin, .law = *virgin, .factor = factor};
   construct_base(program, uniaxial_material, table, made->base, tag);
   restart(made);
   return made;
@@ -177,8 +183,8 @@ Material* make(Program const& program, int tag, std::shared_ptr<Law const> about
 }  // namespace
 
 void add_material(Program const& program, int tag, IsolawLaw const& given) {
-  auto const virgin = std::make_shared<laws::Online>(given.id, std::span(given.parameters, given.count),
-                                                     given.dead_band, given.parts);
+  auto const virgin =
+      std::make_shared<laws::Online>(given.id, std::span(given.parameters, given.count), given.dead_band, given.parts);
   auto* const made = make(program, tag, std::make_shared<Law>(given), virgin, given.factor);
   if (program.calls().add_material(made)) return;
   destroy(made);

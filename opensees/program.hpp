@@ -56,10 +56,10 @@ struct Calls {
 // The virtual functions of a base class, in their order. A name is what the compiler writes after the name of the
 // class: "9getStrainEv" for getStrain(). A name that ends with 'K' and a space before it belongs to a const function.
 struct Class {
-  std::string_view name, ready;                // the base class, and a class of the program that derives from it
+  std::string_view name, ready;  // the base class, and a class of the program that derives from it
   void (*Calls::*constructor)(void* object, int tag, int class_tag);  // of the base class
-  std::size_t bytes;                           // the size of the base class
-  std::span<std::string_view const> functions; // of the class itself; those of MovableObject follow in its table
+  std::size_t bytes;                                                  // the size of the base class
+  std::span<std::string_view const> functions;  // of the class itself; those of MovableObject follow in its table
 };
 extern Class const uniaxial_material, section_force_deformation;
 
@@ -91,7 +91,7 @@ class Program {
   std::string file_;
   void* handle_ = nullptr;
   Calls calls_ = {};
-  std::size_t text_to_stream_ = 0;     // place of operator<< for text in the table of a stream
+  std::size_t text_to_stream_ = 0;        // place of operator<< for text in the table of a stream
   std::size_t value_in_information_ = 0;  // bytes from an Information to its number
 };
 

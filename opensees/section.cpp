@@ -26,10 +26,9 @@ struct Shared : Law {
   explicit Shared(IsolawLaw const& given)
       : Law(given),
         virgin(given.springs == 0 ? laws::InPlane::coupled(given.id, {given.parameters, given.count})
-                                  : laws::InPlane::springs(
-                                        laws::Online(given.id, {given.parameters, given.count}, given.dead_band,
-                                                     given.parts),
-                                        given.springs)) {
+                                  : laws::InPlane::springs(laws::Online(given.id, {given.parameters, given.count},
+                                                                        given.dead_band, given.parts),
+                                                           given.springs)) {
     for (std::size_t i = 0; i < 3; ++i) axis_in[i] = {given.axes[0][i], given.axes[1][i]};
   }
 };
@@ -91,8 +90,9 @@ int try_deformation(Section* self, Vector const* deformation) noexcept try {
   set_state(*self, force, by_velocity);
   if (std::isfinite(disp.x) && std::isfinite(disp.y) && std::isfinite(force.force.x) && std::isfinite(force.force.y))
     return 0;
-  complain(*self->program, fmt::format("isolaw section {}: the law {} has no force at displacements {:g} and {:g}; take a smaller step",
-                                       tag_of(self), about.id, self->trial.disp[0], self->trial.disp[1]));
+  complain(*self->program,
+           fmt::format("isolaw section {}: the law {} has no force at displacements {:g} and {:g}; take a smaller step",
+                       tag_of(self), about.id, self->trial.disp[0], self->trial.disp[1]));
   return -1;
 } catch (std::exception const& error) {
   complain(*self->program, fmt::format("isolaw section {}: {}", tag_of(self), error.what()));
@@ -137,44 +137,58 @@ Id* directions(Program const& program) {
 
 Table table_with_own_functions(Program const& program) {
   TableWithOwn table(program, section_force_deformation);
-  table.own("D1Ev", +[](Section* self) { destroy(self); });
-  table.own("D0Ev", +[](Section* self) {
-    destroy(self);
-    ::operator delete(self);
-  });
-  table.own("5PrintER10OPS_Streami", +[](Section* self, void* stream, int flag) {
-    self->program->write(
-        stream, flag == printed_as_json
-                    ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})", tag_of(self),
-                                  self->about->id, self->factor)
-                    : fmt::format("isolaw section tag: {}, law {}, factor {:g}, displacements {:g} and {:g}, forces {:g} and {:g}\n",
-                                  tag_of(self), self->about->id, self->factor, self->trial.disp[0], self->trial.disp[1],
-                                  self->factor * self->trial.force[0], self->factor * self->trial.force[1]));
-  });
+  table.own(
+      "D1Ev", +[](Section* self) { destroy(self); });
+  table.own(
+      "D0Ev", +[](Section* self) {
+        destroy(self);
+        ::operator delete(self);
+      });
+  table.own(
+      "5PrintER10OPS_Streami", +[](Section* self, void* stream, int flag) {
+        self->program->write(
+            stream,
+            flag == printed_as_json
+                ? fmt::format(R"(			{{"name": "{}", "type": "isolaw", "law": "{}", "factor": {}}})",
+                              tag_of(self), self->about->id, self->factor)
+                : fmt::format(
+                      "isolaw section tag: {}, law {}, factor {:g}, displacements {:g} and {:g}, forces {:g} and {:g}\n",
+                      tag_of(self), self->about->id, self->factor, self->trial.disp[0], self->trial.disp[1],
+                      self->factor * self->trial.force[0], self->factor * self->trial.force[1]));
+      });
   table.own("26setTrialSectionDeformationERK6Vector", &try_deformation);
-  table.own("21getSectionDeformationEv", +[](Section* self) { return &self->disp_vector.get(); });
-  table.own("18getStressResultantEv", +[](Section* self) {
-    for (std::size_t i = 0; i < 2; ++i) self->shown[i] = self->factor * self->trial.force[i];
-    return &self->force_vector.get();
-  });
-  table.own("17getSectionTangentEv", +[](Section* self) { return shown_tangent(self, self->trial.tangent); });
-  table.own("17getInitialTangentEv", +[](Section* self) { return shown_tangent(self, self->initial_tangent); });
-  table.own("11commitStateEv", +[](Section* self) {
-    self->law.commit();
-    self->committed = self->trial;
-    return 0;
-  });
-  table.own("18revertToLastCommitEv", +[](Section* self) {
-    self->trial = self->committed;
-    return 0;
-  });
-  table.own("13revertToStartEv", +[](Section* self) {
-    restart(*self);
-    return 0;
-  });
+  table.own(
+      "21getSectionDeformationEv", +[](Section* self) { return &self->disp_vector.get(); });
+  table.own(
+      "18getStressResultantEv", +[](Section* self) {
+        for (std::size_t i = 0; i < 2; ++i) self->shown[i] = self->factor * self->trial.force[i];
+        return &self->force_vector.get();
+      });
+  table.own(
+      "17getSectionTangentEv", +[](Section* self) { return shown_tangent(self, self->trial.tangent); });
+  table.own(
+      "17getInitialTangentEv", +[](Section* self) { return shown_tangent(self, self->initial_tangent); });
+  table.own(
+      "11commitStateEv", +[](Section* self) {
+        self->law.commit();
+        self->committed = self->trial;
+        return 0;
+      });
+  table.own(
+      "18revertToLastCommitEv", +[](Section* self) {
+        self->trial = self->committed;
+        return 0;
+      });
+  table.own(
+      "13revertToStartEv", +[](Section* self) {
+        restart(*self);
+        return 0;
+      });
   table.own("7getCopyEv", &copy);
-  table.own("7getTypeEv", +[](Section* self) { return directions(*self->program); });
-  table.own("8getOrderEv K", +[](Section*) { return 2; });
+  table.own(
+      "7getTypeEv", +[](Section* self) { return directions(*self->program); });
+  table.own(
+      "8getOrderEv K", +[](Section*) { return 2; });
   AsMovable<Section>::put_into(table);
   return table.take();
 }

@@ -45,9 +45,10 @@ template <class Object>
 struct AsMovable {
   static Object* whole(std::byte* movable) { return reinterpret_cast<Object*>(movable - movable_object_at); }
   static int refuse(std::byte* self) {
-    complain(*whole(self)->program,
-             "isolaw: OpenSees cannot make this object anew, in another process or from a database; create it there with "
-             "isolaw.opensees, as here");
+    complain(
+        *whole(self)->program,
+        "isolaw: OpenSees cannot make this object anew, in another process or from a database; create it there with "
+        "isolaw.opensees, as here");
     return -1;
   }
   static int update(std::byte* self, int parameter, void* information) {
@@ -62,19 +63,23 @@ struct AsMovable {
     return -1;
   }
   static void put_into(TableWithOwn& table) {
-    table.own_as_movable("D1Ev", +[](std::byte* self) { destroy(whole(self)); });
-    table.own_as_movable("D0Ev", +[](std::byte* self) {
-      destroy(whole(self));
-      ::operator delete(whole(self));
-    });
-    table.own_as_movable("12getClassTypeEv K", +[](std::byte*) { return "isolaw"; });
-    table.own_as_movable("8sendSelfEiR7Channel", +[](std::byte* self, int, void*) { return refuse(self); });
-    table.own_as_movable("8recvSelfEiR7ChannelR16FEM_ObjectBroker",
-                         +[](std::byte* self, int, void*, void*) { return refuse(self); });
-    table.own_as_movable("12setParameterEPPKciR9Parameter",
-                         +[](std::byte* self, char const** words, int count, void* parameter) {
-                           return set_parameter(*whole(self)->program, self, words, count, parameter);
-                         });
+    table.own_as_movable(
+        "D1Ev", +[](std::byte* self) { destroy(whole(self)); });
+    table.own_as_movable(
+        "D0Ev", +[](std::byte* self) {
+          destroy(whole(self));
+          ::operator delete(whole(self));
+        });
+    table.own_as_movable(
+        "12getClassTypeEv K", +[](std::byte*) { return "isolaw"; });
+    table.own_as_movable(
+        "8sendSelfEiR7Channel", +[](std::byte* self, int, void*) { return refuse(self); });
+    table.own_as_movable(
+        "8recvSelfEiR7ChannelR16FEM_ObjectBroker", +[](std::byte* self, int, void*, void*) { return refuse(self); });
+    table.own_as_movable(
+        "12setParameterEPPKciR9Parameter", +[](std::byte* self, char const** words, int count, void* parameter) {
+          return set_parameter(*whole(self)->program, self, words, count, parameter);
+        });
     table.own_as_movable("15updateParameterEiR11Information", &update);
   }
 };

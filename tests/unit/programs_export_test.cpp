@@ -245,8 +245,8 @@ TEST(Tables, say_in_their_head_what_they_hold) {
             std::string::npos);
 }
 
-// Materials of analysis programs start at rest. The first row must be at rest too, or a law that depends on the velocity
-// would begin with a force that no program can give.
+// Materials of analysis programs start at rest. The first row must be at rest too, or a law that depends on the
+// velocity would begin with a force that no program can give.
 TEST(Tables, of_a_law_that_depends_on_velocity_begin_at_rest) {
   auto subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35));
   subject.protocol = two_cycles(75.0, 150.0, 0.5);

@@ -96,7 +96,8 @@ std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) 
   return std::nullopt;
 }
 
-// Calls check(cycle, amplitude in mm) for the cycles within the tested displacements; returns what the first call finds.
+// Calls check(cycle, amplitude in mm) for the cycles within the tested displacements; returns what the first call
+// finds.
 std::optional<Finding> first_inside(Cycles const& law, Tested const& tested, auto const& check) {
   auto found = check(law.tested, tested.disp_mm);
   for (std::size_t i = 0; i < inner_shares.size() && !found; ++i)

@@ -9,7 +9,8 @@
 namespace isolaw::study {
 
 // Assesses the lot again, with every corrected record as it was read. Sets Summary::without_corrections unless a record
-// as it was read is missing, and adds a warning to every corrected device. `tests` are those from which the summary's acceptance was computed.
+// as it was read is missing, and adds a warning to every corrected device. `tests` are those from which the summary's
+// acceptance was computed.
 void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests);
 
 }  // namespace isolaw::study
