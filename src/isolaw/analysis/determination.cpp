@@ -30,7 +30,7 @@ Point with(Point point, std::size_t coordinate, double value) {
 }
 
 // Computes each free parameter's profile of the objective. If a profile finds a lower objective than the optimum's, all
-// profiles begin again from there, at most three times.
+// profiles begin again from there.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -44,16 +44,13 @@ class Examination {
   }
 
   Determination run() {
-    constexpr int most_passes = 4;
     if (free_.empty()) return closed();
     if (!std::isfinite(best_value_)) return nothing_determined();
-    for (int pass = 1;; ++pass) {
+    do {
       result_.parameters.clear();
       rise_ = least_seen();
       look_around();
-      bool const is_lowest = profile_all(pass < most_passes);
-      if (is_lowest) break;
-    }
+    } while (!profile_all());
     return closed();
   }
 
@@ -205,9 +202,9 @@ class Examination {
   };
 
   // Returns false if a profile found a lower objective. The profiles of later parameters are then discarded.
-  bool profile_all(bool may_restart) {
+  bool profile_all() {
     std::vector<Sides> sides(free_.size());
-    WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k, may_restart); });
+    WorkAhead profiles(sides.size(), [&](std::size_t k) { sides[k] = profiled(k); });
     for (std::size_t k = 0; k < sides.size(); ++k) {
       if (interrupted_ && interrupted_()) throw GivenUp();
       profiles.need(k);
@@ -222,16 +219,15 @@ class Examination {
     return true;
   }
 
-  Sides profiled(std::size_t k, bool may_restart) const {
+  Sides profiled(std::size_t k) const {
     auto const [reach, follow] = first_order(k);
     Sides sides;
-    sides.below = profile_side(k, -1.0, reach, follow, may_restart, sides);
-    if (!sides.found_lower()) sides.above = profile_side(k, 1.0, reach, follow, may_restart, sides);
+    sides.below = profile_side(k, -1.0, reach, follow, sides);
+    if (!sides.found_lower()) sides.above = profile_side(k, 1.0, reach, follow, sides);
     return sides;
   }
 
-  Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, bool may_restart,
-                    Sides& sides) const {
+  Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, Sides& sides) const {
     constexpr double rises_shown = 4.0;  // in multiples of rise_, so that a figure shows more than the open range
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
@@ -245,7 +241,7 @@ class Examination {
       double const next = std::min(distance + step, room);
       double const u = std::clamp(best_[k] + sign * next, 0.0, 1.0);
       auto const [point, value] = refitted(k, u, others, sides.evaluations);
-      if (may_restart && value < best_value_ * (1.0 - 1e-4) - 1e-9) {
+      if (value < best_value_ * (1.0 - 1e-4) - 1e-9) {
         sides.lower_at = with(point, k, u);
         sides.lower = value;
         auto const polished = opt::descend(problem_, sides.lower_at);
