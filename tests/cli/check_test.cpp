@@ -121,10 +121,10 @@ TEST_F(CheckOfDefaultSearch, a_campaign_as_it_was_made_is_sound) {
 
 // The searches for vaiana end above the optimum on this device, and several profiles in turn find a lower objective.
 TEST_F(CheckOfDefaultSearch, no_profile_falls_below_the_optimum) {
-  ASSERT_EQ(isolaw({"calibrate", ISOLAW_SOURCE_DIR "/examples/published-lot/device-10.csv", "--laws", "vaiana", "--out",
-                    "V"})
-                .code,
-            0);
+  ASSERT_EQ(
+      isolaw({"calibrate", ISOLAW_SOURCE_DIR "/examples/published-lot/device-10.csv", "--laws", "vaiana", "--out", "V"})
+          .code,
+      0);
   auto const o = isolaw({"check", "V"});
   EXPECT_EQ(o.code, 0) << o;
 }
