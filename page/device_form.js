@@ -6,7 +6,7 @@ import { state } from './state.js';
 import { text } from './text.js';
 
 const CHANNELS = ['time', 'disp', 'force', 'load'];
-const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf'] };
+const UNITS = { time: ['s', 'ms', 'min', 'd'], disp: ['mm', 'cm', 'm', 'in', 'ft', 'dm', 'um'], force: ['kN', 'N', 'MN', 'tonf', 'kgf', 'daN', 'kip', 'lbf', 'Mp'] };
 UNITS.load = UNITS.force;
 
 // Suggests names of columns: the columns that the program read and, if it did not find a column, the columns that the
@@ -31,7 +31,7 @@ function linesOf(bytes) {
 
 // `found` is the device's entry in inspection.json, or undefined. `problems` are the program's complaints about the
 // device. `write(key, value)` changes a key of the device in the lot file. `writePart(key, channel, value)` changes the
-// column or unit of one channel; its key is 'columns' or 'units'.
+// column, unit or scale of one channel; its key is 'columns', 'units' or 'channel-scale'.
 export function deviceForm(device, found, problems, write, writePart) {
   const id = (key) => 'device-' + device.place + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;
@@ -40,9 +40,11 @@ export function deviceForm(device, found, problems, write, writePart) {
   const choice = (key) => choiceField(id(key), text.form[key], choicesOf(key), value(key), (chosen) => write(key, chosen));
 
   const { values: columns } = device.valuesOf('columns'),
-    { values: units } = device.valuesOf('units');
+    { values: units } = device.valuesOf('units'),
+    { values: scales } = device.valuesOf('channel-scale');
   const column = (channel) => (typed) => writePart('columns', channel, typed);
   const unit = (channel) => (typed) => writePart('units', channel, typed);
+  const scale = (channel) => (typed) => writePart('channel-scale', channel, typed);
   const numeral = (write) => (typed) => write(typed !== null && /^\d+$/.test(typed) ? Number(typed) : typed);
   const suggested = element('datalist', { id: id('names') }, columnNames(found, problems).map((name) => element('option', { value: name })));
   const channels = CHANNELS.map((channel) =>
@@ -52,6 +54,7 @@ export function deviceForm(device, found, problems, write, writePart) {
       element('b', {}, text.channel[channel]),
       textField(id('columns-' + channel), text.form.columns, columns[channel], numeral(column(channel)), { list: id('names') }),
       choiceField(id('units-' + channel), text.form.units, [['', text.unitFromFile], ...UNITS[channel].map((one) => [one, one])], units[channel], unit(channel)),
+      textField(id('channel-scale-' + channel), text.form['channel-scale'], scales[channel], scale(channel), { number: true }),
     ),
   );
   const others = [...state.files.keys()].filter((path) => path !== device.file).map((path) => [path, visible(path)]);
@@ -98,6 +101,7 @@ export function deviceForm(device, found, problems, write, writePart) {
         number('from'),
         number('to'),
         choice('footer'),
+        choice('missing'),
         choice('thousands'),
         choice('date-order'),
       ),

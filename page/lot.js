@@ -98,7 +98,7 @@ const devicesFrom = (lot) => readToml(lot).find(({ array }) => array)?.from ?? l
 // If all files share their columns and units, `isolaw init` writes these only once, for the whole lot. This function
 // writes them into each device instead, because files that the user adds later may have others.
 function withReadInDevices(lot) {
-  for (const key of ['columns', 'units']) {
+  for (const key of ['columns', 'units', 'channel-scale']) {
     const shared = readToml(lot).find(({ path }) => path === 'read')?.keys.get(key)?.value;
     if (shared === undefined) continue;
     for (const { number, table } of devicesIn(readToml(lot)).reverse()) lot = withKey(lot, number, key, { ...shared, ...table.keys.get(key)?.value });

@@ -143,6 +143,7 @@ export const text = {
     K_v: ['or K_v, kN/mm', ''],
     columns: ['Column', 'name, or number from 1'],
     units: ['Unit', ''],
+    'channel-scale': ['times', 'units that a value of 1 in the file is'],
     dt: ['Time step, s', 'from one sample to the next, for files without a time column'],
     sheet: ['Sheet', 'name or number; struct of MATLAB, key of JSON'],
     test: ['Test', 'a number, or all'],
@@ -150,6 +151,7 @@ export const text = {
     from: ['From, s', ''],
     to: ['To, s', ''],
     footer: ['Text below the rows', ''],
+    missing: ['Rows with missing values', ''],
     thousands: ['Digits are grouped by', ''],
     'date-order': ['Dates like 03/04/2024', ''],
     'flip-force': ['Reverse the sign of the force', ''],
@@ -164,6 +166,7 @@ export const text = {
   choices: {
     '': 'not set',
     footer: { skip: 'left out' },
+    missing: { 'leave-out': 'left out', interpolate: 'filled by interpolation' },
     thousands: { ',': 'comma', '.': 'point', "'": 'apostrophe', blank: 'blank' },
     'date-order': { dmy: 'day first', mdy: 'month first' },
     repair: { spikes: 'replaced by interpolation' },

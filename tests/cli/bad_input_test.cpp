@@ -95,9 +95,10 @@ TEST_F(BadInput, unknown_unit) {
 
 TEST_F(BadInput, no_unit) {
   write("unit.csv", csv(record(), "time,displacement,force"));
-  expect_refusal("unit.csv",
-                 {"unit.csv:1: column 1 'time' (time) has no unit; allowed: s, ms, min, d; try: --units time=s",
-                  "column 2 'displacement' (disp) has no unit", "column 3 'force' (force) has no unit"});
+  expect_refusal(
+      "unit.csv",
+      {"unit.csv:1: column 1 'time' (time) has no unit; allowed: s, ms, min, d; try: --units time=s, with the column's unit",
+       "column 2 'displacement' (disp) has no unit", "column 3 'force' (force) has no unit"});
   EXPECT_EQ(isolaw({"inspect", "unit.csv", "--units", "time=s,disp=mm,force=kN"}).code, 0);
 }
 

@@ -377,5 +377,73 @@ TEST_F(Inspect, BothStreamsInOneFileKeepTheirLinesWhole) {
   EXPECT_TRUE(Json::accept(output));
 }
 
+// Values that no test has, each with the mistake that explains it.
+class Implausible : public InFreshDirectory {
+ protected:
+  std::vector<std::string> kinds(Words const& words) {
+    auto const o = isolaw(Words{"inspect", "--json"} + words);
+    EXPECT_EQ(o.code, 0) << o;
+    std::vector<std::string> kinds;
+    auto const found = Json::parse(o.out);  // of a lot, or of a single record
+    for (auto const& finding : found.contains("devices") ? found["devices"][0]["findings"] : found["findings"])
+      kinds.push_back(finding["kind"]);
+    return kinds;
+  }
+  static bool has(std::vector<std::string> const& kinds, std::string const& kind) {
+    return std::ranges::find(kinds, kind) != kinds.end();
+  }
+};
+
+TEST_F(Implausible, displacement_and_speed) {
+  write("a.csv", csv(record(), "time [s],displacement [cm],force [kN]"));  // 1000 mm at 3142 mm/s
+  EXPECT_TRUE(has(kinds({"a.csv"}), "motion-implausible"));
+  EXPECT_TRUE(contains(isolaw({"inspect", "a.csv"}).out, "displacements really in cm? They may be in mm."));
+  write("b.csv", csv(record()));
+  EXPECT_FALSE(has(kinds({"b.csv"}), "motion-implausible"));
+}
+
+TEST_F(Implausible, force_beyond_the_vertical_load) {
+  auto const with_load = [](double load_kN) {
+    return csv(record(), "time [s],displacement [mm],force [kN],vertical load [kN]",
+               [&](std::size_t, Sample const& s) { return row(s) + fmt::format(",{}", load_kN); });
+  };
+  write("a.csv", with_load(10.0));
+  write("b.csv", with_load(-1000.0));
+  EXPECT_TRUE(has(kinds({"a.csv"}), "force-beyond-load"));
+  EXPECT_FALSE(has(kinds({"b.csv"}), "force-beyond-load"));
+}
+
+TEST_F(Implausible, stiffness_unlike_the_design) {
+  write("a.csv", csv(record()));  // K_eff 0.7 kN/mm
+  auto const asked = [&](std::string const& K_eff) { return kinds({"a.csv", "--design", "K_eff=" + K_eff}); };
+  for (auto const* wrong : {"7", "0.07", "0.0007", "0.157", "1.4", "17.8"})
+    EXPECT_TRUE(has(asked(wrong), "stiffness-unlike-design")) << wrong;
+  for (auto const* other : {"0.7", "0.5", "1", "2.1"})
+    EXPECT_FALSE(has(asked(other), "stiffness-unlike-design")) << other;
+}
+
+TEST_F(Implausible, strain_of_the_rubber) {
+  write("a.csv", csv(record()));
+  for (auto const& [height, wrong] : {std::pair{"10", true}, std::pair{"100", false}}) {
+    write("lot.toml", fmt::format("[[device]]\nfile = 'a.csv'\nrubber-thickness-mm = {}\n", height));
+    EXPECT_EQ(has(kinds({"lot.toml"}), "strain-implausible"), wrong) << height;
+  }
+}
+
+// A link in a circle, a name that is too long, and a link to nothing in a folder of records.
+TEST_F(Implausible, paths_that_lead_nowhere) {
+  fs::create_symlink("b.csv", path("a.csv"));
+  fs::create_symlink("a.csv", path("b.csv"));
+  write("folder/good.csv", csv(record()));
+  fs::create_symlink("loop.csv", path("folder/loop.csv"));
+  auto const long_name = std::string(300, 'a') + ".csv";
+  for (auto const& words :
+       {Words{"inspect", "a.csv"}, Words{"calibrate", "a.csv"}, Words{"report", "a.csv"}, Words{"inspect", long_name}})
+    EXPECT_EQ(isolaw(words).code, 2) << words[1];
+  auto const o = isolaw({"inspect", "folder"});  // the other record is inspected all the same
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "folder/loop.csv: cannot be read: Too many levels"));
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

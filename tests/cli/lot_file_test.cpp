@@ -136,19 +136,19 @@ TEST_F(LotFile, missing_lot_file_is_said_to_be_missing) {
 }
 
 TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
-  expect_refused(
-      run("[calibrate]\nrunz = 3\n" + std::string(device)),
-      {"lot.toml:2: unknown key 'runz' in [calibrate]", "allowed: analysis, bidirectional, box, center, columns",
-       "runs, samples-per-cycle, score-blocks, seed"});
+  expect_refused(run("[calibrate]\nrunz = 3\n" + std::string(device)),
+                 {"lot.toml:2: unknown key 'runz' in [calibrate]",
+                  "allowed: analysis, bidirectional, box, center, channel-scale, columns",
+                  "runs, samples-per-cycle, score-blocks, seed"});
   expect_refused(run(std::string(device) + "colour = \"red\"\n"),
-                 {"lot.toml:4: unknown key 'colour' in [[device]]", "allowed: K_v, columns, date-order, dt, file",
-                  "temperature-C, test, test-date"});
+                 {"lot.toml:4: unknown key 'colour' in [[device]]",
+                  "allowed: K_v, channel-scale, columns, date-order, dt, file", "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
                  {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});
   expect_refused(
       run("[read]\nskip = 1\n" + std::string(device)),
       {"lot.toml:2: unknown key 'skip' in [read]",
-       "columns, date-order, dt, flip-force, footer, force-factor, from, moving-mass, repair, rig-friction, rig-friction-coefficient, rows, sheet, skew-ms, test, thousands, to, units"});
+       "channel-scale, columns, date-order, dt, flip-force, footer, force-factor, from, missing, moving-mass, repair, rig-friction, rig-friction-coefficient, rows, sheet, skew-ms, test, thousands, to, units"});
 }
 
 TEST_F(LotFile, wrong_type_names_the_line) {

@@ -3,6 +3,7 @@
 #include "data_fixture.hpp"
 #include "isolaw/data/channels/columns.hpp"
 #include "isolaw/data/files/column_names.hpp"
+#include "isolaw/data/files/unit_text.hpp"
 #include "refusal.hpp"
 
 namespace isolaw::data::testing {
@@ -58,6 +59,11 @@ INSTANTIATE_TEST_SUITE_P(
                       NamedCase{"Temps [s];D\xC3\xA9placement [mm];Force [kN];Charge verticale [kN]"},
                       NamedCase{"Temps [s];D\xE9placement [mm];Effort tranchant [kN];Charge [kN]"},
                       NamedCase{"Tiempo [s];Desplazamiento [mm];Fuerza [kN];Carga vertical [kN]"},
+                      NamedCase{"Tempo [s];Deslocamento [mm];For\xC3\xA7"
+                                "a [kN];Carga vertical [kN]"},
+                      NamedCase{"时间(s);水平位移(mm);水平力(kN);竖向荷载(kN)"},
+                      NamedCase{"시간 [s];변위 [mm];수평 하중 [kN];수직 하중 [kN]"},
+                      NamedCase{"Время, с;Перемещение, мм;Сила, кН;Вертикальная нагрузка, кН"},
                       NamedCase{"t [s];x [mm];F [kN];N [kN]"}, NamedCase{"t [s];u [mm];H [kN];V [kN]"},
                       NamedCase{"t_s;d_mm;F_kN;N_kN"}, NamedCase{"T [s];dx [mm];Fx [kN];Fz [kN]"},
                       NamedCase{"Time s;DispH mm;ForceH kN;ForceV kN"},
@@ -126,6 +132,116 @@ TEST_F(ColumnsTest, UnitsOfEveryKind) {
   EXPECT_DOUBLE_EQ(record.force_kN[1], 13.3446648457815);
 }
 
+TEST(UnitTexts, WithAFactor) {
+  auto const text = [](std::string_view written) {
+    auto const unit = parse_unit_text(written);
+    return unit ? fmt::format("{} {:g}{}", unit->unit.symbol, unit->factor, unit->is_certain ? "" : "?") : "none";
+  };
+  EXPECT_EQ(text("kN"), "kN 1");
+  for (auto const* ten : {"x10 kN", "[x10 kN]", "X 10 kN", "×10 kN", "10*kN", "10 x kN", "10^1 kN", "(10·kN)"})
+    EXPECT_EQ(text(ten), "kN 10") << ten;
+  for (auto const* thousand : {"10^3 N", "10³ N", "x1000 N", "1e3 N", "10**3 N", "×10^3 N"})
+    EXPECT_EQ(text(thousand), "N 1000") << thousand;
+  for (auto const* hundredth : {"1/100 mm", "x0.01 mm", "10^-2 mm", "10⁻² mm", "x0,01 mm"})
+    EXPECT_EQ(text(hundredth), "mm 0.01") << hundredth;
+  EXPECT_EQ(text("1 kN"), "kN 1");
+  for (auto const* range : {"10 kN", "100 kN", "0.1 kN", "kN x10", "kN*10"})  // the range of a sensor, or a factor
+    EXPECT_EQ(text(range).back(), '?') << range;
+  EXPECT_EQ(text("kN/10"), "kN 0.1?");
+  EXPECT_EQ(text("µm"), "um 1");
+  EXPECT_EQ(text("Mp"), "Mp 1");
+  EXPECT_EQ(text("klbf"), "kip 1");
+  for (auto const* none : {"", "10", "x10", "kNm", "kN/mm", "-10 kN", "0 kN", "10^400 kN", "1/0 kN", "x", "mm/V"})
+    EXPECT_EQ(text(none), "none") << none;
+}
+
+TEST(ScaleHints, AreFoundInNames) {
+  auto const force = [](std::string_view name) { return scale_hint(dissect_name(name).base, Dimension::force); };
+  auto const disp = [](std::string_view name) { return scale_hint(dissect_name(name).base, Dimension::length); };
+  EXPECT_EQ(force("Force/2 [kN]"), "/2");
+  EXPECT_EQ(force("Force [kN] x10"), "x10");
+  EXPECT_EQ(force("Force (x2) [kN]"), "x2");
+  EXPECT_EQ(force("2 x Force [kN]"), "2 x");
+  EXPECT_EQ(force("0.5*F [kN]"), "0.5*");
+  EXPECT_EQ(force("Half force [kN]"), "half");
+  EXPECT_EQ(force("Force per bearing [kN]"), "per bearing");
+  EXPECT_EQ(force("Avg. force [kN]"), "avg");
+  EXPECT_EQ(force("Forza media [kN]"), "media");
+  EXPECT_EQ(force("Kraft (doppelt) [kN]"), "doppelt");
+  EXPECT_EQ(disp("Double amplitude displacement [mm]"), "double");
+  EXPECT_EQ(disp("Mean displacement [mm]"), "");  // of several sensors, which is what is wanted
+  for (auto const* plain :
+       {"Force [kN]", "Force 1 [kN]", "Fx [kN]", "F / kN", "Force x2 [kN]", "Shear force (Cell 3) [kN]"})
+    EXPECT_EQ(force(plain), "") << plain;
+}
+
+TEST_F(ColumnsTest, AFactorInTheHeaderIsUsedAndSaid) {
+  for (auto const* header : {"Disp [mm];Force [x10 kN]", "Disp [mm];Force x10 kN", "Disp;Force\nmm;x10 kN"}) {
+    auto const record = read(fmt::format("{}\n1;2\n2;3\n3;1\n", header));
+    EXPECT_EQ(record.force_kN, (std::vector<double>{20, 30, 10})) << header;
+    EXPECT_TRUE(says(record.recognised, "each value times 10")) << header;
+    EXPECT_EQ(record.layout.scales, (std::map<Channel, std::string>{{Channel::force, "10"}}));
+    EXPECT_EQ(read(fmt::format("{}\n1;2\n2;3\n3;1\n", header), record.layout).force_kN, record.force_kN);
+  }
+}
+
+TEST_F(ColumnsTest, AFactorThatMayBeSomethingElseIsAskedFor) {
+  auto const text = [](std::string_view force) { return fmt::format("Disp [mm];{}\n1;2\n2;3\n3;1\n", force); };
+  for (auto const* name : {"Force [10 kN]", "Force [kN] x10", "Force/2 [kN]", "Force per bearing [kN]"}) {
+    EXPECT_NE(refusal(text(name)).find("--channel-scale force=FACTOR"), std::string::npos) << name;
+    auto told = with("", "force=kN");
+    told.scales = parse_scales("force=10");
+    EXPECT_EQ(read(text(name), told).force_kN, (std::vector<double>{20, 30, 10})) << name;
+  }
+  EXPECT_EQ(read("Disp [mm];Load cell force (100 kN)\nmm;kN\n1;2\n2;3\n3;1\n").force_kN,
+            (std::vector<double>{2, 3, 1}));  // the row of units tells that 100 kN is the sensor's range
+}
+
+TEST_F(ColumnsTest, AVoltageNeedsItsSensitivity) {
+  EXPECT_EQ(read("Disp [V] (25 mm/V);Force [mV], 0.5 kN/mV\n1;2\n2;3\n3;1\n").disp_mm,
+            (std::vector<double>{25, 50, 75}));
+  auto told = with("", "disp=mm,force=kN");
+  std::string const volts = "Disp [V];Force [V]\n1;2\n2;3\n3;1\n";
+  EXPECT_NE(refusal(volts, told).find("mm, but the unit of column 1 'Disp [V]' is 'V', which is no length"),
+            std::string::npos);
+  told.scales = parse_scales("disp=25,force=10");
+  EXPECT_EQ(read(volts, told).disp_mm, (std::vector<double>{25, 50, 75}));
+}
+
+TEST_F(ColumnsTest, TwoDirectionsAreAskedFor) {
+  std::string const text = "Dx [mm];Dy [mm];Fx [kN];Fy [kN]\n1;7;2;9\n2;8;3;7\n3;9;1;8\n";
+  EXPECT_EQ(refusal(text),
+            "FILE:1: column 1 'Dx [mm]' and column 3 'Fx [kN]' are one horizontal direction, column 2 'Dy [mm]' and "
+            "column 4 'Fy [kN]' another; allowed: one direction; try: --columns disp=1,force=3, or disp=2,force=4");
+  auto const along_y = read(text, with("disp=Dy,force=Fy"));
+  EXPECT_EQ(along_y.disp_mm, (std::vector<double>{7, 8, 9}));
+  EXPECT_TRUE(says(along_y.warnings, "hold a second direction, which is not read"));
+}
+
+TEST_F(ColumnsTest, RowsWithMissingValues) {
+  std::string const text = "Time [s];Disp [mm];Force [kN]\n0;1;\n1;2;4\n2;3;NaN\n4;4;10\n5;5;3\n";
+  EXPECT_NE(refusal(text).find("--missing leave-out or --missing interpolate"), std::string::npos);
+  ReadOptions told;
+  told.missing = MissingValues::left_out;
+  EXPECT_EQ(read(text, told).force_kN, (std::vector<double>{4, 10, 3}));
+  told.missing = MissingValues::interpolated;
+  auto const filled = read(text, told);
+  EXPECT_EQ(filled.disp_mm, (std::vector<double>{2, 3, 4, 5}));
+  EXPECT_EQ(filled.force_kN, (std::vector<double>{4, 6, 10, 3}));  // by time, not by row
+  EXPECT_TRUE(says(filled.recognised, "2 of 5 rows lack a value, at most 1 in a row: 1 left out, 1 filled"));
+}
+
+TEST_F(ColumnsTest, ALastColumnThatIsMostlyEmpty) {
+  std::string text = "Time [s],Disp [mm],Force [kN]\n";
+  for (int i = 0; i <= 40; ++i)
+    text += i % 5 == 0 ? fmt::format("{},{},{}\n", i, i % 7, i) : fmt::format("{},{},\n", i, i % 7);
+  ReadOptions told;
+  told.missing = MissingValues::interpolated;
+  auto const record = read(text, told);
+  ASSERT_EQ(record.size(), 41u);
+  EXPECT_DOUBLE_EQ(record.force_kN[13], 13.0);
+}
+
 // --- refusals, whose message names the option to type ---
 
 TEST_F(ColumnsTest, SeveralForcesAreAskedFor) {
@@ -158,26 +274,26 @@ TEST_F(ColumnsTest, ColumnsWithoutNamesAreNotGuessed) {
 TEST_F(ColumnsTest, MissingAndUnknownUnitsAreAskedForTogether) {
   EXPECT_EQ(
       refusal("Time [s];Disp;Force [kNm]\n0;1;2\n1;2;3\n2;3;1\n"),
-      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-      "FILE:1: unknown unit 'kNm' of column 3 'Force [kNm]' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
+      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit\n"
+      "FILE:1: unknown unit 'kNm' of column 3 'Force [kNm]' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp; try: --units force=kN --channel-scale force=FACTOR, if a value of 1 is FACTOR kN");
 }
 
 TEST_F(ColumnsTest, UnknownUnitInTheRowOfUnits) {
   EXPECT_EQ(
       refusal("Time;Disp;Force\ns;mm;kNN\n0;1;2\n1;2;3\n2;3;1\n"),
-      "FILE:2: unknown unit 'kNN' of column 3 'Force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
+      "FILE:2: unknown unit 'kNN' of column 3 'Force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp; try: --units force=kN --channel-scale force=FACTOR, if a value of 1 is FACTOR kN");
 }
 
 TEST_F(ColumnsTest, UnitOfAnotherQuantity) {
   EXPECT_EQ(
       refusal("Disp [kN];Force [kN]\n1;2\n2;3\n3;1\n"),
-      "FILE:1: unit kN of column 1 'Disp [kN]' is a force, not a length; allowed: mm, cm, m, in; try: --units disp=mm");
+      "FILE:1: unit kN of column 1 'Disp [kN]' is a force, not a length; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit");
 }
 
 TEST_F(ColumnsTest, UnitsThatContradictEachOther) {
   EXPECT_EQ(
       refusal("Disp [mm];Force [kN]\ncm;kN\n1;2\n2;3\n3;1\n"),
-      "FILE:2: column 1 'Disp [mm]' is in mm by its name and in cm by the row of units; allowed: mm, cm, m, in; try: --units disp=mm");
+      "FILE:2: column 1 'Disp [mm]' is in mm by its name and in cm by the row of units; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit");
 }
 
 TEST_F(ColumnsTest, AskedForColumnsThatDoNotExist) {
@@ -239,8 +355,8 @@ TEST(ColumnOptions, AreRefused) {
             "--columns: force has no value; allowed: CHANNEL=VALUE,...\n"
             "--columns: disp is given twice; allowed: one value per channel");
   EXPECT_EQ(refusal_of([] { parse_units("disp=furlong,force=mm"); }),
-            "--units disp: unknown unit 'furlong'; allowed: mm, cm, m, in\n"
-            "--units force: mm is a length; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf");
+            "--units disp: unknown unit 'furlong'; allowed: mm, cm, m, in, ft, dm, um\n"
+            "--units force: mm is a length; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp");
 }
 
 }  // namespace

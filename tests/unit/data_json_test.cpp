@@ -66,11 +66,22 @@ TEST_F(Json, NamesAndUnitsBesideTheRows) {
 TEST_F(Json, AUnitIsNeverAssumed) {
   EXPECT_EQ(
       refusal(R"({"disp": [0, 1, 2], "force": [1, 2, 1]})"),
-      "FILE: column 1 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
-      "FILE: column 2 'force' (force) has no unit; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
+      "FILE: column 1 'disp' (disp) has no unit; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit\n"
+      "FILE: column 2 'force' (force) has no unit; allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp; try: --units force=kN, with the column's unit");
   EXPECT_EQ(
       refusal(R"({"disp_mm": [0, 1, 2], "force": [1, 2, 1], "units": {"force": "furlong"}})"),
-      "FILE: unknown unit 'furlong' of column 2 'force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf; try: --units force=kN");
+      "FILE: unknown unit 'furlong' of column 2 'force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp; try: --units force=kN --channel-scale force=FACTOR, if a value of 1 is FACTOR kN");
+}
+
+// A list of units without names of columns decides nothing, but the advice names its units.
+TEST_F(Json, UnitsInAListAreProposed) {
+  std::string const test = R"("test": {"disp": [0, 1, 2], "force": [1, 2, 1]})";
+  for (auto const* source :
+       {R"("source": [{"title": "x", "units": ["inches", "lbf"]}], )", R"("units": ["inches", "lbf"], )"}) {
+    auto const said = refusal("{" + std::string(source) + test + "}");
+    EXPECT_NE(said.find("--units disp=in, which the file states in a list of units"), std::string::npos) << said;
+    EXPECT_NE(said.find("--units force=lbf"), std::string::npos) << said;
+  }
 }
 
 TEST_F(Json, SeveralTablesAreChosenByTheirKey) {

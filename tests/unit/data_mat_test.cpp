@@ -1,4 +1,4 @@
-// Tests the reading of records in MATLAB files of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and
+// Tests the reading of records in MATLAB files of level 4 and of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and
 // what is refused.
 #include <hdf5.h>
 #include <zlib.h>
@@ -183,7 +183,7 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
   bad[1].second[2] = std::nan("");
   EXPECT_EQ(
       refusal(mat_of([&](MatWriter& w) { w.all(bad); })),
-      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: export the record again, or test again");
+      "FILE:disp_mm:3: 'nan' in variable 'disp_mm' is not a finite number; allowed: a finite number; try: export the record again; --missing leave-out or --missing interpolate");
   bad = named;
   bad[0].second[3] = 0.1;
   EXPECT_EQ(
@@ -197,8 +197,9 @@ TEST_P(Matlab, FaultsAreAtTheirVariableAndElement) {
 }
 
 TEST_P(Matlab, AUnitIsNeverAssumed) {
-  EXPECT_EQ(refusal(mat_of([](MatWriter& w) { w.array("disp", four_disp).array("force_kN", four_force); })),
-            "FILE: variable 'disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm");
+  EXPECT_EQ(
+      refusal(mat_of([](MatWriter& w) { w.array("disp", four_disp).array("force_kN", four_force); })),
+      "FILE: variable 'disp' (disp) has no unit; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit");
 }
 
 TEST_P(Matlab, AChannelThatIsNotThere) {
@@ -235,6 +236,57 @@ std::string form_name(::testing::TestParamInfo<Form> const& tested) {
 }
 INSTANTIATE_TEST_SUITE_P(Versions, Matlab, ::testing::Values(Form::v5, Form::v7, Form::v73, Form::v73_packed),
                          form_name);
+
+// --- files of level 4 ---
+
+class Mat4 : public Files {
+ protected:
+  std::string made() {
+    auto const file = write("", "made.mat");
+    {
+      MatWriter writer(file, MAT_FT_MAT4);
+      writer.all(named).array("Kx", {3.0}).text("note", "first test");
+    }
+    return bytes_of(file);
+  }
+};
+
+TEST_F(Mat4, IsReadAsAnotherLibraryWritesIt) {
+  auto const record = read(made());
+  expect_values(record);
+  EXPECT_TRUE(says(record.recognised, "a MATLAB file of level 4"));
+}
+
+TEST_F(Mat4, DamagedFilesEndInAMessage) {
+  auto const sound = made();
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    auto bytes = sound;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0xFF);
+    for (auto const& text : {sound.substr(0, i), bytes}) try {
+        read_record_text(text, "test.mat");
+      } catch (Error const& error) {
+        EXPECT_FALSE(error.complaints().empty());
+      }
+  }
+}
+
+// Two-byte integers of a big-endian machine. The header is type 1030, rows, columns, no imaginary part, length of name.
+TEST_F(Mat4, IntegersOfABigEndianMachine) {
+  auto const big = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFFu);
+    return bytes;
+  };
+  auto const matrix = [&](std::string const& name, std::vector<int> const& values) {
+    auto bytes = big(1030) + big(static_cast<std::uint32_t>(values.size())) + big(1) + big(0) +
+                 big(static_cast<std::uint32_t>(name.size() + 1)) + name + std::string(1, '\0');
+    for (int const value : values) bytes += big(static_cast<std::uint32_t>(value)).substr(2);
+    return bytes;
+  };
+  auto const record = read(matrix("disp_mm", {0, 2, 5, -1}) + matrix("force_kN", {1, -2, 3, 0}));
+  EXPECT_EQ(record.disp_mm, (std::vector<double>{0.0, 2.0, 5.0, -1.0}));
+  EXPECT_EQ(record.force_kN, (std::vector<double>{1.0, -2.0, 3.0, 0.0}));
+}
 
 // --- files of version 5, which these tests write byte by byte ---
 

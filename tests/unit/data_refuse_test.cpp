@@ -138,8 +138,11 @@ TEST_F(Refuse, NumbersBelowTimeAreNoDaysOfASpreadsheet) {
     if (name == "Timestamp" || name == "Uhrzeit")  // a column of this name need not be the time of the test
       EXPECT_EQ(read(text).has_time(), false) << name;
     else
-      EXPECT_EQ(said, fmt::format("FILE:1: column 1 '{}' (time) has no unit; allowed: {}; try: --units time=s", name,
-                                  known_units(Dimension::time)));
+      EXPECT_EQ(
+          said,
+          fmt::format(
+              "FILE:1: column 1 '{}' (time) has no unit; allowed: {}; try: --units time=s, with the column's unit",
+              name, known_units(Dimension::time)));
     ReadOptions seconds;
     seconds.columns[Channel::time] = "1";
     seconds.units[Channel::time] = "s";
@@ -153,10 +156,10 @@ TEST_F(Refuse, CellsThatAreNoNumbersAllAtOnce) {
   EXPECT_EQ(
       refusal(header_row + "0;1;2\n1;NaN;3\n2;3;-inf\n3;x;1\n4;;1\n5;1,5;1\n6;1;1;9\n7;#N/A;1\n8;2;3\n9;2.5;4\n"),
       "FILE:8: 4 columns: '6;1;1;9'; allowed: 3 columns, as in most rows; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
-      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy, or test again\n"
-      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy, or test again\n"
+      "FILE:3: 'NaN' in column 2 'Disp [mm]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy; --missing leave-out or --missing interpolate\n"
+      "FILE:4: '-inf' in column 3 'Force [kN]' is not a finite number; allowed: a finite number; try: export the record again with a number in every cell, or delete these 7 rows from a copy; --missing leave-out or --missing interpolate\n"
       "FILE:5: 'x' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
-      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
+      "FILE:6: column 2 'Disp [mm]' is empty; allowed: a number; try: export the record again with a number in every cell, or delete these 7 rows from a copy; --missing leave-out or --missing interpolate\n"
       "FILE:7: '1,5' in column 2 'Disp [mm]' is not a number; allowed: a number with a decimal point; try: export the record again with a number in every cell, or delete these 7 rows from a copy\n"
       "FILE: and 1 more cells that are no number");
 }
@@ -196,7 +199,7 @@ TEST_F(Refuse, LinesAreCountedAlikeForEveryLineEnd) {
 TEST_F(Refuse, ProblemsOfColumnsAndRowsTogether) {
   EXPECT_EQ(
       refusal("Time [s];Disp;Force [kN]\n0;1;2\n1;x;3\n2;3;1\n3;4;2\n"),
-      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in; try: --units disp=mm\n"
+      "FILE:1: column 2 'Disp' (disp) has no unit; allowed: mm, cm, m, in, ft, dm, um; try: --units disp=mm, with the column's unit\n"
       "FILE:3: 'x' in column 2 'Disp' is not a number; allowed: a number with a decimal point; try: export the record again");
 }
 

@@ -191,10 +191,12 @@ TEST_F(Workbook, FaultsAreAtTheirSheetAndRow) {
   EXPECT_EQ(
       at_row_5(cell("99", " t=\"s\"")),
       std::string("FILE:Test:5: 'a text that the file lacks' in column A 'Disp [mm]' is text, not a number") + rest);
-  EXPECT_EQ(at_row_5("<c/>"),
-            "FILE:Test:5: column A 'Disp [mm]' is empty; allowed: a number; try: --rows 1:3, the rows before it");
-  EXPECT_EQ(refusal(book_with(header_cells + three + row(cell("2")))),
-            "FILE:Test:5: column B 'Force [kN]' is empty; allowed: a number; try: --rows 1:3, the rows before it");
+  EXPECT_EQ(
+      at_row_5("<c/>"),
+      "FILE:Test:5: column A 'Disp [mm]' is empty; allowed: a number; try: --rows 1:3, the rows before it; --missing leave-out or --missing interpolate");
+  EXPECT_EQ(
+      refusal(book_with(header_cells + three + row(cell("2")))),
+      "FILE:Test:5: column B 'Force [kN]' is empty; allowed: a number; try: --rows 1:3, the rows before it; --missing leave-out or --missing interpolate");
 }
 
 TEST_F(Workbook, DatesAndTimesOfDayAreNoSeconds) {

@@ -45,7 +45,7 @@ TEST(Layout, what_is_wrong_is_refused_with_its_place) {
   says("x [m],y [m]\n", "l.csv: no bearings");
   says("# nothing\n", "l.csv: no bearings");
   says("x,y [m]\n0,0\n", "l.csv:1: column 'x' has no unit");
-  says("x [kN],y [m]\n0,0\n", "column 'x' is in 'kN'; allowed: 'x [UNIT]', the unit one of mm, cm, m, in");
+  says("x [kN],y [m]\n0,0\n", "column 'x' is in 'kN'; allowed: 'x [UNIT]', the unit one of mm, cm, m, in, ft, dm, um");
   says("x [m],y [m],load\n0,0,3\n", "column 'load' has no unit");
   says("x [m],z [m]\n0,0\n", "column 'z [m]'");
   says("x [m],z [m]\n0,0\n", "no column y");

@@ -541,7 +541,12 @@ int run(int argc, char** argv) {
   } catch (std::bad_alloc const&) {
     return fail_without_memory(reader);
   } catch (std::filesystem::filesystem_error const& error) {
-    return fail(reader, "system", {{.where = error.path1().string(), .found = error.code().message()}}, exit_internal);
+    // A path that the user gave and the system cannot follow, or a fault of the system.
+    bool const is_of_user = error.code() == std::errc::too_many_symbolic_link_levels ||
+                            error.code() == std::errc::filename_too_long || error.code() == std::errc::not_a_directory;
+    return fail(reader, is_of_user ? "input" : "system",
+                {{.where = error.path1().string(), .found = error.code().message()}},
+                is_of_user ? exit_wrong_usage : exit_internal);
   } catch (std::system_error const& error) {
     if (std::ferror(stdout) != 0) return fail_without_output(reader);
     return fail(reader, "system", {{.found = "cannot write: " + error.code().message()}}, exit_internal);

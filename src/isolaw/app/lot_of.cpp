@@ -70,7 +70,8 @@ std::string name_of(std::vector<std::filesystem::path> const& inputs, std::size_
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs) {
   std::vector<std::filesystem::path> files;
   for (auto const& input : inputs) {
-    if (!std::filesystem::is_directory(input)) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(input, none)) {  // reading the file says why it is none
       files.push_back(input);
       continue;
     }
@@ -78,7 +79,10 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     std::vector<std::string> passed_over;
     for (auto const& entry : std::filesystem::directory_iterator(input)) {
       auto const name = entry.path().filename().string();
-      if (!entry.is_regular_file() || name.starts_with('.')) continue;
+      // A link that leads nowhere or in a circle is kept, so that reading it says so.
+      std::error_code none;
+      bool const is_dead_link = entry.is_symlink(none) && !entry.exists(none);
+      if ((!entry.is_regular_file(none) && !is_dead_link) || name.starts_with('.')) continue;
       if (data::is_record_name(name))
         inside.push_back(entry.path());
       else

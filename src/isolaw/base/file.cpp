@@ -82,11 +82,18 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     auto const count = ::read(handle.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse("cannot be read to its end: " + reason());
-    if (count == 0) return bytes;
+    if (count == 0) break;
     bytes.append(buffer.data(), static_cast<std::size_t>(count));
     if (bytes.size() > limits.largest_bytes)  // the file grew, or the system reports no size for it
       refuse("is " + size_text(bytes.size(), limits.largest_bytes), limits.when_too_large);
   }
+  // A file that somebody still writes would be read in part. Files of the system, such as those in /proc, have size 0.
+  struct stat after {};
+  bool const is_same = ::fstat(handle.get(), &after) == 0 && after.st_size == status.st_size &&
+                       after.st_mtim.tv_sec == status.st_mtim.tv_sec && after.st_mtim.tv_nsec == status.st_mtim.tv_nsec;
+  if (status.st_size > 0 && !is_same)
+    refuse("changed while it was read", "the command again when the file is complete");
+  return bytes;
 }
 
 std::optional<std::string> other_than_plain(fs::path const& file) {

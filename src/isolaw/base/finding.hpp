@@ -17,7 +17,8 @@ namespace isolaw {
 enum class FindingKind {
   // [campaign]
   runs_missing, analyses_missing, device_refused, rule_set_not_kept_by_device, rule_set_not_kept_by_lot,
-  verdict_rests_on_corrections, devices_not_in_lot_law, same_record, same_compression_test, energy_falls, law_refused, runs_failed,
+  verdict_rests_on_corrections, devices_not_in_lot_law, same_record, same_compression_test,
+  stiffness_unlike_design, strain_implausible, energy_falls, law_refused, runs_failed,
   evaluations_failed, law_inadequate, law_runs_away, law_faulty, held_by_box, prediction_poor, prediction_unusable, searches_disagree, runs_differ,
   not_determined, prediction_not_asked, outlier, at_bound, lot_law_at_bound, integration_coarse,
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
@@ -43,11 +44,11 @@ enum class FindingKind {
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
   // Doubts about the values in a record.
-  units_implausible, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
+  units_implausible, motion_implausible, force_beyond_load, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
   about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
-  loads_ambiguous, load_unit_unclear, velocity_unused,
+  loads_ambiguous, load_unit_unclear, velocity_unused, direction_unread,
   values_uncorrected, uncorrected_without_properties, uncorrected_not_known,
   // Notes: numbers of a record that the reader should know.
   samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,

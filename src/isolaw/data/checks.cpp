@@ -81,6 +81,33 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
+// Warns of a motion that no rig of a laboratory makes, and of a horizontal force that no vertical load allows.
+void warn_about_rig(TestRecord& record, Properties const& properties) {
+  constexpr double farthest_mm = 1300.0, fastest_mm_s = 2500.0, most_of_load = 2.0;
+  double amplitude_mm = 0.0, speed_mm_s = 0.0;
+  for (auto const& block : properties.blocks) {
+    amplitude_mm = std::max(amplitude_mm, block.amplitude_mm);
+    speed_mm_s = std::max(speed_mm_s, block.v_max_mm_s.value_or(0.0));
+  }
+  if (amplitude_mm > farthest_mm || speed_mm_s > fastest_mm_s) {
+    auto const given = record.layout.units.find(Channel::disp);
+    auto const unit = given == record.layout.units.end() ? std::string("mm") : given->second;
+    Finding finding{.kind = FindingKind::motion_implausible,
+                    .numbers = {{"amplitude_mm", amplitude_mm}},
+                    .words = {{"disp_unit", unit}, {"likely", unit == "mm" ? "" : "mm"}}};
+    if (speed_mm_s > 0.0) finding.numbers.push_back({"speed_mm_s", speed_mm_s});
+    record.warnings.push_back(std::move(finding));
+  }
+  if (record.load_kN.empty()) return;
+  double load_kN = 0.0, force_kN = 0.0;
+  for (double const load : record.load_kN) load_kN += std::abs(load) / static_cast<double>(record.load_kN.size());
+  for (double const force : record.force_kN) force_kN = std::max(force_kN, std::abs(force));
+  if (load_kN > 0.0 && force_kN > most_of_load * load_kN)
+    record.warnings.push_back(
+        {.kind = FindingKind::force_beyond_load,
+         .numbers = {{"force_kN", force_kN}, {"ratio", force_kN / load_kN}, {"load_kN", load_kN}}});
+}
+
 // Warns of gaps in time that are longer than the device needed to cross them. If the logger only skipped a rest, there
 // is no warning.
 void warn_of_gaps(TestRecord& record) {
@@ -142,6 +169,7 @@ void add_warnings(TestRecord& record, Properties const& properties) {
         {.kind = FindingKind::starts_off_zero,
          .numbers = {
              {"disp_mm", start}, {"percent", 100.0 * std::abs(start) / half_range}, {"half_range_mm", half_range}}});
+  warn_about_rig(record, properties);
   warn_of_gaps(record);
   warn_of_days(record);
   if (properties.reported && !properties.reported->damping())

@@ -14,22 +14,24 @@ namespace {
 // An option with a value for each channel: "disp=2,force=F" or {"disp": 2, "force": "F"}.
 Reading by_channel(std::string_view key, std::string help, std::map<Channel, std::string> ReadOptions::*values,
                    std::map<Channel, std::string> (*parse)(std::string_view)) {
-  auto const write = [values](ReadOptions const& from) {
+  bool const are_numbers = key == "channel-scale";
+  auto const write = [values, are_numbers](ReadOptions const& from) {
     Json table;
-    for (auto const& [channel, value] : from.*values) table[std::string(name(channel))] = value;
+    for (auto const& [channel, value] : from.*values)
+      table[std::string(name(channel))] = are_numbers ? Json(number_in<double>(value).value_or(1.0)) : Json(value);
     return table;
   };
-  auto const read = [key, parse, values](ReadOptions& to, Json const& value) {
+  auto const read = [key, parse, values, are_numbers](ReadOptions& to, Json const& value) {
     if (value.is_string()) {
       for (auto& [channel, text] : parse(value.get<std::string>())) (to.*values)[channel] = text;
       return;
     }
     if (!value.is_object()) refuse(value, "a table, or text: disp=...,force=...");
     for (auto const& [channel, item] : value.items()) {
-      if (!item.is_string() && !item.is_number_integer())
+      if (!item.is_string() && !(are_numbers ? item.is_number() : item.is_number_integer()))
         throw Error({.where = {},
                      .found = fmt::format("{}: {} is neither text nor a number", channel, shown(item)),
-                     .allowed = "a name or a 1-based number"});
+                     .allowed = are_numbers ? "a number" : "a name or a 1-based number"});
       auto const text = text_of(item);
       bool const comma = text.find(',') != std::string::npos;
       if (comma && key == "units")
@@ -114,6 +116,19 @@ Reading footer() {
       [](ReadOptions& to, std::string_view) { to.skip_footer = true; });
 }
 
+Reading missing() {
+  return one_of(
+      "missing", "leave-out or interpolate: what to do with rows in which a channel has no value",
+      {"leave-out", "interpolate"},
+      [](ReadOptions const& from) -> std::optional<std::string_view> {
+        if (from.missing == MissingValues::refused) return std::nullopt;
+        return from.missing == MissingValues::left_out ? "leave-out" : "interpolate";
+      },
+      [](ReadOptions& to, std::string_view word) {
+        to.missing = word == "leave-out" ? MissingValues::left_out : MissingValues::interpolated;
+      });
+}
+
 Reading rows() {
   auto const write = [](ReadOptions const& from) { return from.rows ? Json(rows_text(*from.rows)) : Json(); };
   auto const read = [](ReadOptions& to, Json const& value) { to.rows = parse_rows(text_in(value)); };
@@ -173,6 +188,8 @@ std::vector<Reading> make_table() {
           "column of each channel, by name or number: time=1,disp=Travel,force=3; FILE:COLUMN if in another file",
           &R::columns, parse_columns),
       by_channel("units", "units that the files do not state: disp=cm,force=tonf,time=s", &R::units, parse_units),
+      by_channel("channel-scale", "number of units that a value of 1 in the file is: disp=0.01 for hundredths",
+                 &R::scales, parse_scales),
       {number<R>("dt", "sampling interval of files without a time column", at(&R::dt_s),
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})
            .under(Heading::reading)},
@@ -180,6 +197,7 @@ std::vector<Reading> make_table() {
       time_limit("from", "read only from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
       time_limit("to", "read only up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
       footer(),
+      missing(),
       thousands(),
       date_order(),
       name_or_number("sheet", "sheet of a workbook, struct of a .mat file or key of JSON, by name or number",

@@ -297,10 +297,10 @@ class Collector {
   void records() {
     for (auto const* device : devices_)
       if (device->status == "ok")
-        for (auto& finding : record_findings(*device)) add(std::move(finding));
+        for (auto& finding : record_findings(summary_, *device)) add(std::move(finding));
   }
 
-  static std::vector<Finding> record_findings(DeviceResult const& device);
+  static std::vector<Finding> record_findings(Summary const& summary, DeviceResult const& device);
   static std::vector<Finding> shared_records(Summary const& summary);
   friend std::vector<std::vector<Finding>> isolaw::study::device_warnings(Summary const& summary);
 
@@ -311,12 +311,51 @@ class Collector {
   std::vector<Finding> all_;
 };
 
+// The mistake that explains a stiffness of `ratio` times the design value; "" if the ratio is not that of known units.
+std::string_view mistake_of(double ratio) {
+  struct Mistake {
+    double ratio, within;
+    std::string_view question;
+  };
+  constexpr Mistake mistakes[]{
+      {2.0, 0.05, "Does the rig shear two devices, or is the force that of one of two? (--force-factor)"},
+      {4.4482216, 0.1, "Are the forces in kip where kN is taken, or in kN where kip is taken? (--units force=UNIT)"},
+      {9.9, 0.12, "Are the forces in tonf where kN is taken, or is a factor of 10 missing? (--units, --channel-scale)"},
+      {25.4, 0.12, "Are the displacements in in where mm is taken, or in mm where in is taken? (--units disp=UNIT)"},
+      {100.0, 0.15, "Is a factor of 100 missing, or are displacements in m where cm is taken? (--channel-scale)"},
+      {1000.0, 0.15, "Are the forces in N where kN is taken, or the displacements in m where mm is? (--units)"}};
+  for (auto const& each : mistakes)
+    for (double const expected : {each.ratio, 1.0 / each.ratio})
+      if (std::abs(ratio / expected - 1.0) <= each.within) return each.question;
+  return {};
+}
+
+// Values that suggest a wrong unit, by what is known of the device: its design stiffness and its rubber.
+void add_implausible(Summary const& summary, DeviceResult const& device, std::vector<Finding>& found) {
+  auto const* cycle = counting_cycle(device.properties, device.acceptance.block);
+  if (cycle == nullptr) return;
+  if (auto const design = summary.acceptance.design.K_eff_kN_per_mm) {
+    double const ratio = cycle->K_eff_kN_per_mm / *design;
+    if (auto const question = mistake_of(ratio); !question.empty())
+      found.push_back({.kind = stiffness_unlike_design,
+                       .numbers = {{"K_eff_kN_per_mm", cycle->K_eff_kN_per_mm}, {"ratio", ratio}},
+                       .words = {{"mistake", std::string(question)}}});
+  }
+  constexpr double largest_strain_percent = 600.0;
+  if (!device.rubber_thickness_mm) return;
+  double const strain_percent = 100.0 * cycle->amplitude_mm / *device.rubber_thickness_mm;
+  if (strain_percent > largest_strain_percent)
+    found.push_back({.kind = strain_implausible,
+                     .numbers = {{"amplitude_mm", cycle->amplitude_mm}, {"strain_percent", strain_percent}}});
+}
+
 // The warnings about the record and the reasons why it has no cyclic properties, except reasons that are among these
 // warnings.
-std::vector<Finding> Collector::record_findings(DeviceResult const& device) {
+std::vector<Finding> Collector::record_findings(Summary const& summary, DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)
     if (std::ranges::find(found, reason) == found.end()) found.push_back(reason);
+  add_implausible(summary, device, found);
   for (auto& finding : found) finding.devices = {device.name};
   return found;
 }
@@ -350,7 +389,7 @@ std::vector<std::vector<Finding>> device_warnings(Summary const& summary) {
   auto const shared = Collector::shared_records(summary);
   std::vector<std::vector<Finding>> all;
   for (auto const& device : summary.devices) {
-    auto& own = all.emplace_back(Collector::record_findings(device));
+    auto& own = all.emplace_back(Collector::record_findings(summary, device));
     for (auto const& finding : shared)
       if (std::ranges::find(finding.devices, device.name) != finding.devices.end()) own.push_back(finding);
   }

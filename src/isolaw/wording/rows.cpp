@@ -87,6 +87,12 @@ std::span<Row const> rows() {
       campaign(same_compression_test, "same-compression-test", "copies", serious, records, each_alone, signed_too, none,
                "{devices} hold the same compression test: its K_v counts {times} times."),
       campaign(
+          stiffness_unlike_design, "stiffness-unlike-design", "record", serious, records, by_words, signed_too, devices,
+          "K_eff of {K_eff_kN_per_mm:4} is {ratio:3} times the design value. {mistake}"),
+      campaign(
+          strain_implausible, "strain-implausible", "record", serious, records, each_alone, signed_too, devices,
+          "{amplitude_mm:4} is {strain_percent:3} % of the rubber's thickness, more than rubber bears. Are the unit of displacement and the thickness right?"),
+      campaign(
           energy_falls, "energy-falls", "degradation", caution, records, each_alone, everywhere, devices,
           "the energy of a cycle falls by {measured_percent:2} % from cycle {first_cycle} to cycle {last_cycle} of block {block}. [{several_laws}No law follows this fall ({law} comes nearest, with {law_percent:2} %): each fits only some cycle in between.][{only_law}{law} does not follow this fall (its own energy falls by {law_percent:2} %): it fits only some cycle in between.][{fit_cycles}]"),
       campaign(
@@ -332,6 +338,12 @@ std::span<Row const> rows() {
       doubt(
           units_implausible, "units-implausible", serious, by_words,
           "{force_kN:4} over {way_mm:4}: {than_any}. Are displacements really in {disp_unit} and forces in {force_unit}? (--units disp=UNIT,force=UNIT)"),
+      doubt(
+          motion_implausible, "motion-implausible", serious, by_words,
+          "the device would move by {amplitude_mm:4}[ at up to {speed_mm_s:4}], farther or faster than test rigs do. Are displacements really in {disp_unit}?[ They may be in {likely}.] (--units disp=UNIT --channel-scale disp=FACTOR)"),
+      doubt(
+          force_beyond_load, "force-beyond-load", serious, one_sentence,
+          "the horizontal force of {force_kN:4} is {ratio:3} times the vertical load of {load_kN:4}. Are both in their right units? (--units force=UNIT,load=UNIT)"),
       doubt(vertical_stiffness_implausible, "vertical-stiffness-implausible", serious, by_words,
             "vertical test: no isolator has a vertical stiffness of {K_v_kN_per_mm:4}. Are the units right?"),
       doubt(
@@ -398,6 +410,9 @@ std::span<Row const> rows() {
             "{reason}: the vertical load is not read; state its unit with {options}."),
       doubt(velocity_unused, "velocity-unused", caution, by_words,
             "{column} is not used: velocities are computed from displacement and time."),
+      doubt(
+          direction_unread, "direction-unread", caution, by_words,
+          "{columns} hold a second direction, which is not read. If the device moved in it too, the values of one direction alone do not describe the device."),
       doubt(
           values_uncorrected, "values-uncorrected", caution, by_words,
           "without the corrections by hand, K_eff would be {K_eff_kN_per_mm:4} instead of {now_K_eff_kN_per_mm:4}[ and damping {damping_percent:3} % instead of {now_damping_percent:3} %].[ The verdict would be {verdict} instead of {now_verdict}.][{verdict_same}]"),

@@ -9,6 +9,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/files/column_names.hpp"
 #include "isolaw/data/files/text.hpp"
+#include "isolaw/data/files/unit_text.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -25,6 +26,7 @@ class Resolver {
     for (auto const channel : all_channels)
       if (wanted_.has(channel) && !asked_for(channel)) recognise(channel);
     join_date();
+    look_for_second_direction();
     refuse_shared_columns();
     for (auto& [channel, column] : result_.channels) resolve_unit(channel, column);
     std::erase_if(result_.channels, [](auto const& entry) {
@@ -406,6 +408,40 @@ class Resolver {
                       : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
   }
 
+  // The columns whose names differ from the displacement's and the force's only by y in place of x: a second direction.
+  // An option chooses the direction, since nobody would notice which one was read.
+  void look_for_second_direction() {
+    auto const disp = result_.channels.find(Channel::disp), force = result_.channels.find(Channel::force);
+    if (!has_names() || disp == result_.channels.end() || force == result_.channels.end()) return;
+    auto const other_disp = along_other_axis(disp->second.index), other_force = along_other_axis(force->second.index);
+    if (!other_disp || !other_force) return;
+    auto const text = [&](std::size_t one, std::size_t other) {
+      return fmt::format("{} and {}", column_text(one, header_), column_text(other, header_));
+    };
+    if (asked_for(Channel::disp) || asked_for(Channel::force))
+      return warn(FindingKind::direction_unread, {{"columns", text(*other_disp, *other_force)}});
+    complain(header_place(),
+             fmt::format("{} are one horizontal direction, {} another", text(disp->second.index, force->second.index),
+                         text(*other_disp, *other_force)),
+             "one direction",
+             fmt::format("--columns disp={},force={}, or disp={},force={}", option_key(disp->second.index, header_),
+                         option_key(force->second.index, header_), option_key(*other_disp, header_),
+                         option_key(*other_force, header_)));
+  }
+
+  std::optional<std::size_t> along_other_axis(std::size_t index) const {
+    auto words = name_words(dissect_name(header_.names[index]).base);
+    bool turned = false;
+    for (auto& word : words)
+      if (char& last = word.back(); word.size() <= 2 && (last == 'x' || last == 'y')) {
+        last = last == 'x' ? 'y' : 'x';
+        turned = true;
+      }
+    if (!turned) return std::nullopt;
+    auto const found = columns_where([&](auto const& text) { return name_words(dissect_name(text).base) == words; });
+    return found.size() == 1 ? std::optional(found.front()) : std::nullopt;
+  }
+
   void refuse_shared_columns() {
     for (auto const& [channel, column] : result_.channels)
       for (auto const& [other, other_column] : result_.channels)
@@ -425,8 +461,8 @@ class Resolver {
 
   std::string_view stated_unit(std::size_t index) const {
     auto const written = units_in_file(index);
-    auto const unit = written.empty() ? std::nullopt : parse_unit(written.front().text);
-    return unit ? unit->symbol : std::string_view{};
+    auto const unit = written.empty() ? std::nullopt : parse_unit_text(written.front().text);
+    return unit ? unit->unit.symbol : std::string_view{};
   }
 
   std::vector<WrittenUnit> written_units(Channel channel, std::size_t index) const {
@@ -450,15 +486,35 @@ class Resolver {
     return written;
   }
 
-  // Warns if --units gives another unit than the file does. The unit of --units is used.
-  void warn_of_other_unit(Channel channel, Column const& column, Unit const& used) {
-    if (!options_.units.contains(channel) || !has_names()) return;
-    auto const stated = parse_unit(dissect_name(header_.names[column.index]).unit);
-    if (stated && stated->symbol != used.symbol)
-      warn(FindingKind::unit_overridden, {{"column", column_text(column.index, header_)},
-                                          {"stated", std::string(stated->symbol)},
-                                          {"used", std::string(used.symbol)},
-                                          {"option", "--units"}});
+  static std::string unit_text(Unit const& unit, double scale) {
+    return scale == 1.0 ? std::string(unit.symbol) : fmt::format("{:.6g} {}", scale, unit.symbol);
+  }
+
+  // The unit of this dimension that the file states without saying of which column, if there is only one.
+  std::string unit_elsewhere(Dimension dimension) const {
+    std::string found;
+    for (auto const& text : header_.units_elsewhere) {
+      auto const unit = parse_unit(text);
+      if (!unit || unit->dimension != dimension || found == unit->symbol) continue;
+      if (!found.empty()) return {};
+      found = unit->symbol;
+    }
+    return found;
+  }
+
+  // Warns if the options give another unit or scale than the file does. Those of the options are used.
+  void warn_of_other_unit(Channel channel, Column const& column) {
+    auto const written = units_in_file(column.index);
+    auto const stated = written.empty() ? std::nullopt : parse_unit_text(written.front().text);
+    if (!stated || !stated->is_certain || (!options_.units.contains(channel) && !options_.scales.contains(channel)))
+      return;
+    auto const told = unit_text(stated->unit, stated->factor), used = unit_text(*column.unit, column.scale);
+    if (told != used)
+      warn(FindingKind::unit_overridden,
+           {{"column", column_text(column.index, header_)},
+            {"stated", told},
+            {"used", used},
+            {"option", options_.units.contains(channel) ? "--units" : "--channel-scale"}});
   }
 
   void resolve_unit(Channel channel, Column& column) {
@@ -476,34 +532,84 @@ class Resolver {
                   s.symbol);
     }
     auto const allowed = known_units(dimension(channel));
-    auto const advice = fmt::format("--units {}={}", name(channel), allowed.substr(0, allowed.find(',')));
-    auto const written = written_units(channel, column.index);
+    auto const key = name(channel);
+    auto const first_unit = allowed.substr(0, allowed.find(','));
+    auto const elsewhere = unit_elsewhere(dimension(channel));
+    auto const unit_advice =
+        elsewhere.empty() ? fmt::format("--units {}={}, with the column's unit", key, first_unit)
+                          : fmt::format("--units {}={}, which the file states in a list of units", key, elsewhere);
+    auto const scale_advice =
+        fmt::format("--units {0}={1} --channel-scale {0}=FACTOR, if a value of 1 is FACTOR {1}", key, first_unit);
+    auto const scale = options_.scales.find(channel);
+    bool const is_scaled = scale != options_.scales.end();
+    auto written = written_units(channel, column.index);
     bool const may_be_left =
         channel == Channel::load && !wanted_.vertical && !asked_for(channel) && !options_.units.contains(channel);
-    auto const refuse = [&](std::string place, std::string found) {
+    auto const refuse = [&](std::string place, std::string found, std::string const& allows,
+                            std::string const& advice) {
       if (may_be_left)
         warn(FindingKind::load_unit_unclear, {{"reason", std::move(found)}, {"options", advice}});
       else
-        complain(std::move(place), std::move(found), allowed, advice);
+        complain(std::move(place), std::move(found), allows, advice);
     };
-    if (written.empty()) return refuse(header_place(), fmt::format("{} ({}) has no unit", text, name(channel)));
-    auto const& first = written.front();
-    auto const unit = parse_unit(first.text);
-    if (!unit)
-      return refuse(first.place, fmt::format("unknown unit {} of {} ({})", in_quotes(first.text), text, name(channel)));
-    if (unit->dimension != dimension(channel))
-      return refuse(first.place, fmt::format("unit {} of {} is a {}, not a {}", unit->symbol, text,
-                                             isolaw::name(unit->dimension), isolaw::name(dimension(channel))));
-    if (written.size() > 1) {
-      auto const second = parse_unit(written[1].text);
-      if (second && second->symbol != unit->symbol)
-        return refuse(written[1].place, fmt::format("{} is in {} by its name and in {} by the row of units", text,
-                                                    unit->symbol, second->symbol));
+    // A factor in the name that may be a sensor's range does not count if a row of units follows.
+    auto const is_plain = [](WrittenUnit const& unit) { return parse_unit(unit.text).has_value(); };
+    if (written.size() > 1 && is_plain(written[1])) {
+      auto const by_name = parse_unit_text(written[0].text);
+      if (by_name && !by_name->is_certain) written.erase(written.begin());
     }
-    warn_of_other_unit(channel, column, *unit);
-    column.unit = unit;
+    if (written.empty())
+      return refuse(header_place(), fmt::format("{} ({}) has no unit", text, key), allowed, unit_advice);
+    auto const& first = written.front();
+    auto unit = parse_unit_text(first.text);
+    if (!unit && has_names()) unit = sensitivity_in(header_.names[column.index], first.text);
+    if (!unit)
+      return refuse(first.place, fmt::format("unknown unit {} of {} ({})", in_quotes(first.text), text, key), allowed,
+                    scale_advice);
+    if (unit->unit.dimension != dimension(channel))
+      return refuse(first.place,
+                    fmt::format("unit {} of {} is a {}, not a {}", unit->unit.symbol, text,
+                                isolaw::name(unit->unit.dimension), isolaw::name(dimension(channel))),
+                    allowed, unit_advice);
+    if (written.size() > 1) {
+      auto const second = parse_unit_text(written[1].text);
+      if (second && unit_text(second->unit, second->factor) != unit_text(unit->unit, unit->factor))
+        return refuse(written[1].place,
+                      fmt::format("{} is in {} by its name and in {} by the row of units", text,
+                                  unit_text(unit->unit, unit->factor), unit_text(second->unit, second->factor)),
+                      allowed, unit_advice);
+    }
+    auto const stated = units_in_file(column.index);
+    if (!is_scaled && options_.units.contains(channel) && !stated.empty() && is_other_quantity(stated.front().text))
+      return refuse(first.place,
+                    fmt::format("{}, but the unit of {} is {}, which is no {}", first.text, text,
+                                in_quotes(stated.front().text), isolaw::name(dimension(channel))),
+                    "a factor from that unit", scale_advice);
+    auto const factor_advice = fmt::format(
+        "--units {0}={1} --channel-scale {0}=FACTOR, if a value of 1 is FACTOR {1}; "
+        "--channel-scale {0}=1, if it is 1 {1}",
+        key, unit->unit.symbol);
+    if (!is_scaled && !unit->is_certain)
+      return refuse(
+          first.place,
+          fmt::format("{} of {} may be a factor of its values or the range of a sensor", in_quotes(first.text), text),
+          "a unit without a number", factor_advice);
+    auto const hint = has_names() && channel != Channel::time
+                          ? scale_hint(dissect_name(header_.names[column.index]).base, dimension(channel))
+                          : std::string();
+    if (!is_scaled && !hint.empty())
+      return refuse(header_place(),
+                    fmt::format("{} in the name of {} leaves open whether its values are the {} of one device",
+                                in_quotes(hint), text, quantity(channel)),
+                    "a stated factor", factor_advice);
+    column.unit = unit->unit;
+    column.scale = is_scaled ? number_in<double>(scale->second).value_or(1.0) : unit->factor;
+    warn_of_other_unit(channel, column);
+    auto const factor = column.scale == 1.0 ? std::string()
+                                            : fmt::format(", each value times {:.6g}{}", column.scale,
+                                                          is_scaled ? " as asked for (--channel-scale)" : "");
     take(channel, column,
-         fmt::format("{}: {}, {}; unit {} {}", name(channel), text, why_.at(channel), unit->symbol, first.source),
+         fmt::format("{}: {}, {}; unit {} {}{}", key, text, why_.at(channel), unit->unit.symbol, first.source, factor),
          stated_unit(column.index));
   }
 

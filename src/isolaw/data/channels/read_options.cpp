@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
@@ -18,6 +21,7 @@ constexpr double largest_coefficient = 0.2;
 constexpr double largest_mass_kg = 1e6;
 constexpr double largest_factor = 10.0;
 constexpr double least_factor = 0.01;
+constexpr double least_scale = 1e-9, largest_scale = 1e9;
 
 void check(std::vector<Complaint>& complaints, std::string const& option, std::optional<double> value, double scale,
            double least, double largest, std::string const& unit, std::string const& advice) {
@@ -91,6 +95,21 @@ std::map<Channel, std::string> parse_units(std::string_view text) {
   return units;
 }
 
+std::map<Channel, std::string> parse_scales(std::string_view text) {
+  auto const scales = parse_assignments("--channel-scale", text);
+  std::vector<Complaint> complaints;
+  for (auto const& [channel, value] : scales) {
+    auto const scale = number_in<double>(value);
+    if (!scale || !(*scale >= least_scale && *scale <= largest_scale))
+      complaints.push_back(
+          {"--channel-scale " + std::string(name(channel)), in_quotes(value),
+           fmt::format("a number from {:g} to {:g}", least_scale, largest_scale),
+           "0.01 where a value of 1 in the file is 0.01 mm; --flip-force turns the sign of the force"});
+  }
+  if (!complaints.empty()) throw Error(std::move(complaints));
+  return scales;
+}
+
 std::optional<ReadOptions> without_corrections(ReadOptions options) {
   Corrections const kept{.force_factor = options.corrections.force_factor};
   if (options.corrections == kept) return std::nullopt;
@@ -114,10 +133,19 @@ bool is_record_name(std::string_view file) {
   return std::ranges::any_of(record_extensions, [&](auto ending) { return small.ends_with(ending); });
 }
 
+// Whether the text before a colon names a file: by its ending, or because there is such a file.
+static bool names_a_file(std::string_view file) {
+  constexpr std::array<std::string_view, 8> further{".out", ".res", ".prn", ".log", ".tab", ".data", ".rpt", ".ascii"};
+  auto const small = lower(file);
+  std::error_code none;
+  return is_record_name(file) || std::ranges::any_of(further, [&](auto ending) { return small.ends_with(ending); }) ||
+         (file.find('.') != std::string_view::npos && std::filesystem::is_regular_file(file, none));
+}
+
 std::optional<FileColumn> file_column(std::string_view text) {
   for (auto at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
     auto const file = trimmed(text.substr(0, at)), column = trimmed(text.substr(at + 1));
-    if (is_record_name(file) && !column.empty()) return FileColumn{std::string(file), std::string(column)};
+    if (names_a_file(file) && !column.empty()) return FileColumn{std::string(file), std::string(column)};
   }
   return std::nullopt;
 }

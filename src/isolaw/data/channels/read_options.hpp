@@ -28,19 +28,21 @@ struct Corrections {
 
 // Options that are not given are recognised from the file.
 struct ReadOptions {
-  std::map<Channel, std::string> columns;  // name or number from 1; "none": leave the channel out
-  std::map<Channel, std::string> units;    // "cm", "tonf", ...; others are read from the header
-  std::optional<double> dt_s;              // sampling interval of a file without a time column
-  std::optional<DateOrder> date_order;     // for dates like 03/04/2024
-  std::optional<RowRange> rows;            // rows to read
-  std::optional<double> from_s, to_s;      // time interval to read
-  bool skip_footer = false;                // ignore text below the rows (option --footer skip)
-  std::optional<char> thousands;           // mark that groups digits: , . ' or a blank
-  bool flip_force = false;                 // multiply the force by -1 (option --flip-force)
-  std::optional<std::string> sheet;        // name or number of a workbook's sheet, a .mat file's struct or a JSON key
-  std::optional<std::string> test;         // which test of several: a number from 1, or "all" to join them
-  Corrections corrections;                 // options --skew-ms and so on
-  bool checks_physics = true;              // refuse a record whose loops give energy back
+  std::map<Channel, std::string> columns;          // name or number from 1; "none": leave the channel out
+  std::map<Channel, std::string> units;            // "cm", "tonf", ...; others are read from the header
+  std::map<Channel, std::string> scales;           // a value of 1 in the file is this many units ("0.01")
+  std::optional<double> dt_s;                      // sampling interval of a file without a time column
+  std::optional<DateOrder> date_order;             // for dates like 03/04/2024
+  std::optional<RowRange> rows;                    // rows to read
+  std::optional<double> from_s, to_s;              // time interval to read
+  bool skip_footer = false;                        // ignore text below the rows (option --footer skip)
+  std::optional<char> thousands;                   // mark that groups digits: , . ' or a blank
+  MissingValues missing = MissingValues::refused;  // rows in which a channel has no value
+  bool flip_force = false;                         // multiply the force by -1 (option --flip-force)
+  std::optional<std::string> sheet;  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
+  std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
+  Corrections corrections;           // options --skew-ms and so on
+  bool checks_physics = true;        // refuse a record whose loops give energy back
 
   bool operator==(ReadOptions const&) const = default;
 };
@@ -54,6 +56,8 @@ std::optional<ReadOptions> without_corrections(ReadOptions options);
 std::map<Channel, std::string> parse_columns(std::string_view text);
 // Parses "disp=cm,force=tonf,time=s" (option --units); throws Error on an unknown unit.
 std::map<Channel, std::string> parse_units(std::string_view text);
+// Parses "disp=0.01,force=10" (option --channel-scale); throws Error unless each is a positive number.
+std::map<Channel, std::string> parse_scales(std::string_view text);
 // Parses "all" or "2" (option --test); throws Error on anything else.
 std::string parse_test(std::string_view text);
 

@@ -52,6 +52,61 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
+// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time, and rows
+// before a channel's first value or behind its last, are always left out.
+void settle_missing(Rows& rows, MissingValues missing) {
+  if (missing == MissingValues::refused) return;
+  auto const count = rows.numbers.size();
+  std::vector<double> const* time = nullptr;
+  for (auto const& raw : rows.channels)
+    if (raw.channel == Channel::time) time = &raw.values;
+  std::vector<bool> has_all(count, true), is_kept(count, true);
+  for (auto const& raw : rows.channels)
+    for (std::size_t i = 0; i < count; ++i) has_all[i] = has_all[i] && std::isfinite(raw.values[i]);
+  std::size_t filled = 0, left_out = 0, longest_gap = 0, gap = 0;
+  for (auto& raw : rows.channels) {
+    std::size_t before = count;  // the last row with a value
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!std::isfinite(raw.values[i])) {
+        if (missing == MissingValues::left_out || raw.channel == Channel::time) is_kept[i] = false;
+        continue;
+      }
+      for (std::size_t k = before == count ? 0 : before + 1; k < i; ++k) {
+        if (before == count) is_kept[k] = false;
+        if (!is_kept[k]) continue;
+        auto const at = [&](std::size_t row) { return time != nullptr ? (*time)[row] : static_cast<double>(row); };
+        double const share = (at(k) - at(before)) / (at(i) - at(before));
+        raw.values[k] = raw.values[before] + share * (raw.values[i] - raw.values[before]);
+      }
+      before = i;
+    }
+    for (std::size_t k = before == count ? 0 : before + 1; k < count; ++k) is_kept[k] = false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    gap = has_all[i] ? 0 : gap + 1;
+    longest_gap = std::max(longest_gap, gap);
+    left_out += is_kept[i] ? 0u : 1u;
+    filled += is_kept[i] && !has_all[i] ? 1u : 0u;
+  }
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_kept[i]) continue;
+    for (auto& raw : rows.channels) raw.values[to] = raw.values[i];
+    rows.numbers[to++] = rows.numbers[i];
+  }
+  for (auto& raw : rows.channels) raw.values.resize(to);
+  rows.numbers.resize(to);
+  auto const option = missing == MissingValues::left_out ? "leave-out" : "interpolate";
+  auto text =
+      filled + left_out == 0
+          ? std::string("no row lacks a value")
+          : fmt::format("{} of {} rows lack a value, at most {} in a row: ", filled + left_out, count, longest_gap);
+  if (left_out > 0) text += fmt::format("{} left out", left_out);
+  if (filled > 0) text += fmt::format("{}{} filled by interpolation", left_out > 0 ? ", " : "", filled);
+  rows.recognised.push_back(
+      decision(FindingKind::rows_read, fmt::format("{} (--missing {})", text, option), "--missing"));
+}
+
 std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
                              std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
                              Wanted wanted) {
@@ -60,7 +115,7 @@ std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions con
   for (auto const& raw : rows.channels)
     if (raw.channel == Channel::time) {
       time_s = raw.values;
-      for (auto& t : time_s) t *= columns.channels.at(Channel::time).unit->in_record_units;
+      for (auto& t : time_s) t *= columns.channels.at(Channel::time).in_record_units();
     }
   if (origin && rows.origin_s && origin->dated == rows.dated)
     for (auto& t : time_s) t += *rows.origin_s - origin->since_s;
@@ -101,11 +156,13 @@ ReadOptions resolved_layout(Columns const& columns, Header const& header, ReadOp
                             std::optional<std::string> const& sheet) {
   ReadOptions layout = options;
   layout.units.clear();
+  layout.scales.clear();
   layout.sheet = sheet;
   layout.test.reset();
   for (auto const& [channel, column] : columns.channels) {
     layout.columns[channel] = column_key(column.index, header);
     if (column.unit) layout.units[channel] = column.unit->symbol;
+    if (column.scale != 1.0) layout.scales[channel] = fmt::format("{}", column.scale);
   }
   return layout;
 }
@@ -120,7 +177,7 @@ std::string exchange_advice(Columns const& columns, Header const& header) {
 
 void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, TestRecord& record) {
   for (auto& raw : rows.channels) {
-    double const factor = columns.channels.at(raw.channel).unit->in_record_units;
+    double const factor = columns.channels.at(raw.channel).in_record_units();
     for (double& value : raw.values) value *= factor;
     values_of(record, raw.channel) = std::move(raw.values);
   }
@@ -146,9 +203,13 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
   auto const range = options.rows.value_or(RowRange{});
-  auto rows =
-      table.read(columns.channels,
-                 {.range = range, .skip_footer = options.skip_footer, .date_order = options.date_order}, complaints);
+  auto rows = table.read(columns.channels,
+                         {.range = range,
+                          .skip_footer = options.skip_footer,
+                          .date_order = options.date_order,
+                          .missing = options.missing},
+                         complaints);
+  if (complaints.empty()) settle_missing(rows, options.missing);
   if (options.rows && complaints.empty()) check_range(rows, range, complaints);
   std::size_t skipped = 0;
   if (complaints.empty())

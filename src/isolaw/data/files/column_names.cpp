@@ -10,6 +10,7 @@
 #include "isolaw/base/units.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/files/text.hpp"
+#include "isolaw/data/files/unit_text.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -17,19 +18,20 @@ namespace {
 using Words = std::vector<std::string>;
 using Lexicon = std::span<std::string_view const>;
 
-// Words that mean a channel or a quantity, in English, Italian, German, French, Spanish and Turkish, in lower case.
+// Words that mean a channel or a quantity, in English, Italian, German, French, Spanish, Portuguese and
+// Turkish, in lower case.
 constexpr std::string_view time_words[]{"time",     "tempo", "zeit", "temps",   "tiempo",
                                         "messzeit", "zaman", "sure", "prufzeit"};
 constexpr std::string_view calendar_words[]{"datetime", "datenum", "date", "datum", "data", "fecha", "tarih"};
 constexpr std::string_view disp_words[]{"disp",        "weg",       "stroke",   "corsa",       "extension",   "hub",
                                         "scorrimento", "deplasman", "otelenme", "standardweg", "traversenweg"};
-constexpr std::string_view disp_stems[]{"displ",         "spost",     "verschieb",
-                                        "deplac",        "desplaz",   "horizontalverschieb",
-                                        "horizontalweg", "kolbenweg", "degistirme"};
-constexpr std::string_view force_words[]{"force",     "forces",        "forza",      "taglio",   "shear",
-                                         "kraft",     "fuerza",        "effort",     "cortante", "horizontalkraft",
-                                         "querkraft", "schubkraft",    "scherkraft", "kuvvet",   "kuvveti",
-                                         "kesme",     "standardkraft", "prufkraft"};
+constexpr std::string_view disp_stems[]{"displ",     "spost",     "verschieb",           "deplac",
+                                        "desplaz",   "desloc",    "horizontalverschieb", "horizontalweg",
+                                        "kolbenweg", "degistirme"};
+constexpr std::string_view force_words[]{"force",    "forces",          "forza",     "taglio",        "shear",
+                                         "kraft",    "fuerza",          "forca",     "esforco",       "effort",
+                                         "cortante", "horizontalkraft", "querkraft", "schubkraft",    "scherkraft",
+                                         "kuvvet",   "kuvveti",         "kesme",     "standardkraft", "prufkraft"};
 constexpr std::string_view load_words[]{"load", "carico", "last", "carga", "charge", "yuk", "yuku"};
 constexpr std::string_view vertical_force_words[]{"vertikalkraft", "vertikallast", "axialkraft",
                                                   "axiallast",     "normalkraft",  "auflast"};
@@ -39,17 +41,17 @@ constexpr std::string_view vertical_words[]{
     "normale",  "compression", "compressione", "kompression", "z",     "dusey",  "eksenel", "basinc"};
 constexpr std::string_view horizontal_words[]{"horizontal", "horizontale", "orizzontale", "orizz",  "horiz", "hor",
                                               "lateral",    "laterale",    "shear",       "taglio", "yatay", "kesme"};
-constexpr std::string_view velocity_words[]{"velocity",        "velocita", "vel",      "speed",
-                                            "geschwindigkeit", "vitesse",  "velocidad"};
+constexpr std::string_view velocity_words[]{"velocity",        "velocita", "vel",       "speed",
+                                            "geschwindigkeit", "vitesse",  "velocidad", "velocidade"};
 // A name with one of these words means no channel, even if "displacement" is also in it.
 constexpr std::string_view other_quantities[]{
-    "command",     "comando",     "cmd",          "setpoint",      "target",    "demand",
-    "soll",        "sollwert",    "sollweg",      "consigne",      "consigna",  "reference",
-    "ref",         "riferimento", "acceleration", "accelerazione", "acc",       "beschleunigung",
-    "error",       "errore",      "fehler",       "strain",        "stress",    "modulus",
-    "temperature", "temperatura", "temperatur",   "pressure",      "pressione", "rate",
-    "status",      "hiz",         "hizi",         "ivme",          "sicaklik",  "komut",
-    "hedef"};
+    "command",   "comando",        "cmd",         "setpoint",    "target",       "demand",
+    "soll",      "sollwert",       "sollweg",     "consigne",    "consigna",     "reference",
+    "ref",       "riferimento",    "aceleracao",  "aceleracion", "acceleration", "accelerazione",
+    "acc",       "beschleunigung", "error",       "errore",      "fehler",       "strain",
+    "stress",    "modulus",        "temperature", "temperatura", "temperatur",   "pressure",
+    "pressione", "rate",           "status",      "hiz",         "hizi",         "ivme",
+    "sicaklik",  "komut",          "hedef"};
 constexpr std::string_view disp_symbols[]{"x", "u", "d", "ux", "dx", "uh", "dh"};
 constexpr std::string_view force_symbols[]{"f", "h", "fx", "fh"};
 constexpr std::string_view load_symbols[]{"v", "fv", "fz", "p"};
@@ -80,53 +82,104 @@ struct Translation {
   std::string_view text, words;
 };
 // The names are replaced in this order, so a longer name comes before the shorter names that it contains.
-constexpr Translation japanese[]{{"加速度", "acceleration"},
-                                 {"試験年月日", "test date"},
-                                 {"試験体番号", "specimen no"},
-                                 {"試験体名", "specimen name"},
-                                 {"製造番号", "serial no"},
-                                 {"製品番号", "serial no"},
-                                 {"シリアル", "serial"},
-                                 {"試験体", "specimen"},
-                                 {"番号", "no"},
-                                 {"試験日", "test date"},
-                                 {"日付", "date"},
-                                 {"日時", "date time"},
-                                 {"ロット", "lot"},
-                                 {"試験温度", "test temperature"},
-                                 {"室温", "room temperature"},
-                                 {"温度", "temperature"},
-                                 {"ゴム総厚さ", "total rubber thickness"},
-                                 {"ゴム総厚", "total rubber thickness"},
-                                 {"ゴム厚", "rubber thickness"},
-                                 {"ゴム面積", "rubber area"},
-                                 {"経過時間", "time"},
-                                 {"時間", "time"},
-                                 {"時刻", "time"},
-                                 {"変位", "displacement"},
-                                 {"変形", "displacement"},
-                                 {"水平", "horizontal"},
-                                 {"鉛直", "vertical"},
-                                 {"垂直", "vertical"},
-                                 {"軸力", "axial force"},
-                                 {"せん断", "shear"},
-                                 {"荷重", "load"},
-                                 {"速度", "velocity"},
-                                 {"圧力", "pressure"},
-                                 {"面圧", "pressure"},
-                                 {"応力", "stress"},
-                                 {"ひずみ", "strain"},
-                                 {"歪", "strain"},
-                                 {"目標", "target"},
-                                 {"指令", "command"},
-                                 {"力", "force"},
-                                 {"（", " ("},
-                                 {"）", ") "},
-                                 {"［", " ["},
-                                 {"］", "] "},
-                                 {"㎜", "mm"},
-                                 {"㎝", "cm"},
-                                 {"　", " "}};
+constexpr Translation translations[]{{"加速度", "acceleration"},
+                                     {"試験年月日", "test date"},
+                                     {"試験体番号", "specimen no"},
+                                     {"試験体名", "specimen name"},
+                                     {"製造番号", "serial no"},
+                                     {"製品番号", "serial no"},
+                                     {"シリアル", "serial"},
+                                     {"試験体", "specimen"},
+                                     {"番号", "no"},
+                                     {"試験日", "test date"},
+                                     {"日付", "date"},
+                                     {"日時", "date time"},
+                                     {"ロット", "lot"},
+                                     {"試験温度", "test temperature"},
+                                     {"室温", "room temperature"},
+                                     {"温度", "temperature"},
+                                     {"ゴム総厚さ", "total rubber thickness"},
+                                     {"ゴム総厚", "total rubber thickness"},
+                                     {"ゴム厚", "rubber thickness"},
+                                     {"ゴム面積", "rubber area"},
+                                     {"経過時間", "time"},
+                                     {"時間", "time"},
+                                     {"時刻", "time"},
+                                     {"変位", "displacement"},
+                                     {"変形", "displacement"},
+                                     {"水平", "horizontal"},
+                                     {"鉛直", "vertical"},
+                                     {"垂直", "vertical"},
+                                     {"軸力", "axial force"},
+                                     {"せん断", "shear"},
+                                     {"荷重", "load"},
+                                     {"速度", "velocity"},
+                                     {"圧力", "pressure"},
+                                     {"面圧", "pressure"},
+                                     {"応力", "stress"},
+                                     {"ひずみ", "strain"},
+                                     {"歪", "strain"},
+                                     {"目標", "target"},
+                                     {"指令", "command"},
+                                     {"位移", "displacement"},
+                                     {"变形", "displacement"},
+                                     {"时间", "time"},
+                                     {"竖向", "vertical"},
+                                     {"豎向", "vertical"},
+                                     {"轴力", "axial force"},
+                                     {"剪力", "shear force"},
+                                     {"剪切", "shear"},
+                                     {"载荷", "load"},
+                                     {"荷载", "load"},
+                                     {"荷載", "load"},
+                                     {"压力", "pressure"},
+                                     {"应力", "stress"},
+                                     {"应变", "strain"},
+                                     {"序号", "no"},
+                                     {"가속도", "acceleration"},
+                                     {"속도", "velocity"},
+                                     {"시간", "time"},
+                                     {"변위", "displacement"},
+                                     {"변형률", "strain"},
+                                     {"변형", "displacement"},
+                                     {"수평", "horizontal"},
+                                     {"수직", "vertical"},
+                                     {"연직", "vertical"},
+                                     {"축력", "axial force"},
+                                     {"전단력", "shear force"},
+                                     {"전단", "shear"},
+                                     {"하중", "load"},
+                                     {"온도", "temperature"},
+                                     {"압력", "pressure"},
+                                     {"응력", "stress"},
+                                     {"힘", "force"},
+                                     {"번호", "no"},
+                                     // Russian without first letters and endings, which change with capitals and cases
+                                     {"еремещени", "displacement"},
+                                     {"мещени", "displacement"},
+                                     {"ремя", "time"},
+                                     {"силие", "force"},
+                                     {"силия", "force"},
+                                     {"Сила", "force"},
+                                     {"сила", "force"},
+                                     {"агрузк", "load"},
+                                     {"оризонтальн", "horizontal"},
+                                     {"ертикальн", "vertical"},
+                                     {"Осев", "axial"},
+                                     {"осев", "axial"},
+                                     {"двиг", "shear"},
+                                     {"скорени", "acceleration"},
+                                     {"корость", "velocity"},
+                                     {"емператур", "temperature"},
+                                     {"апряжени", "stress"},
+                                     {"力", "force"},
+                                     {"（", " ("},
+                                     {"）", ") "},
+                                     {"［", " ["},
+                                     {"］", "] "},
+                                     {"㎜", "mm"},
+                                     {"㎝", "cm"},
+                                     {"　", " "}};
 
 std::string narrow(std::string_view text) {
   std::string narrowed;
@@ -152,7 +205,7 @@ bool is_ascii(std::string_view text) {
 std::string translated(std::string_view text, bool words) {
   if (is_ascii(text)) return std::string(text);
   auto result = narrow(text);
-  for (auto const& [from, to] : japanese) {
+  for (auto const& [from, to] : translations) {
     bool const word = to.front() >= 'a' && to != "mm" && to != "cm";
     if (word && !words) continue;
     for (auto at = result.find(from); at != std::string::npos; at = result.find(from, at))
@@ -214,10 +267,11 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   return {};
 }
 
-// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm".
+// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm". Prefers brackets that
+// hold a plain unit to those that hold a unit with a factor.
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
-  std::optional<ColumnName> unknown;
+  std::optional<ColumnName> scaled, unknown;
   for (auto const& [open, close] : brackets) {
     auto const first = name.find(open);
     auto const last = name.find(close, first == std::string_view::npos ? 0 : first);
@@ -227,25 +281,31 @@ std::optional<ColumnName> split_brackets(std::string_view name) {
                      .unit = std::string(inside)};
     parts.base = trimmed(parts.base);
     if (parse_unit(inside)) return parts;
+    if (parse_unit_text(inside)) scaled = parts;
     constexpr std::size_t longest_unit = 8;
     bool const remark = meaning_of_words(words_of(inside)).channel || any_in(horizontal_words, words_of(inside)) ||
                         inside.size() > longest_unit || inside.empty() || (open == '(' && is_digit(inside.front()));
-    if (!remark && !unknown) unknown = parts;
+    if ((!remark || is_other_quantity(inside)) && !unknown) unknown = parts;
   }
-  return unknown;
+  return scaled ? scaled : unknown;
 }
 
-// Splits names that end in their unit: "displacement_cm", "Force, kN", "Kraft in kN", "F / kN".
+// Splits names that end in their unit: "displacement_cm", "Force, kN", "Kraft in kN", "F / kN", "Force x10 kN".
 std::optional<ColumnName> split_last_word(std::string_view name) {
-  auto const at = name.find_last_of(" _/,;:-");
+  constexpr std::string_view separators = " _/,;:-";
+  auto at = name.find_last_of(separators);
   if (at == std::string_view::npos || at == 0 || !parse_unit(name.substr(at + 1))) return std::nullopt;
   // In "Force min" and "x_t" the last word is no unit, although "min" and "t" can be units.
   auto const last = lower(name.substr(at + 1));
   auto const before = trimmed(name.substr(0, at + 1));
   bool const set_apart = before.ends_with(',') || before.ends_with('/') || before.ends_with(" in");
   if ((last == "t" || last == "min") && !set_apart) return std::nullopt;
+  if (auto const blank = name.find_last_of(' ', at - 1); blank != std::string_view::npos && name[at] == ' ') {
+    auto const scaled = parse_unit_text(name.substr(blank + 1));
+    if (scaled && scaled->is_certain && scaled->factor != 1.0) at = blank;
+  }
   auto base = name.substr(0, at);
-  auto const tail = base.find_last_not_of(" _/,;:-");
+  auto const tail = base.find_last_not_of(separators);
   if (tail == std::string_view::npos) return std::nullopt;
   base = base.substr(0, tail + 1);
   if (base.ends_with(" in")) base.remove_suffix(3);
@@ -258,7 +318,8 @@ Meaning meaning_of(std::string_view name) {
   auto const parts = dissect_name(name);
   auto const meaning = meaning_of_words(words_of(parts.base));
   if (meaning.channel || meaning.vertical_disp) return meaning;
-  return meaning_of_symbol(parts.base, parse_unit(parts.unit));
+  auto const unit = parse_unit_text(parts.unit);
+  return meaning_of_symbol(parts.base, unit ? std::optional(unit->unit) : std::nullopt);
 }
 
 bool is_counter(std::string_view name) {
@@ -272,14 +333,14 @@ std::vector<std::string> name_words(std::string_view name) {
   return words_of(name);
 }
 
-bool is_japanese(std::string_view name) {
-  return std::ranges::any_of(japanese, [&](auto const& each) {
+bool is_translated(std::string_view name) {
+  return std::ranges::any_of(translations, [&](auto const& each) {
     return each.words.front() >= 'a' && name.find(each.text) != std::string_view::npos;
   });
 }
 
 ColumnName dissect_name(std::string_view written) {
-  auto const ordinary = translated(written, false);
+  auto const ordinary = without_sensitivity(translated(written, false));
   auto const name = trimmed(ordinary);
   if (auto const parts = split_brackets(name)) return *parts;
   if (auto const parts = split_last_word(name)) return *parts;

@@ -17,9 +17,10 @@ struct ColumnName {
 };
 ColumnName dissect_name(std::string_view name);
 
-// The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Japanese words are translated.
+// The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Words in Japanese, Chinese,
+// Korean and Russian are translated.
 std::vector<std::string> name_words(std::string_view name);
-bool is_japanese(std::string_view name);
+bool is_translated(std::string_view name);  // has words in one of these languages
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };

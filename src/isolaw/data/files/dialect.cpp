@@ -145,6 +145,22 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousa
   return best;
 }
 
+// Whether the last column is empty in most rows: these end with the delimiter, and some others have a number behind it.
+bool has_sparse_last_column(std::span<std::string_view const> lines, Score const& score, char thousands) {
+  std::vector<std::string_view> cells;
+  std::size_t longer = 0;
+  for (auto const line : lines) {
+    split_cells(line, score.pair.delimiter, cells);
+    auto const is_number = [&](auto cell) {
+      return number_like(parse_cell(cell, {score.pair.decimal, thousands}).kind);
+    };
+    if (!std::ranges::all_of(cells, is_number)) continue;
+    if (cells.size() == score.columns && !trimmed(line).ends_with(score.pair.delimiter)) return false;
+    longer += cells.size() == score.columns + 1 ? 1u : 0u;
+  }
+  return longer > 0;
+}
+
 // The first 200 lines and about 800 from all over the file. More would be slow for a million lines.
 std::vector<std::string_view> sample_lines(std::span<std::string_view const> lines) {
   constexpr std::size_t first = 200;
@@ -270,6 +286,7 @@ void split_cells(std::string_view line, char delimiter, std::vector<std::string_
 void split_row(std::string_view line, Dialect const& dialect, std::vector<std::string_view>& cells) {
   split_cells(line, dialect.delimiter, cells);
   if (dialect.sheet) cells.resize(dialect.columns);
+  if (cells.size() + 1 == dialect.columns && trimmed(line).ends_with(dialect.delimiter)) cells.emplace_back();
 }
 
 bool is_comment(std::string_view line) {
@@ -327,11 +344,11 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   dialect.delimiter = best.pair.delimiter;
   dialect.decimal = best.pair.decimal;
   dialect.thousands = group;
-  dialect.columns = best.columns;
+  dialect.columns = best.columns + (has_sparse_last_column(sample, best, group) ? 1 : 0);
   study_columns(dialect, sample);
   dialect.why = fmt::format(
       "columns are separated by {}, decimals by a {}: {} of {} lines looked at read as rows of {}",
-      delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(), best.columns);
+      delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(), dialect.columns);
   if (!dialect.decimal_seen)
     dialect.why += " whole numbers (no decimal separator occurs)";
   else if (second.points > 0.1 * best.points)

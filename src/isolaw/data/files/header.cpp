@@ -9,6 +9,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/data/files/column_names.hpp"
 #include "isolaw/data/files/text.hpp"
+#include "isolaw/data/files/unit_text.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -106,7 +107,7 @@ UnitShare count_units(Names const& cells) {
   for (auto const& cell : cells) {
     if (trimmed(cell).empty() || cell == "-") continue;
     ++share.filled;
-    share.units += parse_unit(cell) ? 1u : 0u;
+    share.units += parse_unit_text(cell) ? 1u : 0u;
   }
   return share;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,17 @@ std::vector<std::string> texts_of(NumberColumn const& column) {
   return texts;
 }
 
+// The texts of the columns called "units" or "unit".
+std::vector<std::string> units_in(Branch const& part) {
+  std::vector<std::string> units;
+  for (auto const& column : part.columns)
+    if (lower(column.name) == "units" || lower(column.name) == "unit") {
+      auto texts = texts_of(column);
+      units.insert(units.end(), texts.begin(), texts.end());
+    }
+  return units;
+}
+
 bool is_table(Branch const& part) {
   constexpr std::size_t fewest = 3;
   if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // is refused if the user chooses it
@@ -79,6 +91,8 @@ class Handler {
   std::map<std::string, Branch> parts;                                 // tables by path
   std::map<std::pair<std::string, std::string>, Word> words;           // texts by path and key of their object
   std::map<std::string, std::vector<std::string>> lists, passed_over;  // paths of elements by their list's path
+  std::vector<std::string>
+      units_dropped;  // lists of units in elements without a table, whose other contents are dropped
   std::string refusal;
   std::size_t failed_at = 0;  // position of the syntax error in bytes, from 1
 
@@ -210,8 +224,10 @@ class Handler {
       channels = channels || !it->second.columns.empty();
       ++it;
     }
-    for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);)
+    for (auto it = parts.lower_bound(ended.path); it != parts.end() && it->first.starts_with(ended.path);) {
+      if (units_dropped.size() < most_words) std::ranges::move(units_in(it->second), std::back_inserter(units_dropped));
       it = it->second.element == ended.path ? parts.erase(it) : std::next(it);
+    }
     for (auto it = words.lower_bound({ended.path, ""}); it != words.end() && it->first.first.starts_with(ended.path);)
       it = it->second.element == ended.path ? words.erase(it) : std::next(it);
     auto& list = passed_over[stack_.back().path];
@@ -422,8 +438,17 @@ class Document {
     auto layout =
         fmt::format("JSON: {}{}", part.of_rows ? "an array whose elements are rows" : "arrays that are columns",
                     path.empty() ? "" : fmt::format(", under {}", in_quotes(path)));
-    return std::make_unique<NumberTable>(place, std::move(part.columns), part.of_rows ? "row" : "element",
-                                         std::move(layout), std::move(title));
+    auto result = std::make_unique<NumberTable>(place, std::move(part.columns), part.of_rows ? "row" : "element",
+                                                std::move(layout), std::move(title));
+    result->add_units_elsewhere(listed_units());
+    return result;
+  }
+
+  // The texts of all lists called "units", wherever they stand.
+  std::vector<std::string> listed_units() const {
+    auto units = handler_.units_dropped;
+    for (auto const& [path, part] : handler_.parts) std::ranges::move(units_in(part), std::back_inserter(units));
+    return units;
   }
 
   void settle(std::string const& path, Branch& part) {

@@ -57,7 +57,11 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
+// Whether the bytes begin with a matrix of level 4, which has no other mark.
+bool is_mat4(std::string_view bytes);
+
 // `bytes` must outlive the MatFile. Throws Error if the file is damaged or has more than most_variables.
+std::unique_ptr<MatFile> open_mat4(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat5(std::string_view bytes, std::string const& file);
 std::unique_ptr<MatFile> open_mat73(std::string_view bytes, std::string const& file);
 

@@ -218,12 +218,13 @@ MatColumns part_of(MatColumns const& all, std::string const& owner) {
 }  // namespace
 
 bool is_mat(std::string_view bytes) {
-  return bytes.starts_with("MATLAB 5.0 MAT-file") || bytes.starts_with("MATLAB 7.3 MAT-file");
+  return bytes.starts_with("MATLAB 5.0 MAT-file") || bytes.starts_with("MATLAB 7.3 MAT-file") || is_mat4(bytes);
 }
 
 Tests mat_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& owner) {
-  std::shared_ptr<MatFile const> mat =
-      bytes.starts_with("MATLAB 7.3") ? open_mat73(bytes, file) : open_mat5(bytes, file);
+  std::shared_ptr<MatFile const> mat = bytes.starts_with("MATLAB 7.3") ? open_mat73(bytes, file)
+                                       : bytes.starts_with("MATLAB ")  ? open_mat5(bytes, file)
+                                                                       : open_mat4(bytes, file);
   auto found = columns_of(mat->variables());
   if (!found.columns.empty()) add_stamps(*mat, unpacked_limit(bytes.size()) / bytes_per_sample, found);
   auto all = listing(mat->variables(), found);

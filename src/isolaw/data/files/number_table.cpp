@@ -58,6 +58,7 @@ void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoic
   for (std::size_t i = 0; i < raw.values.size(); ++i) {
     if (std::isfinite(raw.values[i]) || !choice.contains(i + 1)) continue;
     auto const odd = list_[column].odd_cells.find(i);
+    if (odd == list_[column].odd_cells.end() && choice.missing != MissingValues::refused) continue;
     if (odd != list_[column].odd_cells.end() && parse_stamp(odd->second))
       findings.add(i + 1, fmt::format("{} in {} is a time stamp", in_quotes(odd->second), raw.column),
                    "numbers, or time stamps of one kind in the whole column", "--columns time=none --dt SECONDS");
@@ -66,7 +67,7 @@ void NumberTable::report_odd(std::size_t column, RawChannel const& raw, RowChoic
                    leave_out);
     else
       findings.add(i + 1, fmt::format("'{}' in {} is not a finite number", raw.values[i], raw.column),
-                   "a finite number", leave_out + ", or test again");
+                   "a finite number", leave_out + std::string(or_missing));
   }
   findings.append_to(complaints);
 }
@@ -119,9 +120,9 @@ Rows NumberTable::read(ChannelColumns const& columns, RowChoice const& choice,
   auto const length = rows.channels.empty() ? 0 : rows.channels.front().values.size();
   rows.of = length;
   for (std::size_t i = 0; i < length; ++i) {
-    if (!choice.contains(i + 1) ||
-        !std::ranges::all_of(rows.channels, [&](auto const& raw) { return std::isfinite(raw.values[i]); }))
-      continue;
+    auto const is_finite = [&](auto const& raw) { return std::isfinite(raw.values[i]); };
+    bool const may_be_missing = choice.missing != MissingValues::refused;
+    if (!choice.contains(i + 1) || (!may_be_missing && !std::ranges::all_of(rows.channels, is_finite))) continue;
     for (auto& raw : rows.channels) raw.values[rows.numbers.size()] = raw.values[i];
     rows.numbers.push_back(i + 1);
   }

@@ -29,6 +29,8 @@ class NumberTable : public Table {
   NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
               std::string title = {});
 
+  void add_units_elsewhere(std::vector<std::string> units) { header_.units_elsewhere = std::move(units); }
+
   std::vector<Finding> recognised() const override { return {decision(FindingKind::file_format, recognised_)}; }
   Rows read(ChannelColumns const& columns, RowChoice const& choice, std::vector<Complaint>& complaints) const override;
 

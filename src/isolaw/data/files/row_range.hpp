@@ -15,6 +15,11 @@ struct RowRange {
   bool operator==(RowRange const&) const = default;
 };
 
+// The rows in which a channel has no value: they are refused, left out, or filled by linear interpolation in time, or
+// between rows if there is no time (option --missing).
+enum class MissingValues { refused, left_out, interpolated };
+inline constexpr std::string_view or_missing = "; --missing leave-out or --missing interpolate";
+
 // Parses "101:700", "101:" and ":700" (option --rows); throws Error on anything else.
 RowRange parse_rows(std::string_view text);
 std::string rows_text(RowRange const& range);

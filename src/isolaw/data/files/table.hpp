@@ -34,8 +34,11 @@ inline Finding decision(FindingKind kind, std::string text, std::string option =
 struct Column {
   std::size_t index = 0;                        // from 0
   std::optional<Unit> unit;                     // empty if missing or wrong; a complaint says so
+  double scale = 1.0;                           // a value of 1 in the file is `scale` units
   StampKind stamp = StampKind::none;            // kind of time stamps in the column
   std::optional<std::size_t> date_column = {};  // for times of day: the column with their dates
+
+  double in_record_units() const { return scale * unit->in_record_units; }
 };
 using ChannelColumns = std::map<Channel, Column>;
 
@@ -77,6 +80,7 @@ struct RowChoice {
   RowRange range;
   bool skip_footer = false;
   std::optional<DateOrder> date_order;
+  MissingValues missing = MissingValues::refused;  // if not refused, read() returns NaN for a missing value
   bool all() const { return range == RowRange{}; }
   bool contains(std::size_t number) const { return number >= range.first && (!range.last || number <= *range.last); }
 };

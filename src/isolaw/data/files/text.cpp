@@ -144,7 +144,10 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
     char const* name;
     std::string_view shown;
   };
-  for (auto const& [name, shown] : {Encoding{"CP932", "Shift-JIS"}, Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
+  for (auto const& [name, shown] :
+       {Encoding{"CP932", "Shift-JIS"}, Encoding{"GB18030", "GB 18030 (Chinese)"},
+        Encoding{"CP949", "Windows-949 (Korean)"}, Encoding{"CP1251", "Windows-1251 (Russian)"},
+        Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
     constexpr std::size_t head = 16384;  // bytes searched for names of channels, cut at the end of a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
@@ -154,10 +157,37 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
   return std::nullopt;
 }
 
-std::optional<std::string> decode_utf_16(std::string_view bytes) {
-  bool const little = bytes.starts_with("\xFF\xFE"sv), big = bytes.starts_with("\xFE\xFF"sv);
-  if (!little && !big) return std::nullopt;
-  return converted(bytes.substr(2), little ? "UTF-16LE" : "UTF-16BE");
+std::optional<LegacyText> decode_wide(std::string_view bytes) {
+  struct Encoding {
+    char const* name;
+    std::string_view mark, comma;  // how the byte order mark and a comma are written
+  };
+  // The mark of UTF-16LE begins that of UTF-32LE, so UTF-32 comes first.
+  constexpr std::array encodings{
+      Encoding{"UTF-32LE", "\xFF\xFE\0\0"sv, ",\0\0\0"sv}, Encoding{"UTF-32BE", "\0\0\xFE\xFF"sv, "\0\0\0,"sv},
+      Encoding{"UTF-16LE", "\xFF\xFE"sv, ",\0"sv}, Encoding{"UTF-16BE", "\xFE\xFF"sv, "\0,"sv}};
+  auto const decoded = [](std::string_view text, Encoding const& encoding) -> std::optional<LegacyText> {
+    auto utf8 = converted(text, encoding.name);
+    if (!utf8) return std::nullopt;
+    return LegacyText{std::move(*utf8), encoding.name};
+  };
+  for (auto const& each : encodings)
+    if (bytes.starts_with(each.mark)) return decoded(bytes.substr(each.mark.size()), each);
+  // Without a mark, text that is mostly ASCII shows its encoding by the places of its zeros.
+  constexpr std::size_t head = 400, least = 16;
+  auto const top = bytes.substr(0, head);
+  if (top.size() < least) return std::nullopt;
+  for (auto const& each : encodings) {
+    auto const width = each.comma.size();
+    std::size_t like_ascii = 0;
+    for (std::size_t i = 0; i + width <= top.size(); i += width) {
+      bool same = true;
+      for (std::size_t k = 0; k < width; ++k) same = same && (top[i + k] == '\0') == (each.comma[k] == '\0');
+      like_ascii += same ? 1u : 0u;
+    }
+    if (10 * like_ascii * width >= 7 * top.size()) return decoded(bytes, each);
+  }
+  return std::nullopt;
 }
 
 std::string load_text(std::filesystem::path const& file) {

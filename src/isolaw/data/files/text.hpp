@@ -20,8 +20,6 @@ inline constexpr std::size_t longest_line = 32'768;  // bytes
 
 // Throws Error if the file does not exist, is no plain file, cannot be read, or exceeds largest_file_bytes.
 std::string load_text(std::filesystem::path const& file);
-// Converts UTF-16 to UTF-8. nullopt if the bytes have no byte order mark of UTF-16, or are not valid.
-std::optional<std::string> decode_utf_16(std::string_view bytes);
 // Throws Error if the bytes are empty, are binary, or exceed most_lines or longest_line.
 void check_text(std::string const& where, std::string_view bytes);
 
@@ -33,13 +31,16 @@ struct Lines {
 // Lines may end with LF, CRLF or CR in the same file.
 Lines split_lines(std::string_view bytes);
 
-// Text converted from Shift-JIS or Windows-1254 (Turkish), if `names_channels` then finds a channel's name in it.
+// Text converted from a Japanese, Chinese, Korean, Russian or Turkish encoding, if `names_channels` then finds a channel's name in it.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;
 };
 std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_channels)(std::string_view));
 
+// Converts UTF-16 or UTF-32, with or without a byte order mark, to UTF-8. nullopt if the bytes are not valid or are
+// something else.
+std::optional<LegacyText> decode_wide(std::string_view bytes);
 std::string to_utf8(std::string_view bytes);
 
 // Turns text into ASCII: "Déplacement" -> "Deplacement". Other characters become blanks. Keeps upper and lower case.

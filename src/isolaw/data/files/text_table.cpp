@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <ranges>
 #include <span>
 
@@ -204,6 +205,10 @@ class RowReader {
       auto const parsed = parse_cell(cell, dialect_.format());
       row_[k] = parsed.value;
       if (parsed.kind == CellKind::number) continue;
+      if (may_be_missing(parsed.kind)) {
+        row_[k] = std::numeric_limits<double>::quiet_NaN();
+        continue;
+      }
       if (good) report_cell(i, k, cell, parsed.kind);  // only the first bad cell of a row
       good = false;
     }
@@ -212,6 +217,10 @@ class RowReader {
       if (k != stamped_) rows_.channels[k].values.push_back(row_[k]);
     if (stamp) stamps_.push_back(*stamp);
     rows_.numbers.push_back(i + 1);
+  }
+
+  bool may_be_missing(CellKind kind) const {
+    return choice_.missing != MissingValues::refused && (kind == CellKind::empty || kind == CellKind::not_finite);
   }
 
   // Advises what to do about rows that cannot be read. The first call looks for such rows in the whole table, and later
@@ -230,7 +239,10 @@ class RowReader {
     split_row(lines_[i], dialect_, cells);
     if (cells.size() != dialect_.columns) return false;
     for (std::size_t k = 0; k < indices_.size(); ++k)
-      if (k != stamped_ && parse_cell(cells[indices_[k]], dialect_.format()).kind != CellKind::number) return false;
+      if (k != stamped_) {
+        auto const kind = parse_cell(cells[indices_[k]], dialect_.format()).kind;
+        if (kind != CellKind::number && !may_be_missing(kind)) return false;
+      }
     return true;
   }
   bool is_row(std::size_t i) const { return !is_comment(lines_[i]) && !is_blank(lines_[i], dialect_.delimiter); }
@@ -248,9 +260,9 @@ class RowReader {
                    fmt::format("--thousands {}", group_in(cell, dialect_.decimal)->typed));
     else if (kind == CellKind::not_finite)
       numbers_.add(i + 1, fmt::format("{} in {} is not a finite number", in_quotes(cell), column), "a finite number",
-                   leave_out() + ", or test again");
+                   leave_out() + std::string(or_missing));
     else if (kind == CellKind::empty)
-      numbers_.add(i + 1, column + " is empty", "a number", leave_out());
+      numbers_.add(i + 1, column + " is empty", "a number", leave_out() + std::string(or_missing));
     else if (dialect_.sheet)
       numbers_.add(i + 1,
                    fmt::format("{} in {} is {}, not a number", in_quotes(cell), column,
@@ -430,7 +442,7 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Whether a cell names a channel in Turkish or Japanese, which shows that the text was decoded correctly.
+// Whether a cell names a channel in Turkish or in a language without Latin letters, which shows that the text was decoded correctly.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };
@@ -439,7 +451,7 @@ bool has_foreign_names(std::string_view utf8) {
       word += utf8[i];
       continue;
     }
-    if (names_a_channel(word) && (has_turkish_letters(word) || is_japanese(word))) return true;
+    if (names_a_channel(word) && (has_turkish_letters(word) || is_translated(word))) return true;
     word.clear();
   }
   return false;
@@ -458,11 +470,10 @@ void refuse_width(std::string const& file, Dialect const& dialect) {
 
 Tests text_tests(std::string_view bytes, std::string const& file, TextOptions const& options) {
   auto page = std::make_shared<Page>();
-  auto two_byte = decode_utf_16(bytes);
-  if (two_byte) bytes = *two_byte;
+  auto legacy = decode_wide(bytes);
+  if (legacy) bytes = legacy->utf8;
   check_text(file, bytes);
-  auto legacy =
-      two_byte ? std::optional(LegacyText{std::move(*two_byte), "UTF-16"}) : decode_legacy(bytes, has_foreign_names);
+  if (!legacy) legacy = decode_legacy(bytes, has_foreign_names);
   if (legacy) {
     page->owned = std::move(legacy->utf8);
     bytes = page->owned;
