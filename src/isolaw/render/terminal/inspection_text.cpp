@@ -72,6 +72,7 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
     add(text, "{} cycle{} of {:.4g} {}", counted.size(), counted.size() == 1 ? "" : "s",
         length.factor * block.amplitude_mm, length.unit);
   if (block.frequency_Hz) add(text, " at {:.4g} Hz", *block.frequency_Hz);
+  if (block.sweep_Hz) add(text, " in a sweep of {:.3g} to {:.3g} Hz", block.sweep_Hz->first, block.sweep_Hz->second);
   if (!block.waveform.empty()) add(text, ", {}", block.waveform);
   if (block.v_max_mm_s) add(text, ", v max {:.4g} {}", speed.factor * *block.v_max_mm_s, speed.unit);
   if (device.rubber_thickness_mm && !counted.empty())
