@@ -348,7 +348,7 @@ std::span<Row const> rows() {
           "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
       doubt(
           stiffness_rises, "stiffness-rises", caution, one_sentence,
-          "the stiffness rises by {percent:2} % <from cycle {from_cycle} to cycle {cycle} of block {block}[, at about {time_s:4} s]>, at the same amplitude. Rubber softens from cycle to cycle: the gain of a channel may have changed, and K_eff of the cycles before or after is then wrong by this share."),
+          "the force rises by {percent:2} %, and the stiffness with it, <from cycle {from_cycle} to cycle {cycle} of block {block}[, at about {time_s:4} s]>, at the same amplitude. Rubber softens from cycle to cycle: the gain of a channel may have changed, and K_eff of the cycles before or after is then wrong by this share."),
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
       doubt(
           lag_grows, "lag-grows", caution, one_sentence,

@@ -13,10 +13,12 @@ namespace isolaw::data {
 namespace {
 
 constexpr double least_rise = 0.03;      // share; a true device of one amplitude rises by less
-constexpr double rise_deviations = 5.0;  // standard deviations of the slope by noise
+constexpr double rise_deviations = 5.0;  // standard deviations by noise
 constexpr double most_outside = 0.35;    // times a step; a drift changes as much outside the cycle of a step
 constexpr double least_step = 0.02;      // times the amplitude
 constexpr double least_ratio = 0.05;     // share by which the forces of two directions must differ
+constexpr double better_by = 3.0;        // times; rms that a factor leaves, under what an offset leaves
+constexpr double same_at_peaks = 0.3;
 constexpr double same_in_disp = 0.3;     // times the asymmetry of force; more in displacement is the motion's own
 constexpr double line_contrast = 4.0;    // times all neighbouring lines
 constexpr double lowest_line = 10.0;     // times the test's frequency
@@ -35,25 +37,22 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   return cycles;
 }
 
-// Slope of the force over displacement in a cycle, by least squares. Unlike a force at a peak, it hardly depends on noise.
-struct Slope {
-  double kN_per_mm = 0.0, deviation = 0.0;
+// Standard deviation of the force in a cycle over that of displacement. A gain changes it as it changes the stiffness,
+// which noise and friction at the peaks change too.
+struct Size {
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: by noise, as a share
 };
-Slope slope_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
+Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
   auto const end = static_cast<std::size_t>(std::ceil(cycle.last));
-  double n = 0.0, x = 0.0, F = 0.0, xx = 0.0, xF = 0.0;
-  for (auto i = begin; i < end; ++i) {
-    n += 1.0;
-    x += view.disp_mm[i];
-    F += view.force_kN[i];
-  }
-  for (auto i = begin; i < end; ++i) {
-    double const from_mean = view.disp_mm[i] - x / n;
-    xx += from_mean * from_mean;
-    xF += from_mean * (view.force_kN[i] - F / n);
-  }
-  return {.kN_per_mm = xF / xx, .deviation = noise_kN / std::sqrt(xx)};
+  auto const squares = [&](std::span<double const> values) {
+    double mean = 0.0, sum = 0.0;
+    for (auto i = begin; i < end; ++i) mean += values[i] / static_cast<double>(end - begin);
+    for (auto i = begin; i < end; ++i) sum += (values[i] - mean) * (values[i] - mean);
+    return sum;
+  };
+  double const xx = squares(view.disp_mm), FF = squares(view.force_kN);
+  return {.kN_per_mm = std::sqrt(FF / xx), .deviation = noise_kN / std::sqrt(FF)};
 }
 
 // A channel over a block, beside its values one cycle before.
@@ -180,8 +179,8 @@ std::optional<double> mains_seen_at(double seen_Hz, double rate_Hz, double toler
 std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& block) {
   auto const cycles = block.counted();
   double const noise = noise_deviation(view.force_kN);
-  std::vector<Slope> slopes;
-  for (auto const* cycle : cycles) slopes.push_back(slope_of(*cycle, view, noise));
+  std::vector<Size> sizes;
+  for (auto const* cycle : cycles) sizes.push_back(size_of(*cycle, view, noise));
   std::optional<StiffnessRise> found;
   std::size_t least = 1;  // the first cycle starts from rest, off its later loop
   for (std::size_t k = 2; k < cycles.size(); ++k) {
@@ -189,17 +188,17 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       least = k;  // a device recovers in a rest
       continue;
     }
-    auto const share_from = [&](std::size_t from) { return slopes[k].kN_per_mm / slopes[from].kN_per_mm - 1.0; };
-    // A device that softens with its displacement is stiffer in a smaller cycle.
-    double const allowed =
-        least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
-        rise_deviations * std::hypot(slopes[k].deviation, slopes[least].deviation) / std::abs(slopes[least].kN_per_mm);
+    auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
+    // A device that softens with its displacement is stiffer in a smaller cycle, and a steep reversal changes the size by
+    // about the share of one sample.
+    double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
+                           1.0 / (cycles[k]->last - cycles[k]->first) +
+                           rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
     constexpr double most_of_it = 0.8, clearly_more = 1.1;
     auto const from = share_from(k - 1) > most_of_it * share_from(least) ? k - 1 : least;
-    if (slopes[least].kN_per_mm > 0.0 && share_from(least) > allowed &&
-        (!found || share_from(from) > clearly_more * found->share))
+    if (share_from(least) > allowed && (!found || share_from(from) > clearly_more * found->share))
       found = {.from_cycle = cycles[from]->number, .cycle = cycles[k]->number, .share = share_from(from), .at = {}};
-    if (slopes[k].kN_per_mm < slopes[least].kN_per_mm) least = k;
+    if (sizes[k].kN_per_mm < sizes[least].kN_per_mm) least = k;
   }
   if (!found) return found;
   auto const whole = unbroken(block, 4);
@@ -213,7 +212,7 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
   // The mean of a value and its opposite, half a cycle before and after, over half their difference.
-  auto const fitted = [&](std::span<double const> values) {
+  auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {
       double const half = (cycles[k]->last - cycles[k]->first) / 2.0;
@@ -225,22 +224,22 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
         sums.add(std::abs(values[i] - opposite) / 2.0, (values[i] + opposite) / 2.0);
       }
     }
-    return sums.fitted();
+    return sums;
   };
-  auto const force = fitted(view.force_kN), disp = fitted(view.disp_mm);
-  auto const& last = *cycles.back();
-  double const amplitude = std::abs(last.F_plus_kN - last.F_minus_kN) / 2.0;
-  Asymmetry found{.ratio = (1.0 + force.gain) / (1.0 - force.gain), .offset_kN = force.offset};
-  double const by_gain = std::abs(force.gain) * amplitude;
-  double peaks = 0.0, asymmetry_of_peaks = 0.0;
+  auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
+  double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
+  // Mean squares that remain of the difference if it is in proportion to the force, and if it is constant.
+  double const by_gain = (force.dd - gain * force.bd) / force.n,
+               by_offset = (force.dd - force.d * force.d / force.n) / force.n;
+  double peaks = 0.0, difference_of_peaks = 0.0;
   for (auto const* cycle : cycles | std::views::drop(1)) {
     peaks += cycle->F_plus_kN - cycle->F_minus_kN;
-    asymmetry_of_peaks += cycle->F_plus_kN + cycle->F_minus_kN;
+    difference_of_peaks += cycle->F_plus_kN + cycle->F_minus_kN;
   }
-  double const at_peaks = (asymmetry_of_peaks - 2.0 * force.offset * static_cast<double>(cycles.size() - 1)) / peaks;
-  found.is_of_gain = std::abs(found.ratio - 1.0) > least_ratio && by_gain > std::abs(force.offset) &&
-                     by_gain > 2.0 * force.left && std::abs(at_peaks / force.gain - 1.0) < 0.3 &&
-                     std::abs(disp.gain) < same_in_disp * std::abs(force.gain);
+  Asymmetry found{.ratio = (1.0 + gain) / (1.0 - gain)};
+  found.is_of_gain = std::abs(found.ratio - 1.0) > least_ratio && better_by * better_by * by_gain < by_offset &&
+                     std::abs(difference_of_peaks / peaks / gain - 1.0) < same_at_peaks &&
+                     std::abs(disp_gain) < same_in_disp * std::abs(gain);
   return found;
 }
 

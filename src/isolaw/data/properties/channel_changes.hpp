@@ -11,10 +11,10 @@
 
 namespace isolaw::data {
 
-// The stiffness rises between two cycles of one amplitude that no rest separates.
+// The force, and with it the stiffness, rises between two cycles of one amplitude that no rest separates.
 struct StiffnessRise {
   int from_cycle = 0, cycle = 0;
-  double share = 0.0;        // rise over the stiffness before
+  double share = 0.0;        // rise over the force before
   std::optional<double> at;  // sample index at which the gain of the force changed, if it changed at once
 };
 std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& block);
@@ -22,8 +22,7 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 // The forces of the two directions differ by a factor, and displacement does not.
 struct Asymmetry {
   double ratio = 1.0;       // forces for positive displacement over those for negative displacement
-  double offset_kN = 0.0;   // constant part of the difference
-  bool is_of_gain = false;  // the factor explains the difference better than the constant or the shape of the loop does
+  bool is_of_gain = false;  // the factor explains the difference three times as well as an offset does
 };
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block);
 
