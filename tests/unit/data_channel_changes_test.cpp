@@ -8,6 +8,7 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -307,6 +308,86 @@ TEST(ChannelChanges, none_is_reported_of_the_laws) {
       count_kinds(counts, record.view(), std::string(law.info.id) + " " + record.text);
     }
   expect_rare(counts);
+}
+
+// --- how often they are found ---
+
+struct PutFault {
+  FindingKind kind;
+  int least_percent;  // of the records in which it is found
+  // Puts the fault into a record. Returns its time in s or its frequency in Hz, if the warning must say this.
+  std::function<std::optional<double>(Recording&, Plan const&, Drawn&)> put;
+};
+
+TEST(ChannelChanges, faults_of_random_records_are_found) {
+  auto const after = [](Recording& record, Plan const& plan, Drawn& random, auto change) {
+    double const from_s = random.between(2.0, plan.cycles - 1.0) / plan.frequency_Hz;
+    for (std::size_t i = 0; i < record.time_s.size(); ++i)
+      if (record.time_s[i] > from_s) change(record.force_kN_[i]);
+    return std::optional(from_s);
+  };
+  std::vector<PutFault> const faults{
+      {FindingKind::stiffness_rises, 98,
+       [&](Recording& record, Plan const& plan, Drawn& random) {
+         double const gain = random.between(1.05, 1.2);
+         return after(record, plan, random, [&](double& F) { F *= gain; });
+       }},
+      {FindingKind::offset_steps, 97,
+       [&](Recording& record, Plan const& plan, Drawn& random) {
+         double const step = random.between(0.04, 0.15) * record.force_kN;
+         return after(record, plan, random, [&](double& F) { F += step; });
+       }},
+      {FindingKind::gain_of_one_side, 75,
+       [](Recording& record, Plan const&, Drawn& random) {
+         double const gain = random.between(1.08, 1.2);
+         for (double& F : record.force_kN_)
+           if (F > 0.0) F *= gain;
+         return std::optional<double>();
+       }},
+      {FindingKind::hum, 88,
+       [](Recording& record, Plan const& plan, Drawn& random) {
+         double const size = random.between(0.02, 0.1) * record.force_kN, phase = random.between(0.0, 6.0),
+                      frequency = plan.frequency_Hz * random.between(12.0, plan.samples / 2.0);
+         for (std::size_t i = 0; i < record.time_s.size(); ++i)
+           record.force_kN_[i] += size * std::sin(2.0 * pi * frequency * record.time_s[i] + phase);
+         return std::optional(frequency);
+       }},
+      {FindingKind::lag_grows, 45, [](Recording& record, Plan const& plan, Drawn& random) {
+         auto const sound = record.force_kN_;
+         double const growth =
+             random.between(0.08, 0.15) / (2.0 * pi) * plan.samples / static_cast<double>(sound.size());
+         for (std::size_t i = 0; i < sound.size(); ++i)
+           record.force_kN_[i] = value_at(sound, (1.0 - growth) * static_cast<double>(i));
+         return std::optional<double>();
+       }}};
+  for (auto const& fault : faults) {
+    int drawn = 0, found = 0, wrong = 0;
+    for (unsigned seed = 0; seed < 600; ++seed) {
+      Drawn random(700000 + seed);
+      auto plan = draw(random, {.fewest_samples = 40}, false);
+      plan.cycles = std::max(plan.cycles, 5);
+      plan.samples = std::min(plan.samples, 4000 / plan.cycles);
+      if (plan.waveform == Waveform::stages) plan.waveform = Waveform::sine;
+      if (plan.device == Device::friction) continue;
+      auto record = finish(random, plan, true_motion(plan));
+      auto const put = fault.put(record, plan, random);
+      auto const properties = cyclic_properties(record.view());
+      if (!properties.reported) continue;
+      ++drawn;
+      auto const budget = error_budget(record.view(), properties);
+      auto const* said = find(budget, fault.kind);
+      if (said == nullptr) continue;
+      ++found;
+      bool const timed = fault.kind != FindingKind::hum;
+      if (put && std::abs(said->number(timed ? "time_s" : "frequency_Hz") - *put) >
+                     (timed ? 0.25 / plan.frequency_Hz : 0.5 * plan.frequency_Hz))
+        ++wrong;
+    }
+    std::cout << wording::row(fault.kind).key << ": " << found << " of " << drawn << ", " << wrong << " elsewhere\n";
+    EXPECT_GT(drawn, 400);
+    EXPECT_GE(100 * found, fault.least_percent * drawn) << wording::row(fault.kind).key;
+    EXPECT_LE(50 * wrong, drawn) << wording::row(fault.kind).key;
+  }
 }
 
 // --- steep reversals are no spikes ---

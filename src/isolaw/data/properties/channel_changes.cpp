@@ -27,12 +27,13 @@ constexpr double least_line = 0.001;     // times the amplitude
 constexpr double most_uneven = 0.1;      // times the sampling interval
 constexpr std::size_t most_transformed = 65536;
 
-// The counted cycles of a block, if they follow one another without a rest and number `fewest` or more.
+// The counted cycles of a block, if they follow one another without a rest and number `fewest` or more. The first may
+// start with a rest.
 std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   auto cycles = block.counted();
   bool broken = cycles.size() < fewest;
-  for (std::size_t k = 0; k < cycles.size(); ++k)
-    broken = broken || cycles[k]->still_samples > 0.0 || (k > 0 && cycles[k]->first != cycles[k - 1]->last);
+  for (std::size_t k = 1; k < cycles.size(); ++k)
+    broken = broken || cycles[k]->still_samples > 0.0 || cycles[k]->first != cycles[k - 1]->last;
   if (broken) cycles.clear();
   return cycles;
 }
@@ -65,7 +66,7 @@ struct Repeats {
 // Leaves out the first counted cycle, in which rubber softens unevenly. Force is compared at the same phase between the
 // cuts of the cycles. A jump of displacement moves these cuts, so displacement is compared after a constant time.
 Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, Along channel) {
-  double const period = (cycles.back()->last - cycles.front()->first) / static_cast<double>(cycles.size());
+  double const period = (cycles.back()->last - cycles[1]->first) / static_cast<double>(cycles.size() - 1);
   Repeats repeats{.begin = static_cast<std::size_t>(std::ceil(cycles[2]->first)),
                   .period = static_cast<std::size_t>(std::lround(period))};
   std::size_t k = 2;
