@@ -77,6 +77,17 @@ TEST(ErrorBudget, FewSamples) {
   EXPECT_TRUE(find(budget, "samples per cycle")->exceeds);
 }
 
+// The corner of a triangle of 80 samples may lie 2.5 % of the amplitude beyond the largest sample.
+TEST(ErrorBudget, FewSamplesOfATriangle) {
+  Motion motion;
+  motion.dt_s = 0.025;
+  for (int k = 0; k < 4; ++k) motion.ramp(0.0, 100.0, 0.5).ramp(100.0, -100.0, 1.0).ramp(-100.0, 0.0, 0.5);
+  auto const budget = budget_of(motion.end().loop());
+  EXPECT_TRUE(
+      says(budget.warnings, "80.0 samples per cycle: energy comes out up to 2.5 % too small, and a peak up to 2.5 %"));
+  EXPECT_DOUBLE_EQ(find(budget, "peak missed between samples")->value, corner_loss_percent(80.0));
+}
+
 TEST(ErrorBudget, ALateForceIsWarnedOfInMilliseconds) {
   for (double const late : {0.010, 0.015, 0.020}) {
     auto const budget = budget_of(skewed(late));

@@ -205,6 +205,9 @@ TEST(Verdicts, NeedTheConditionsOfTheSet) {
   expect_parts(line(tested, parse_design("K_eff=1.2,disp=100,frequency=0.5")).reason, {"design values hold at 0.5 Hz"});
   tested.frequency_Hz.reset();
   expect_parts(line(tested, design()).reason, {"test frequency not known"});
+  tested.sweep_Hz = {0.05, 1.0};
+  EXPECT_EQ(line(tested, design()).verdict, Verdict::not_assessed);
+  expect_parts(line(tested, design()).reason, {"test frequency changes from 0.05 to 1 Hz within the test"});
   expect_parts(line(block(), parse_design("K_eff=1.2,disp=106")).reason,
                {"amplitude 100 mm, design values hold at 106 mm within 5 %"});
   expect_parts(line(block(), parse_design("K_eff=1.2")).reason, {"give disp=MM"});

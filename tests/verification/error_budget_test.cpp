@@ -103,6 +103,26 @@ TEST_P(Sampling, OfAnExponentialLoop) {
   EXPECT_LT(std::abs(100.0 * (1.0 - cycle.energy_kN_mm / exact)), 2.0 * energy_loss_percent(N));
 }
 
+// A rigid-plastic device in a triangle: its loop has four corners, two of them at the peaks. Whether a sample lies on a
+// peak or the peak lies halfway between two samples, the loop loses the share 2 / N of its area. In the second case the
+// peak is missed by the same share.
+TEST_P(Sampling, OfATriangleLosesItsCorners) {
+  int const N = GetParam();
+  for (double const start : {0.0, 0.5}) {
+    std::vector<double> time, disp, force;
+    for (int i = 0; i <= 4 * N + 1; ++i) {
+      double const part = std::fmod((i + start) / N, 1.0);
+      bool const rises = part <= 0.25 || part > 0.75;
+      time.push_back(i / (f * N));
+      disp.push_back(D * (part <= 0.25 ? 4.0 * part : part <= 0.75 ? 2.0 - 4.0 * part : 4.0 * part - 4.0));
+      force.push_back(K2 * disp.back() + (rises ? Qd : -Qd));
+    }
+    auto const cycle = *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
+    EXPECT_NEAR(100.0 * (1.0 - cycle.energy_kN_mm / (4.0 * Qd * D)), corner_loss_percent(N), 1e-6) << start;
+    EXPECT_NEAR(100.0 * (1.0 - cycle.amplitude_mm / D), start == 0.0 ? 0.0 : corner_loss_percent(N), 1e-6);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(PerCycle, Sampling, ::testing::Values(20, 48, 100, 200));
 
 // --- skew of 10 ms at 0.5 Hz, epsilon = 2 pi f dt = 0.0314 rad ------------------------------------------------------

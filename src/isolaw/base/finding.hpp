@@ -45,8 +45,9 @@ enum class FindingKind {
   vertical_test_refused,
   // Doubts about the values in a record.
   units_implausible, motion_implausible, force_beyond_load, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
-  about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
-  noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
+  about_acceleration, cycle_unlike_neighbours, stiffness_rises, force_late, lag_grows, friction_in_force, samples_few,
+  time_uneven, time_jumps, noise, hum, drift, offset_steps, loop_open, speed_off, frequency_sweeps, off_centre,
+  gain_of_one_side, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused, direction_unread,
   values_uncorrected, uncorrected_without_properties, uncorrected_not_known,

@@ -129,6 +129,11 @@ void take_design_value(std::string_view part, Design& design, std::vector<Compla
   design.*(known->member) = *value;
 }
 
+std::string sweep_of(BlockValues const& block) {
+  return fmt::format("test frequency changes from {:.3g} to {:.3g} Hz within the test", block.sweep_Hz->first,
+                     block.sweep_Hz->second);
+}
+
 }  // namespace
 
 double peak_to_peak(data::Cycle const& cycle, Quantity quantity) {
@@ -211,11 +216,15 @@ std::vector<std::string> unmet_conditions(RuleSet const& rules, BlockValues cons
   if (!test.frequencies_Hz.empty()) {
     double const tolerance = test.frequency_tolerance_percent.value_or(0.0);
     auto const asked = fmt::format("{:g} Hz within {:g} %", fmt::join(test.frequencies_Hz, " or "), tolerance);
-    if (!block.frequency_Hz)
+    if (block.sweep_Hz)
+      note(fmt::format("{}, {} asked for", sweep_of(block), asked));
+    else if (!block.frequency_Hz)
       note(fmt::format("test frequency not known, {} asked for: give the time or the sampling interval", asked));
     else if (!is_near_any(*block.frequency_Hz, test.frequencies_Hz, tolerance))
       note(fmt::format("test frequency {:.4g} Hz, {} asked for", *block.frequency_Hz, asked));
   }
+  if (design.frequency_Hz && block.sweep_Hz)
+    note(fmt::format("{}, design values hold at {:.4g} Hz", sweep_of(block), *design.frequency_Hz));
   if (design.frequency_Hz && block.frequency_Hz && test.frequency_tolerance_percent &&
       !is_near(*block.frequency_Hz, *design.frequency_Hz, *test.frequency_tolerance_percent))
     note(fmt::format("test frequency {:.4g} Hz, design values hold at {:.4g} Hz", *block.frequency_Hz,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "isolaw/data/properties/properties.hpp"
@@ -25,8 +26,9 @@ struct BlockValues {
   int number = 0;  // number of the block in its record, from 1
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz = {}, shear_strain_percent = {}, load_mean_kN = {};
-  std::vector<data::Cycle> cycles = {};  // the counted cycles, in order
-  VerticalValue vertical = {};           // K_v of the device, the same for every block
+  std::optional<std::pair<double, double>> sweep_Hz = {};  // as in data::Block
+  std::vector<data::Cycle> cycles = {};                    // the counted cycles, in order
+  VerticalValue vertical = {};                             // K_v of the device, the same for every block
 
   data::Cycle const* find(int cycle) const;
 };

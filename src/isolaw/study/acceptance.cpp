@@ -16,6 +16,7 @@ rules::BlockValues values_of(data::Block const& block, AssessedTest const& test)
                             .amplitude_mm = block.amplitude_mm,
                             .frequency_Hz = block.frequency_Hz,
                             .load_mean_kN = mean_load_kN(block),
+                            .sweep_Hz = block.sweep_Hz,
                             .vertical = test.vertical};
   if (test.rubber_thickness_mm) values.shear_strain_percent = 100.0 * block.amplitude_mm / *test.rubber_thickness_mm;
   for (auto const* cycle : block.counted()) values.cycles.push_back(*cycle);

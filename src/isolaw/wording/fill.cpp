@@ -69,6 +69,7 @@ constexpr Phrase phrases[]{
     {"several_laws", "yes", ""},
     {"only_law", "yes", ""},
     {"some", "yes", ""},
+    {"up_to", "yes", ""},
     {"reduced", "yes", ", in its reduced form"},
     {"fit_cycles", "open", " To fit the first or the last cycles, use --fit-cycles."},
     {"objectives", "",

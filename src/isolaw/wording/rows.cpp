@@ -358,11 +358,17 @@ std::span<Row const> rows() {
       doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
           "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
+      doubt(
+          stiffness_rises, "stiffness-rises", caution, one_sentence,
+          "the force rises by {percent:2} %, and the stiffness with it, <from cycle {from_cycle} to cycle {cycle} of block {block}[, at about {time_s:4} s]>, at the same amplitude. Rubber softens from cycle to cycle: the gain of a channel may have changed, and K_eff of the cycles before or after is then wrong by this share."),
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
+      doubt(
+          lag_grows, "lag-grows", caution, one_sentence,
+          "the delay of the force behind displacement changes within the test: <{first_ms:3} ms in cycle {from_cycle} and {last_ms:3} ms in cycle {to_cycle} of block {block}; {reported_ms:3} ms in the reported cycle {cycle}> (+- {uncertainty_ms:2} ms, {reversals} reversals). The clocks of the channels may differ. The damping of the reported cycle comes out about {damping_points:2} points too small (pi f dt); --skew-ms moves all cycles by one time and cannot correct this."),
       doubt(friction_in_force, "friction-in-force", caution, one_sentence, "", wording::jump_of_force),
       doubt(
           samples_few, "samples-few", caution, one_sentence,
-          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %. Use {wanted} or more."),
+          "{samples:.1f} samples per cycle: energy comes out [{up_to}up to ]{energy_percent:2} % too small, and a peak up to {peak_percent:2} %. Use {wanted} or more."),
       doubt(time_uneven, "time-uneven", caution, one_sentence,
             "sampling is not uniform: <intervals from {least_s:6} to {largest_s:6} s>, {mean_s:6} s on average."),
       doubt(
@@ -372,15 +378,27 @@ std::span<Row const> rows() {
           noise, "noise", caution, one_sentence,
           "noise of {disp_mm:2} in displacement ({disp_percent:2} % of the amplitude) and of {force_kN:2} in force ({force_percent:2} %). The extremes of a cycle lie about {beyond_percent:2} % too far out and K_eff comes out at least as much too small; besides, K_eff of one cycle is uncertain by {scatter_percent:2} % (one standard deviation)."),
       doubt(
+          hum, "hum", caution, by_words,
+          "{channel} holds an oscillation of <{amplitude:unit3} at {frequency_Hz:4} Hz>, {percent:2} % of its amplitude, besides the motion of the test[; it may be hum of the mains' {mains_Hz} Hz][, which {rate_Hz:4} samples a second show at this frequency]. K_eff of one cycle may be wrong by up to {percent:2} %, and its damping by as much."),
+      doubt(
           drift, "drift", caution, by_words,
           "{channel} drifts: the middle of its cycles moves by <{drift:unit3} through block {block}>, {percent:2} % of the whole travel (limit {limit_percent} %)."),
+      doubt(
+          offset_steps, "offset-steps", caution, by_words,
+          "{channel} jumps by <{step:unit3}[ at about {time_s:4} s] in block {block}>, {percent:2} % of the whole travel (limit {limit_percent} %): its zero moved at once, which is no drift. The values of the cycle in which it jumps are wrong, and F/d of one side is wrong before or after."),
       doubt(
           loop_open, "loop-open", caution, one_sentence,
           "<cycle {cycle} of block {block} ends {closure_mm:3} from where it starts>, {percent:2} % of the whole travel (limit {limit_percent} %). The energy may be wrong by this gap times the force, {energy_kN_mm:3}."),
       doubt(speed_off, "speed-off", caution, by_words, "", wording::largest_speed),
       doubt(
+          frequency_sweeps, "frequency-sweeps", caution, one_sentence,
+          "the frequency changes from cycle to cycle, <from {first_Hz:3} Hz in the first to {last_Hz:3} Hz in the last> (a sweep). The values of a cycle belong to the frequency of that cycle, and no rule set judges these cycles by a frequency."),
+      doubt(
           off_centre, "off-centre", caution, by_words,
           "{channel} is off centre by <{offset:unit4} in cycle {cycle} of block {block}>, {percent:2} % of its amplitude. This does not change peak-to-peak stiffness and energy; it changes F/d of one side and the laws. `isolaw calibrate --center` removes it."),
+      doubt(
+          gain_of_one_side, "gain-of-one-side", caution, one_sentence,
+          "the two halves of the loop differ by a factor of {ratio:4}: <K+ is {K_plus_kN_per_mm:4} and K- {K_minus_kN_per_mm:4} in cycle {cycle} of block {block}>. The forces differ in proportion and not by a constant, so this is no offset: the gain of the force channel, or the device, differs between the two directions, and K_eff is a mean of both."),
       doubt(
           starts_off_zero, "starts-off-zero", caution, one_sentence,
           "the first sample is at {disp_mm:4}, {percent:2} % of the half range of {half_range_mm:4}; laws start at rest at zero."),
@@ -422,7 +440,7 @@ std::span<Row const> rows() {
             "isolaw does not have the record without its corrections by hand, so nothing shows what they change."),
       fact(
           samples_per_cycle, "samples-per-cycle",
-          "{samples:.1f} samples per cycle: energy comes out {energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
+          "{samples:.1f} samples per cycle: energy comes out [{up_to}up to ]{energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),
       fact(force_early, "force-early", "", wording::force_early),
       fact(jump_of_force, "jump-of-force", "", wording::jump_of_force),
       fact(

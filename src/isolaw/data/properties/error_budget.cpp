@@ -1,5 +1,7 @@
 #include "isolaw/data/properties/error_budget.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +10,7 @@
 #include <ranges>
 #include <utility>
 
+#include "isolaw/data/properties/channel_changes.hpp"
 #include "isolaw/data/properties/skew.hpp"
 
 namespace isolaw::data {
@@ -25,6 +28,7 @@ constexpr double least_jump = 0.04;         // times the force's amplitude; a sm
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the test's frequency
 
+constexpr double most_hum = 1.0;         // percent of the amplitude
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
 // Largest relative change of a peak force from the mean of its neighbours.
 constexpr double unlike_between = 0.15;
@@ -52,9 +56,13 @@ class Assessment {
     uneven_time();
     if (block_ != nullptr) {
       stages();
+      sweep();
       unlike_their_neighbours();
+      stiffness_rises();
       sampling();
       noise();
+      hum_of(view_.disp_mm, "displacement", "mm");
+      hum_of(view_.force_kN, "force", "kN");
       rests();
       auto const jump = jump_at_reversals();
       skew(jump);
@@ -63,6 +71,7 @@ class Assessment {
       drift();
       closure();
       offsets();
+      halves();
       velocity();
       smoothing(smooth);
     }
@@ -144,17 +153,74 @@ class Assessment {
     }
   }
 
+  void sweep() {
+    if (!block_->sweep_Hz) return;
+    auto const [first, last] = *block_->sweep_Hz;
+    warn(FindingKind::frequency_sweeps, {{"first_Hz", first}, {"last_Hz", last}});
+  }
+
+  void stiffness_rises() {
+    for (auto const& block : properties_.blocks) {
+      auto const found = stiffness_rise(view_, block);
+      if (!found) continue;
+      if (&block == block_) add("rise of stiffness", 100.0 * found->share, "%");
+      warn(FindingKind::stiffness_rises, {{"percent", 100.0 * found->share},
+                                          {"from_cycle", static_cast<double>(found->from_cycle)},
+                                          {"cycle", static_cast<double>(found->cycle)}});
+      if (found->at) add_time(*found->at);
+      budget_.warnings.back().blocks = {block.number};
+    }
+  }
+
+  // Adds the time of a sample index to the last warning.
+  void add_time(double index) {
+    if (!view_.time_s.empty()) budget_.warnings.back().numbers.push_back({"time_s", value_at(view_.time_s, index)});
+  }
+
+  // An oscillation may move the forces at both peaks, or the peaks themselves, by its amplitude. Over a cycle it neither
+  // adds energy nor takes any.
+  void hum_of(std::span<double const> values, std::string const& what, std::string const& unit) {
+    auto const found = hum(values, view_, *block_);
+    if (!found) return;
+    auto const [least, largest] = range(values, cycle());
+    double const share = percent(found->amplitude, (largest - least) / 2.0);
+    bool const exceeds = add("oscillation of " + what, share, "%", most_hum);
+    add("damping by the oscillation of " + what, cycle().damping_percent * share / 100.0, "points");
+    if (!exceeds) return;
+    warn(FindingKind::hum,
+         {{"amplitude_" + unit, found->amplitude}, {"frequency_Hz", found->frequency_Hz}, {"percent", share}},
+         {{"channel", what}, {"unit", unit}});
+    if (!found->mains_Hz) return;
+    budget_.warnings.back().numbers.push_back({"mains_Hz", *found->mains_Hz});
+    if (*found->mains_Hz > found->rate_Hz / 2.0) budget_.warnings.back().numbers.push_back({"rate_Hz", found->rate_Hz});
+  }
+
+  void halves() {
+    auto const found = asymmetry(view_, *block_);
+    if (!found) return;
+    add("difference of the forces of the two directions", 100.0 * (found->ratio - 1.0), "%");
+    if (!found->is_of_gain) return;
+    warn(FindingKind::gain_of_one_side, {{"ratio", found->ratio},
+                                         {"K_plus_kN_per_mm", cycle().K_plus_kN_per_mm},
+                                         {"K_minus_kN_per_mm", cycle().K_minus_kN_per_mm}});
+    locate(budget_.warnings, cycle());
+  }
+
   void sampling() {
     double const samples = *properties_.samples_per_cycle;
     bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // rounded as it is printed
     budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
-    double const energy = energy_loss_percent(samples);
-    double const peak = peak_loss_percent(samples);
+    bool const corners = block_->waveform == "triangle";
+    double const energy = corners ? corner_loss_percent(samples) : energy_loss_percent(samples);
+    double const peak = corners ? corner_loss_percent(samples) : peak_loss_percent(samples);
     add("energy lost between samples", energy, "%");
     add("peak missed between samples", peak, "%");
     std::vector<FindingNumber> numbers{
         {"samples", samples}, {"energy_percent", energy}, {"peak_percent", peak}, {"wanted", wanted_samples}};
-    few ? warn(FindingKind::samples_few, std::move(numbers)) : note(FindingKind::samples_per_cycle, std::move(numbers));
+    std::vector<FindingWord> words;
+    if (corners) words.push_back({"up_to", "yes"});
+    few ? warn(FindingKind::samples_few, std::move(numbers), std::move(words))
+        : note(FindingKind::samples_per_cycle, std::move(numbers), std::move(words));
   }
 
   // Noise moves the extreme samples beyond the true extremes of the motion. The properties use raw values nevertheless.
@@ -203,6 +269,7 @@ class Assessment {
     auto const found = estimate_skew(view_, properties_, jump.said ? jump.force_kN / 2.0 : 0.0);
     if (!found) return;
     bool const timed = !view_.time_s.empty();
+    if (timed && found->grows()) return growing_skew(*found);
     double const scale = timed ? 1000.0 : 1.0;
     std::string const unit = timed ? "ms" : "samples";
     double const late = scale * found->force_late;
@@ -219,6 +286,28 @@ class Assessment {
     std::vector<FindingWord> words{{"unit", unit}, {"without_jump", jump.said ? "yes" : "no"}};
     is_late ? warn(FindingKind::force_late, std::move(numbers), std::move(words))
             : note(FindingKind::force_early, std::move(numbers), std::move(words));
+  }
+
+  void growing_skew(Skew const& found) {
+    constexpr double ms_per_s = 1000.0;
+    double reported = found.force_late;
+    for (auto const& [number, late] : found.of_cycles) {
+      budget_.effects.push_back({fmt::format("skew in cycle {}", number), ms_per_s * late, "ms", std::nullopt, false});
+      if (number == cycle().number) reported = late;
+    }
+    double const points = 50.0 * reported * found.growth_phase / found.growth;
+    budget_.effects.push_back({"skew", ms_per_s * reported, "ms", ms_per_s * found.growth_uncertainty, true});
+    budget_.effects.push_back({damping_by_skew, -points, "points", std::nullopt, true});
+    auto const &first = found.of_cycles.front(), &last = found.of_cycles.back();
+    warn(FindingKind::lag_grows, {{"first_ms", ms_per_s * first.late},
+                                  {"last_ms", ms_per_s * last.late},
+                                  {"from_cycle", static_cast<double>(first.number)},
+                                  {"to_cycle", static_cast<double>(last.number)},
+                                  {"uncertainty_ms", ms_per_s * found.growth_uncertainty},
+                                  {"reversals", static_cast<double>(found.growth_reversals)},
+                                  {"reported_ms", ms_per_s * reported},
+                                  {"damping_points", points}});
+    locate(budget_.warnings, cycle());
   }
 
   void rig_friction() {
@@ -291,7 +380,7 @@ class Assessment {
   }
 
   // The first cycle is left out, because in it the force of a device that softens is not symmetric.
-  void drift_of(std::string const& what, std::string const& unit, double amplitude, auto middle) {
+  void drift_of(std::string const& what, std::string const& unit, double amplitude, Along channel, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
     std::vector<double> middles;
@@ -299,16 +388,26 @@ class Assessment {
     auto const [least, largest] = std::ranges::minmax(middles);
     double const share = percent(largest - least, 2.0 * amplitude);
     if (!add("drift of " + what, share, "%", most_drift)) return;
+    if (auto const step = offset_step(view_, *block_, channel)) {
+      warn(FindingKind::offset_steps,
+           {{"step_" + unit, step->by},
+            {"percent", percent(std::abs(step->by), 2.0 * amplitude)},
+            {"limit_percent", most_drift}},
+           {{"channel", what}, {"unit", unit}});
+      add_time(step->at);
+      budget_.warnings.back().blocks = {block_->number};
+      return;
+    }
     warn(FindingKind::drift, {{"drift_" + unit, largest - least}, {"percent", share}, {"limit_percent", most_drift}},
          {{"channel", what}, {"unit", unit}});
     budget_.warnings.back().blocks = {block_->number};
   }
 
   void drift() {
-    drift_of("displacement", "mm", cycle().amplitude_mm,
+    drift_of("displacement", "mm", cycle().amplitude_mm, Along::displacement,
              [](Cycle const& c) { return (c.d_plus_mm + c.d_minus_mm) / 2.0; });
     auto const [least, largest] = force_range(cycle());
-    drift_of("force", "kN", (largest - least) / 2.0, [this](Cycle const& c) {
+    drift_of("force", "kN", (largest - least) / 2.0, Along::force, [this](Cycle const& c) {
       auto const [low, high] = force_range(c);
       return (low + high) / 2.0;
     });
@@ -391,6 +490,10 @@ class Assessment {
 double energy_loss_percent(double samples_per_cycle) {
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
   return 100.0 * (1.0 - std::sin(angle) / angle);
+}
+
+double corner_loss_percent(double samples_per_cycle) {
+  return 100.0 * 2.0 / samples_per_cycle;
 }
 
 double peak_loss_percent(double samples_per_cycle) {

@@ -35,6 +35,9 @@ Budget error_budget(TestRecord const& record, Properties const& properties, int 
 // How many percent sampling takes off a loop's energy and off a sine's peak, and a moving average takes off a sine.
 double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
 double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
+// The same for a triangle, whose corner may lie between two samples: at most 2 / N of the peak, and as much of the
+// energy of a device whose force changes at once when the motion turns.
+double corner_loss_percent(double samples_per_cycle);
 double average_loss_percent(int window, double samples_per_cycle);
 // How far the largest sample of a noisy sine lies beyond the true peak on average, for white noise of standard
 // deviation noise_mm.

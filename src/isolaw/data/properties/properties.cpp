@@ -20,6 +20,8 @@ constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
 constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
+constexpr double least_sweep = 1.2;          // largest over smallest period
+constexpr double most_steps = 0.8;           // share of the steps from cycle to cycle that go the way of the sweep
 constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.
@@ -210,6 +212,38 @@ void summarise(Block& block, CycleView const& view) {
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
+// Whether the period changes in one direction from cycle to cycle. In a test with steps of frequency it does not, since
+// most cycles have the period of the one before.
+bool is_sweep(std::span<Cycle const* const> cycles) {
+  if (cycles.size() < 4 || !cycles.front()->period_s) return false;
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < cycles.size(); ++k)
+    steps.push_back(std::log(*cycles[k]->period_s / *cycles[k - 1]->period_s));
+  auto const count = static_cast<double>(steps.size());
+  double const total = std::log(*cycles.back()->period_s / *cycles.front()->period_s);
+  if (!(std::abs(total) > std::log(least_sweep))) return false;
+  double const least = std::max(0.25 * std::abs(num::median(steps)), 0.1 * std::abs(total) / count);
+  auto const follows =
+      std::ranges::count_if(steps, [&](double step) { return std::copysign(1.0, total) * step >= least; });
+  return static_cast<double>(follows) >= most_steps * count;
+}
+
+// A block in a sweep has no frequency of its own.
+void find_sweeps(Properties& properties) {
+  auto const mark = [&](std::vector<Cycle const*> const& cycles, auto const& is_in) {
+    if (!is_sweep(cycles)) return false;
+    for (auto& block : properties.blocks) {
+      if (!block.frequency_Hz || !is_in(block)) continue;
+      block.frequency_Hz.reset();
+      block.sweep_Hz = {1.0 / *cycles.front()->period_s, 1.0 / *cycles.back()->period_s};
+    }
+    return true;
+  };
+  if (mark(properties.complete(), [](Block const&) { return true; })) return;
+  for (auto const& block : properties.blocks)
+    mark(block.counted(), [&](Block const& other) { return &other == &block; });
+}
+
 struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
@@ -333,6 +367,7 @@ Properties cyclic_properties(CycleView const& given) {
     if (piece.number > 0) lengths.push_back(piece.last - piece.first - piece.still_samples);
   }
   for (auto& block : properties.blocks) summarise(block, view);
+  find_sweeps(properties);
   if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
   properties.refusal = why_impossible(properties, view);
   properties.is_false = !properties.refusal.empty();
@@ -354,6 +389,7 @@ Properties cyclic_properties(TestRecord const& record) {
   properties.samples_per_cycle.reset();
   for (auto& block : properties.blocks) {
     block.frequency_Hz.reset();
+    block.sweep_Hz.reset();
     block.v_max_mm_s.reset();
     block.waveform.clear();
     for (auto& cycle : block.cycles) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "isolaw/data/channels/record.hpp"
@@ -55,7 +56,9 @@ struct Cycle : CycleCut {
 struct Block {
   int number = 0;                      // from 1
   double amplitude_mm = 0.0;           // amplitude, frequency and v_max are medians over the counted cycles
-  std::optional<double> frequency_Hz;  // 1 / period, without rests and holds
+  std::optional<double> frequency_Hz;  // 1 / period, without rests and holds; nullopt in a sweep
+  // First and last frequency of the sweep to which the block belongs: its frequency changes from cycle to cycle.
+  std::optional<std::pair<double, double>> sweep_Hz;
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
   std::vector<Cycle> cycles;  // in order, with the cycles that do not count

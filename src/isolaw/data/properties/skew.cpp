@@ -31,6 +31,7 @@ constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;     // a skew must exceed this many standard errors
 constexpr double by_chance = 0.001;         // fraction of records without skew that seem late
 constexpr double most_agree = 0.75;         // fraction of the reversals that must agree
+constexpr double least_growth = 0.03;       // rad; a smaller change of the delay within the test is none
 constexpr double most_apart = 0.004;        // rad; largest difference of skew between the wide and narrow window
 constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise needs no smoothing
 constexpr double too_noisy = 0.01;          // fraction of the amplitude; noisier records give no skew
@@ -173,13 +174,41 @@ std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   return smooth;
 }
 struct Sample {
+  double at = 0.0;  // fractional sample index
+  int block = 0, cycle = 0;
   double phase = 0.0;              // rad
   double late = 0.0;               // in s, or in samples without time
   double left = 0.0, noise = 0.0;  // rms over the force's amplitude
   double samples = 0.0;            // number of samples in the window
 };
 
-std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_uncertainty) {
+// Fits a line to the delays of the reversals.
+void add_growth(Skew& skew, std::vector<Sample> samples, int block) {
+  std::erase_if(samples, [&](Sample const& each) { return each.block != block; });
+  for (auto from = samples.begin(); from != samples.end();) {
+    auto const to = std::find_if(from, samples.end(), [&](Sample const& each) { return each.cycle != from->cycle; });
+    skew.of_cycles.push_back({from->cycle, num::median_over(std::span(from, to), &Sample::late)});
+    from = to;
+  }
+  if (samples.size() < 3) return;
+  auto const count = static_cast<double>(samples.size());
+  double at = 0.0, late = 0.0, squares = 0.0, product = 0.0, left = 0.0;
+  for (auto const& each : samples) at += each.at / count, late += each.late / count;
+  for (auto const& each : samples) {
+    squares += (each.at - at) * (each.at - at);
+    product += (each.at - at) * (each.late - late);
+  }
+  auto const [first, last] = std::ranges::minmax(samples, {}, &Sample::at);
+  if (!(squares > 0.0)) return;
+  skew.growth_reversals = static_cast<int>(samples.size());
+  double const slope = product / squares, length = last.at - first.at;
+  for (auto const& each : samples) left += std::pow(each.late - late - slope * (each.at - at), 2.0);
+  skew.growth = slope * length;
+  skew.growth_uncertainty = 2.0 * length * std::sqrt(left / (count - 2.0) / squares);
+  if (skew.force_late != 0.0) skew.growth_phase = skew.growth * skew.phase / skew.force_late;
+}
+
+std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_uncertainty, int block) {
   if (static_cast<int>(samples.size()) < least_reversals) return std::nullopt;
   auto const count = static_cast<double>(samples.size());
   Skew found;
@@ -196,6 +225,7 @@ std::optional<Skew> skew_of(std::vector<Sample> const& samples, double least_unc
     excess += (each.left * each.left - each.noise * each.noise) / count;
     chance += 2.0 * std::pow(each.noise, 4.0) / each.samples / count / count;
   }
+  add_growth(found, samples, block);
   found.is_followed = excess < good_fit * good_fit + 2.0 * std::sqrt(chance);
   return found;
 }
@@ -224,7 +254,15 @@ bool Skew::significant() const {
   boost::math::students_t const chance(std::max(1, reversals - 1));
   double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
   return std::abs(force_late) > errors / 2.0 * uncertainty && agreement >= most_agree &&
-         (phase > (is_followed ? least_late : least_late_by_shape) || phase < -least_early);
+         ((is_followed ? phase > least_late : phase > least_late_by_shape && force_late > interval) ||
+          phase < -least_early);
+}
+
+bool Skew::grows() const {
+  boost::math::students_t const chance(std::max(1, growth_reversals - 2));
+  double const errors = std::max(standard_errors, boost::math::quantile(boost::math::complement(chance, by_chance)));
+  return growth_reversals >= 5 && std::abs(growth_phase) > least_growth &&
+         std::abs(growth) > errors / 2.0 * growth_uncertainty;
 }
 
 std::optional<Skew> estimate_skew(CycleView const& of, Properties const& properties, double friction_kN) {
@@ -268,7 +306,10 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
             view.time_s.empty()
                 ? 1.0
                 : (value_at(view.time_s, reversal.at + 1.0) - value_at(view.time_s, reversal.at - 1.0)) / 2.0;
-        to.push_back({.phase = 2.0 * std::numbers::pi * shift->samples / length,
+        to.push_back({.at = reversal.at,
+                      .block = cycle->block,
+                      .cycle = cycle->number,
+                      .phase = 2.0 * std::numbers::pi * shift->samples / length,
                       .late = shift->samples * interval,
                       .left = shift->left,
                       .noise = force_noise / force_amplitude,
@@ -281,8 +322,10 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   double const sampling = longest_interval(view);
   // Friction changes its sign between two samples, which makes the skew uncertain by half an interval.
   double const least = (friction_kN != 0.0 ? 0.5 : 0.1) * sampling;
-  auto const found = skew_of(of_wide, least);
-  auto const near = skew_of(of_narrow, least);
+  int const block = properties.reported ? properties.reported->block : 0;
+  auto found = skew_of(of_wide, least, block), near = skew_of(of_narrow, least, block);
+  for (auto* skew : {&found, &near})
+    if (*skew) (*skew)->interval = sampling;
   // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the fit in the narrow window more.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "isolaw/data/properties/properties.hpp"
 
@@ -17,15 +18,28 @@ struct Skew {
   double force_late = 0.0;  // in s, or in samples without time; negative if the force is early
   // Twice the standard error over the reversals; at least 0.1 sampling interval, or 0.5 if friction is subtracted.
   double uncertainty = 0.0;
-  double phase = 0.0;       // the angle of force_late in a cycle, rad: 2 pi f force_late
-  double agreement = 0.0;   // fraction of the reversals that show at least half of force_late
-  int reversals = 0;        // reversals that gave a value
+  double phase = 0.0;      // the angle of force_late in a cycle, rad: 2 pi f force_late
+  double agreement = 0.0;  // fraction of the reversals that show at least half of force_late
+  int reversals = 0;       // reversals that gave a value
+  double interval = 0.0;   // longest mean sampling interval of a test, in the unit of force_late
+  // The delay of each cycle of the block of the reported cycle: the median over its reversals. It may grow within the
+  // block, by `growth` from the first of these cycles to the last, by a line fitted to all their reversals.
+  struct OfCycle {
+    int number = 0;
+    double late = 0.0;
+  };
+  std::vector<OfCycle> of_cycles = {};
+  double growth = 0.0, growth_uncertainty = 0.0;  // in the unit of force_late; uncertainty is two standard errors
+  double growth_phase = 0.0;                      // the angle of `growth` in a cycle, rad
+  int growth_reversals = 0;
   bool is_followed = true;  // the fit is within noise; if not, a sharp loop may only make the force look late
 
   // Whether most reversals agree and the skew exceeds four standard errors (more if reversals are few) and a limit. The
   // limit is a little above the skew that the shape of a loop alone can imitate: 0.04 rad early, 0.015 rad late, or
-  // 0.045 rad late if not is_followed.
+  // 0.045 rad and a sampling interval late if not is_followed: the corners of a steep loop lie between samples.
   bool significant() const;
+  // Whether the delay changes by more than 0.03 rad and by more than chance brings about.
+  bool grows() const;
 };
 
 // Whether displacement stays at an extreme for longer than a sine would. During such a hold the force may relax.

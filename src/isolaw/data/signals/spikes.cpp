@@ -111,6 +111,8 @@ std::vector<Spike> spikes(std::span<double const> values) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };
     bool const at_an_end = i < 3 || i + 3 >= values.size();
+    // Near an end, a corner beside the sample may lie where too few samples follow to show a line.
+    if (at_an_end && (values[i] - values[i - 1]) * (values[i + 1] - values[i]) >= 0.0) continue;
     double const contrast = spike_contrast * (at_an_end ? edge_contrast : 1.0) * neighbours.left;
     if ((i >= 2 && on_line(i - 1, i - 2)) || (i + 2 < values.size() && on_line(i + 1, i + 2))) continue;
     if (off > contrast / 3.0) others.push_back(off);

@@ -72,6 +72,7 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
     add(text, "{} cycle{} of {:.4g} {}", counted.size(), counted.size() == 1 ? "" : "s",
         length.factor * block.amplitude_mm, length.unit);
   if (block.frequency_Hz) add(text, " at {:.4g} Hz", *block.frequency_Hz);
+  if (block.sweep_Hz) add(text, " in a sweep of {:.3g} to {:.3g} Hz", block.sweep_Hz->first, block.sweep_Hz->second);
   if (!block.waveform.empty()) add(text, ", {}", block.waveform);
   if (block.v_max_mm_s) add(text, ", v max {:.4g} {}", speed.factor * *block.v_max_mm_s, speed.unit);
   if (device.rubber_thickness_mm && !counted.empty())
@@ -92,6 +93,7 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
         in(stiff, c.K_plus(), stiffness), in(stiff, c.K_minus(), stiffness), number_text(work.factor * c.energy_kN_mm),
         number(c.damping(), 2), number_text(force.factor * c.Q_d_kN), in(stiff, c.K_d_kN_per_mm, stiffness));
     if (loads) add(text, " {:>9}", in(force, c.N_mean_kN, force.decimals(1)));
+    if (block.sweep_Hz && c.period_s && !c.partial) add(text, "  {:.3g} Hz", 1.0 / *c.period_s);
     if (device.properties.is_reported(c)) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';
