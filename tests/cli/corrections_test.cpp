@@ -122,6 +122,10 @@ TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   EXPECT_NEAR(values["each"][0]["numbers"]["damping_percent"].get<double>(), damping, 1e-4);
   EXPECT_TRUE(of_kind(plain["findings"], "values-uncorrected").is_null());
 
+  EXPECT_TRUE(corrected["as_corrected"].get<bool>());
+  EXPECT_TRUE(contains(corrected["verdict_brief"].get<std::string>(), "pass as corrected on "));
+  EXPECT_FALSE(plain["as_corrected"].get<bool>());
+
   ASSERT_LE(isolaw(Words{"calibrate", "rig.csv", "--skew-ms", "12.5", "--out", "O"} + smallest_search + judged).code,
             1);
   auto const verdict = of_kind(json("O/summary.json")["warnings"], "verdict-rests-on-corrections");

@@ -43,6 +43,19 @@ TEST_F(Terminal, a_signed_set_without_comparable_values_assesses_nothing) {
   EXPECT_FALSE(contains(o.out, "information\n")) << o;
 }
 
+// A lot's verdict holds for one condition. Two temperatures that differ by 1 °C are one, -10 and 40 °C are not.
+TEST_F(Terminal, tests_under_different_conditions_give_the_lot_no_verdict) {
+  auto const said = [&](int temperature_C) {
+    write("lot.toml", fmt::format("[[device]]\nfile = 'lot/D1.csv'\ntemperature-C = 20\n"
+                                  "[[device]]\nfile = 'lot/D2.csv'\ntemperature-C = {}\n",
+                                  temperature_C));
+    return isolaw(Words{"inspect", "lot.toml"} + held_to("K_eff=0.8,disp=100") + Words{"--lot-size", "2"}).out;
+  };
+  EXPECT_TRUE(contains(said(-10), "The devices were tested under different conditions; temperature -10 to 20 °C."));
+  EXPECT_TRUE(contains(said(-10), "one condition for all tests"));
+  EXPECT_FALSE(contains(said(21), "different conditions"));
+}
+
 TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   Words const quick{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
   auto const o = isolaw(Words{"calibrate", "lot", "--out", "O"} + quick + held_to("K_eff=0.72,disp=100") +

@@ -154,6 +154,35 @@ TEST(OverallVerdict, PassesOnlyWhereEveryRequirementAndEveryDeviceIsAssessed) {
   EXPECT_EQ(overall_verdict(shear).word, "INCOMPLETE");
 }
 
+TEST(OverallVerdict, APassThatRestsOnCorrectionsSaysSo) {
+  auto summary = verified_lot();
+  add(summary, "D01", {line("K_eff", Verdict::pass)});
+  summary.without_corrections = Finding{.kind = FindingKind::verdict_rests_on_corrections};
+  EXPECT_EQ(overall_verdict(summary).word, "PASS");
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS as corrected: NTC 2018: 1 device keeps the requirement");
+  summary.without_corrections->kind = FindingKind::verdict_without_corrections_same;
+  EXPECT_EQ(overall_verdict(summary).text(), "PASS: NTC 2018: 1 device keeps the requirement");
+}
+
+TEST(DeviceVerdict, APassThatRestsOnCorrectionsSaysSo) {
+  DeviceAcceptance acceptance{.block = {}, .choice = {}, .copy_of = {}, .assessments = {line("K_eff", Verdict::pass)}};
+  acceptance.as_corrected = true;
+  EXPECT_EQ(device_verdict(acceptance).text(), "pass as corrected");
+  acceptance.assessments.push_back(line("damping", Verdict::not_assessed));
+  EXPECT_EQ(device_verdict(acceptance).brief(), "pass as corrected on 1 of 2");
+  acceptance.assessments.push_back(line("Q_d", Verdict::fail, 30.0));
+  EXPECT_EQ(device_verdict(acceptance).brief(), "fail");
+}
+
+TEST(OverallVerdict, OfTestsUnderDifferentConditionsIsIncomplete) {
+  auto summary = verified_lot();
+  for (auto const* name : {"D01", "D02"}) add(summary, name, {line("K_eff", Verdict::pass)});
+  ASSERT_EQ(overall_verdict(summary).word, "PASS");
+  summary.conditions_differ = Finding{.kind = FindingKind::conditions_differ};
+  EXPECT_EQ(overall_verdict(summary).word, "INCOMPLETE");
+  EXPECT_NE(overall_verdict(summary).sentence.find("not assessed: one condition for all tests"), std::string::npos);
+}
+
 TEST(OverallVerdict, FailsByADeviceOrTheLotWhateverIsOpen) {
   auto summary = verified_lot();
   add(summary, "D01", {line("K_eff", Verdict::pass), line("damping", Verdict::not_assessed)});

@@ -107,6 +107,8 @@ inline constexpr Result<rules::LotQuantity> test_factor_results[]{
 
 inline constexpr Result<OverallVerdict> verdict_results[]{
     {"word", "", "verdict", "`\"PASS\"`, `\"FAIL\"` or `\"INCOMPLETE\"`", word<&OverallVerdict::word>},
+    {"as_corrected", "", "", "true: the PASS rests on corrections by hand, and people read \"PASS as corrected\"",
+     get<&OverallVerdict::as_corrected>},
     {"sentence", "", "", "the reasons of the verdict, or why there is none", get<&OverallVerdict::sentence>},
     {"failing", "", "", "`device` (null: the lot itself) and `remark`, which says what fails", nested<OverallVerdict>},
     {"not_assessed", "", "", "`device` without a verdict and `remark`, which says why", nested<OverallVerdict>},

@@ -22,6 +22,7 @@
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/study/range_test.hpp"
 #include "isolaw/study/uncorrected.hpp"
 
@@ -374,6 +375,8 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
+  summary.conditions_differ = conditions_differ(summary);
+  if (summary.conditions_differ) withhold_lot_verdicts(summary.acceptance);
   add_uncorrected(summary, std::move(tests));
 }
 

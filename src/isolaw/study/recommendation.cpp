@@ -184,6 +184,7 @@ std::vector<Finding> doubts_about(Summary const& summary, Standing const& standi
     add(FindingKind::weak_far_beyond, {{"asked_mm", *far}, {"times", *far / law.beyond->tested_mm}});
   if (!identifies_several(summary)) add(FindingKind::weak_only_law);
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::weak_incomplete);
+  if (summary.conditions_differ) add(FindingKind::weak_conditions);
   if (law.success_share && *law.success_share < found_share)
     add(FindingKind::weak_search, {{"share", *law.success_share}});
   if (auto const held = pinned(law); held.decides()) {

@@ -217,6 +217,7 @@ struct Summary {
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
   campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
+  std::optional<Finding> conditions_differ;    // the conditions in which the devices' tests differ, if any
   std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/study/verdict.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -53,6 +54,7 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   if (std::ranges::none_of(summary.devices, is_corrected)) return;
   Summary without;
   without.title = summary.title;
+  without.conditions_differ = summary.conditions_differ;
   for (std::size_t d = 0; d < tests.size(); ++d) {
     auto const& device = summary.devices[d];
     if (device.uncorrected && device.status == "ok") tests[d].properties = &*device.uncorrected;
@@ -65,6 +67,7 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   auto const& [rules, design, lot] = summary.acceptance;
   std::vector<DeviceAcceptance> devices;
   without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices);
+  if (without.conditions_differ) withhold_lot_verdicts(without.acceptance);
   std::vector<std::string> corrected;
   bool all_are_known = true;
   for (std::size_t d = 0; d < devices.size(); ++d) {
@@ -74,6 +77,9 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
       all_are_known = all_are_known && device.uncorrected;
       if (counting_cycle(device.properties, device.acceptance.block) != nullptr)
         device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
+      auto const verdict = [](DeviceAcceptance const& acceptance) { return device_verdict(acceptance).verdict; };
+      device.acceptance.as_corrected = device.uncorrected && verdict(device.acceptance) == rules::Verdict::pass &&
+                                       verdict(devices[d]) != rules::Verdict::pass;
     }
     without.devices[d].acceptance = std::move(devices[d]);
   }

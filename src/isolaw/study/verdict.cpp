@@ -54,8 +54,11 @@ void add(std::vector<Requirement>& requirements, std::string const& name, Verdic
   found->verdict = verdict;
 }
 
-void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance) {
+// Adds the requirements on the lot as a whole. Without one condition for all tests it has no verdict.
+void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_one_condition) {
   auto const& lot = acceptance.lot;
+  if (!has_one_condition && !overall.requirements.empty())
+    add(overall.requirements, "one condition for all tests", Verdict::not_assessed);
   auto const add_line = [&](std::string const& name, rules::Assessment const& a) {
     add(overall.requirements, name, a.verdict);
     if (a.verdict == Verdict::fail)
@@ -180,13 +183,15 @@ std::string sentence_of(OverallVerdict const& overall, std::size_t devices) {
 std::string DeviceVerdict::text() const {
   if (verdict == Verdict::fail) return "fail: " + failures_text();
   if (!copy_of.empty()) return fmt::format("{}: {}", rules::name(verdict), rules::same_record_as(copy_of));
-  if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
+  if (verdict != Verdict::pass || not_assessed.empty()) return brief();
   return fmt::format("{} ({}; not assessed: {})", brief(), fmt::join(passed, ", "), fmt::join(not_assessed, ", "));
 }
 
 std::string DeviceVerdict::brief() const {
-  if (verdict != Verdict::pass || not_assessed.empty()) return std::string(rules::name(verdict));
-  return fmt::format("pass on {} of {}", passed.size(), passed.size() + not_assessed.size());
+  std::string text(rules::name(verdict));
+  if (as_corrected) text += " as corrected";
+  if (verdict != Verdict::pass || not_assessed.empty()) return text;
+  return fmt::format("{} on {} of {}", text, passed.size(), passed.size() + not_assessed.size());
 }
 
 std::string DeviceVerdict::failures_text(std::string_view between) const {
@@ -238,6 +243,7 @@ DeviceVerdict device_verdict(DeviceAcceptance const& acceptance) {
                    : in_shear             ? Verdict::pass
                    : information          ? Verdict::information
                                           : Verdict::not_assessed;
+  result.as_corrected = acceptance.as_corrected && result.verdict == Verdict::pass;
   return result;
 }
 
@@ -258,12 +264,14 @@ OverallVerdict overall_verdict(Summary const& summary) {
     overall.mark = "LIMITS NOT VERIFIED";
   } else {
     for (auto const& device : summary.devices) add_device(overall, device);
-    add_lot(overall, acceptance);
+    add_lot(overall, acceptance, !summary.conditions_differ);
     bool const open = !overall.not_assessed.empty() ||
                       std::ranges::find(overall.requirements, Verdict::not_assessed, &Requirement::verdict) !=
                           overall.requirements.end();
     bool const nothing = overall.requirements.empty() && overall.not_assessed.empty();
     if (!nothing) overall.word = !overall.failing.empty() ? "FAIL" : open ? "INCOMPLETE" : "PASS";
+    overall.as_corrected = overall.word == "PASS" && summary.without_corrections &&
+                           summary.without_corrections->kind == FindingKind::verdict_rests_on_corrections;
     overall.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
                                : fmt::format("{}: {}", title, sentence_of(overall, summary.devices.size()));
     for (auto const& more : {not_compared(acceptance, overall.requirements), in_doubt(summary)})

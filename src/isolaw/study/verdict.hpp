@@ -18,9 +18,10 @@ struct DeviceVerdict {
   std::vector<std::string> passed, failed, not_assessed;
   // For each failed quantity, its value farthest from the design value: "K_eff +23.0 %". The farthest comes first.
   std::vector<std::string> failures;
-  std::string copy_of;  // the device with the same record that is assessed instead of this one; else empty
+  std::string copy_of;        // the device with the same record that is assessed instead of this one; else empty
+  bool as_corrected = false;  // DeviceAcceptance::as_corrected
 
-  // "pass on 1 of 2 (K_eff; not assessed: damping)", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
+  // "pass on 1 of 2 (K_eff; not assessed: damping)", "pass as corrected", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
   // record as D01"
   std::string text() const;
   // text() shortened for the cell of a table: "pass on 1 of 2", "fail", or "pass" if everything was compared.
@@ -48,7 +49,9 @@ struct DeviceRemark {
 // fails, but a requirement or device was not assessed. PASS: everything passes. The word is empty without a verified
 // set, or if the set limits nothing in these tests.
 struct OverallVerdict {
-  std::string word;      // "PASS", "FAIL", "INCOMPLETE", or empty
+  std::string word;  // "PASS", "FAIL", "INCOMPLETE", or empty
+  // The PASS rests on corrections by hand: without them the verdict is another. People read "PASS as corrected".
+  bool as_corrected = false;
   std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict
   std::vector<DeviceRemark> failing, not_assessed;
   std::vector<Requirement> requirements;
@@ -57,7 +60,8 @@ struct OverallVerdict {
   std::string mark;
   bool is_red = false;
 
-  std::string text() const { return word.empty() ? sentence : word + ": " + sentence; }
+  std::string shown_word() const { return as_corrected ? word + " as corrected" : word; }
+  std::string text() const { return word.empty() ? sentence : shown_word() + ": " + sentence; }
 };
 OverallVerdict overall_verdict(Summary const& summary);
 // A lot whose title contains these words has no real devices, such as the built-in example lot.

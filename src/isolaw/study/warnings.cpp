@@ -48,7 +48,7 @@ class Collector {
       integration(*law);
     }
     prediction_not_asked();
-    mixed_amplitudes();
+    if (summary_.conditions_differ) add(*summary_.conditions_differ);
     outliers();
     records();
     std::ranges::stable_sort(all_, {}, &Finding::kind);
@@ -279,19 +279,6 @@ class Collector {
            .numbers = {{"value", outlier.value}, {"median", outlier.median}, {"percent", outlier.percent}},
            .words = {{"property", outlier.property}, {"unit", outlier.unit}}});
     }
-  }
-
-  // Warns if the lot's statistics are of devices that were tested at different amplitudes.
-  void mixed_amplitudes() {
-    constexpr double alike = 1.05;
-    std::vector<double> amplitudes;
-    for (auto const* device : devices_)
-      if (auto const* cycle = counting_cycle(device->properties, device->acceptance.block))
-        amplitudes.push_back(cycle->amplitude_mm);
-    if (amplitudes.size() < 2) return;
-    auto const [least, largest] = std::ranges::minmax(amplitudes);
-    if (largest > alike * least)
-      add({.kind = amplitudes_mixed, .numbers = {{"least_mm", least}, {"largest_mm", largest}}});
   }
 
   void records() {

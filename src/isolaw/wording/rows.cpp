@@ -159,9 +159,9 @@ std::span<Row const> rows() {
           each_alone, in_report | on_certificate, none,
           "Without the corrections by hand of {devices} the verdict would be {verdict} too."),
       campaign(
-          amplitudes_mixed, "amplitudes-mixed", "lot", caution, "Compare the devices at one amplitude (--design disp=MM)",
-          each_alone, in_report | on_certificate, none,
-          "The values of the lot are from cycles of {least_mm:3!} to {largest_mm:3}. Stiffness and damping depend on the amplitude, so part of their spread comes from the amplitudes and not from the devices."),
+          conditions_differ, "conditions-differ", "lot", serious, "Compare the devices under one condition",
+          each_alone, signed_too, none,
+          "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C][; frequency {least_Hz:3} to {largest_Hz:3} Hz][; vertical load {least_kN:4!} to {largest_kN:4}][; amplitude {least_mm:4!} to {largest_mm:4}][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4}]. Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(
@@ -210,6 +210,7 @@ std::span<Row const> rows() {
       answer(weak_bounds, "weak-bounds", "confidence",
              "{count} of its {calibrated} parameters lie at a bound on half of the devices or more"),
       answer(weak_open, "weak-open", "confidence", "the tests cannot fix {share:%} of its parameters"),
+      answer(weak_conditions, "weak-conditions", "confidence", "the devices were tested under different conditions"),
       answer(surer_finish, "surer-finish", "advice", "finish the campaign with the same command"),
       answer(surer_other_laws, "surer-other-laws", "advice", "identify other laws to compare it with (--laws)"),
       answer(surer_both_sides, "surer-both-sides", "advice", "test whole cycles that reach as far to both sides"),

@@ -117,7 +117,8 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
   auto const verdict = verdict_on(lot, device);
   auto const sentence = device_verdict(acceptance);
   write_members(out, "verdict", verdict, "verdict_brief", verdict ? sentence.brief() : std::string(), "verdict_text",
-                verdict ? sentence.text() : std::string(), "copy_of", acceptance.copy_of);
+                verdict ? sentence.text() : std::string(), "as_corrected", sentence.as_corrected, "copy_of",
+                acceptance.copy_of);
   write_rows(out.key("doubts"), doubt_results, value_doubts(device), Digits::shown);
   write_assessments(out.key("assessments"), acceptance.assessments, acceptance.block);
 }

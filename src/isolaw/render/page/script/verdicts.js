@@ -25,6 +25,9 @@ export const VERDICTS = {
 };
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 
+// The lot's verdict as people read it: a PASS that rests on corrections by hand says so.
+export const wordOf = ({ word, as_corrected: corrected }) => (corrected ? word + ' as corrected' : word);
+
 export function verdictBadge(verdict, text = verdict) {
   const known = VERDICTS[verdict] ?? VERDICTS['not assessed'];
   const colour = 'var(--' + known.tone + ')';

@@ -8,7 +8,7 @@ import { devices, recordsOf, report, tested } from '../report.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, deviation, enumerate, fixed, isNumber, limitText, sentence, significant, withUnit } from '../text.js';
 import { KN, MM, decimalsIn } from '../units.js';
-import { verdictBadge } from '../verdicts.js';
+import { verdictBadge, wordOf } from '../verdicts.js';
 import { echo } from './blank.js';
 import { letterhead } from './letterhead.js';
 import { loopDrawing } from './loop.js';
@@ -45,7 +45,7 @@ function devicePage(device) {
     element('p', { class: 'certificate-title' }, 'Test certificate: device ' + device.name),
     termList('facts-list', facts(device).map(([term, text]) => [term, sentence(text)])),
     device.verdict
-      ? element('div', { class: 'verdict-box' }, verdictBadge(device.verdict, sentence(device.verdict_text)), report.result.word ? ' The lot: ' + report.result.word + '.' : '')
+      ? element('div', { class: 'verdict-box' }, verdictBadge(device.verdict, sentence(device.verdict_text)), report.result.word ? ' The lot: ' + wordOf(report.result) + '.' : '')
       : null,
     device.assessments.length > 0 ? assessments(device) : values(device),
     element('div', { class: 'side-by-side' }, loopDrawing(device), element('div', {}, ...notes(device))),

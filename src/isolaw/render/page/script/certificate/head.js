@@ -3,7 +3,7 @@ import { element } from '../dom.js';
 import { designText } from '../lot.js';
 import { devices, report } from '../report.js';
 import { THIN, count, enumerate, isNumber, sentence, significant, spanText, unitText } from '../text.js';
-import { WORDS, verdictBadge } from '../verdicts.js';
+import { WORDS, verdictBadge, wordOf } from '../verdicts.js';
 import { blank, echoed } from './blank.js';
 import { letterhead } from './letterhead.js';
 import { KN, MM, decimalsIn, unitShown } from '../units.js';
@@ -84,7 +84,7 @@ function certificateHead() {
 
 function certificateResult() {
   const { word, sentence: said } = report.result;
-  const badge = word ? verdictBadge(WORDS[word].verdict, word) : null;
+  const badge = word ? verdictBadge(WORDS[word].verdict, wordOf(report.result)) : null;
   badge?.classList.add('word', WORDS[word].tone);
   return element('div', { class: 'verdict-box' }, badge, ' ' + sentence(said) + '.');
 }

@@ -1,7 +1,7 @@
 import { element, shortList } from '../dom.js';
 import { report } from '../report.js';
 import { capitalised, sentence } from '../text.js';
-import { WORDS, verdictBadge } from '../verdicts.js';
+import { WORDS, verdictBadge, wordOf } from '../verdicts.js';
 
 // Shows the overall verdict. Its sentence names the requirements that were not assessed, and the list below names those
 // that failed and those that passed.
@@ -16,7 +16,7 @@ function band() {
   return element(
     'div',
     { class: 'band ' + (word ? WORDS[word].tone : 'muted') },
-    word ? element('p', { class: 'word' }, word) : null,
+    word ? element('p', { class: 'word' }, wordOf(report.result)) : null,
     element('p', { class: 'said' }, sentence(capitalised(said)) + '.'),
     element(
       'ul',
