@@ -65,7 +65,7 @@ def attach(ops=None):
 
     ops: the module ``openseespy.opensees``, which is imported if none is given. material() and section() attach by
     themselves, so this call is only needed for another module than that of PyPI. Raises Error if the program is another
-    one or its classes differ; then nothing was changed.
+    one, such as xara, or its classes differ; then nothing was changed.
     """
     global _attached
     if ops is None:
@@ -73,6 +73,12 @@ def attach(ops=None):
             import openseespy.opensees as ops
         except ImportError as error:
             raise Error(f"isolaw.opensees: {error}; allowed: a Python with OpenSeesPy; try: pip install openseespy") from None
+    name = ops.__name__ if isinstance(ops, type(_sys)) else getattr(ops, "__module__", "")
+    if name.split(".")[0] == "xara" or name.startswith("opensees.") or (name == "opensees" and hasattr(ops, "__path__")):
+        raise Error(
+            f"isolaw.opensees: {ops!r} belongs to xara, whose classes change from version to version; allowed: openseespy.opensees; "
+            "try: isolaw export --to opensees, a Tcl script with a re-fitted material, which xara reads"
+        )
     try:
         file = _sys.modules[ops.node.__module__].__file__
     except (AttributeError, KeyError):

@@ -250,6 +250,25 @@ class Materials(InFolder):
         with self.assertRaisesRegex(isolaw.Error, "not loaded in this process"):
             isolaw.opensees._call("isolaw_attach", b"/nowhere/opensees.so")
 
+    def test_xara_is_refused_by_a_sentence(self):
+        xara = SOURCE / "build/opensees/xara/bin/python"
+        if not xara.exists():
+            self.skipTest("xara is not there (tools/opensees.sh build/opensees installs it)")
+        script = f"""
+import sys
+sys.path.append({str(pathlib.Path(isolaw.__file__).parents[1])!r})
+import opensees, opensees.openseespy as ops, isolaw, isolaw.opensees
+for one in (opensees, ops, ops.Model, ops.Model(ndm=1, ndf=1)):
+    try:
+        isolaw.opensees.attach(one)
+    except isolaw.Error as error:
+        print(error)
+"""
+        done = subprocess.run([xara, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.count("belongs to xara"), 4, done.stdout)
+        self.assertEqual(done.stdout.count("try: isolaw export --to opensees"), 4)
+
     def test_what_the_campaign_doubts_is_warned_of(self):
         ops.wipe()
         with warnings.catch_warnings(record=True) as caught:
