@@ -25,7 +25,7 @@ struct Material {
   laws::Online law;
   double factor;
   struct State {
-    double disp = 0.0, velocity = 0.0, energy = 0.0;  // of the model; `energy` is the work done without the factor
+    double disp = 0.0, velocity = 0.0, energy = 0.0;  // of the model; `energy` is the work done, with the factor
     laws::Online::Force force = {};                   // of the law
   } trial = {}, committed = {};
 
@@ -34,7 +34,6 @@ struct Material {
 };
 
 constexpr std::string_view class_type = "isolaw";
-enum Response { energy_response = 4711 };
 
 Material* make(Program const& program, int tag, std::shared_ptr<Law const> about,
                std::shared_ptr<laws::Online const> virgin, double factor);
@@ -60,7 +59,7 @@ int try_strain(Material* self, double disp, double velocity) noexcept try {
 int commit(Material* self) noexcept {
   auto& [disp, velocity, energy, force] = self->trial;
   auto const& before = self->committed;
-  energy = before.energy + 0.5 * (force.force + before.force.force) * (disp - before.disp);
+  energy = before.energy + 0.5 * self->to_force() * (force.force + before.force.force) * (disp - before.disp);
   self->law.commit();
   self->committed = self->trial;
   return 0;
@@ -103,25 +102,25 @@ double initial_tangent(Material* self) noexcept try {
   return 0.0;
 }
 
-void* set_response(Material* self, char const** words, int count, void* stream) noexcept {
+void* set_response(Material* self, char const** words, int count, void* stream) noexcept try {
   auto const& program = *self->program;
   std::string_view const name = count > 0 ? words[0] : "";
-  if (name == "energy") {
-    constexpr std::size_t more_than_it_needs = 1024;
-    void* const made = ::operator new(more_than_it_needs, std::nothrow);
-    if (made != nullptr) program.calls().begin_response(made, self, energy_response, 0.0);
-    return made;
-  }
+  if (name == "energy") return new_response(program, self, energy_response, {0.0});
+  if (name == "state") return new_response(program, self, state_response, self->law.state());
   char const* const as_stress[]{name == "force" ? "stress" : "strain"};
   bool const is_other_name = name == "force" || name == "deformation";
   return program.calls().set_response(self, is_other_name ? as_stress : words, count, stream);
+} catch (std::exception const&) {
+  return nullptr;
 }
 
-int get_response(Material* self, int response, void* information) noexcept {
+int get_response(Material* self, int response, void* information) noexcept try {
   auto const& program = *self->program;
-  if (response != energy_response) return program.calls().get_response(self, response, information);
-  double const energy = self->to_force() * self->trial.energy;
-  return program.calls().set_number(information, energy);
+  if (response == energy_response) return give(program, {self->trial.energy}, information);
+  if (response == state_response) return give(program, self->law.state(), information);
+  return program.calls().get_response(self, response, information);
+} catch (std::exception const&) {
+  return -1;
 }
 
 // The functions of Material in the program's table. Those that a caller reaches through MovableObject get the address
@@ -165,7 +164,9 @@ Table table_with_own_functions(Program const& program) {
   table.own("13revertToStartEv", &restart);
   table.own("7getCopyEv", &copy);
   table.own(
-      "9getEnergyEv", +[](Material* self) { return self->to_force() * self->trial.energy; });
+      "9getEnergyEv", +[](Material* self) { return self->trial.energy; });
+  table.own(
+      "20getStressSensitivityEib", +[](Material* self, int, bool) { return no_sensitivity(*self->program); });
   AsMovable<Material>::put_into(table);
   return table.take();
 }

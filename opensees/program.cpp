@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <optional>
 
 #include "isolaw/base/error.hpp"
 #include "values.hpp"
@@ -208,12 +207,15 @@ void Program::find_calls() {
   find(calls_.begin_vector, "_ZN6VectorC1EPdi");
   find(calls_.begin_matrix, "_ZN6MatrixC1EPdii");
   find(calls_.begin_id, "_ZN2IDC1EPiib");
-  find(calls_.begin_response, "_ZN16MaterialResponseC1EP8Materialid");
+  find(calls_.begin_response, "_ZN16MaterialResponseC1EP8MaterialiRK6Vector");
+  find(calls_.set_numbers, "_ZN11Information9setVectorERK6Vector");
   find(calls_.set_response, "_ZN16UniaxialMaterial11setResponseEPPKciR10OPS_Stream");
   find(calls_.get_response, "_ZN16UniaxialMaterial11getResponseEiR11Information");
-  find(calls_.set_number, "_ZN11Information9setDoubleEd");
+  find(calls_.set_section_response, "_ZN23SectionForceDeformation11setResponseEPPKciR10OPS_Stream");
+  find(calls_.get_section_response, "_ZN23SectionForceDeformation11getResponseEiR11Information");
   find(calls_.add_to_parameter, "_ZN9Parameter9addObjectEiP13MovableObject");
   find(calls_.nodes_of, "_ZN17ZeroLengthSection11getNodePtrsEv");
+  find(calls_.displacement_of, "_ZN4Node12getTrialDispEv");
   find(calls_.velocity_of, "_ZN4Node11getTrialVelEv");
   find(calls_.time_step, "ops_Dt");
   find(calls_.active_element, "ops_TheActiveElement");
@@ -365,18 +367,23 @@ double Program::value_in(void const* information) const {
   return value;
 }
 
-std::array<double, 3> Program::velocity_of_active_element() const {
-  std::array<double, 3> velocity{};
+std::optional<Program::Motion> Program::motion_of_active_element() const {
+  Motion motion;
   void* const element = *calls_.active_element;
   auto const* const functions = calls_.zero_length_section + words_before_functions;
-  if (element == nullptr || *static_cast<Function const**>(element) != functions) return velocity;
+  if (element == nullptr || *static_cast<Function const**>(element) != functions) return std::nullopt;
   auto* const* const nodes = calls_.nodes_of(element);
   for (int end = 0; end < 2; ++end) {
-    auto const* const each = nodes[end] == nullptr ? nullptr : calls_.velocity_of(nodes[end]);
-    if (each == nullptr || each->size < 6) return {};
-    for (std::size_t i = 0; i < 3; ++i) velocity[i] += (end == 0 ? -1.0 : 1.0) * each->numbers[i];
+    if (nodes[end] == nullptr) return std::nullopt;
+    auto const add = [&](std::array<double, 3>& sum, Vector const& of_node) {
+      int const directions = of_node.size == 6 ? 3 : std::min(of_node.size, 2);  // in space: 6 degrees of freedom
+      for (int i = 0; i < directions; ++i)
+        sum[static_cast<std::size_t>(i)] += (end == 0 ? -1.0 : 1.0) * of_node.numbers[i];
+    };
+    add(motion.displacement, *calls_.displacement_of(nodes[end]));
+    add(motion.velocity, *calls_.velocity_of(nodes[end]));
   }
-  return velocity;
+  return motion;
 }
 
 void complain(Program const& program, std::string const& sentence) {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,12 +41,15 @@ struct Calls {
   void (*begin_vector)(void* object, double* numbers, int size);
   void (*begin_matrix)(void* object, double* numbers, int rows, int columns);
   void (*begin_id)(void* object, int* numbers, int size, bool owns);
-  void (*begin_response)(void* object, void* material, int response, double number);
+  void (*begin_response)(void* object, void* material, int response, Vector const* numbers);
+  int (*set_numbers)(void* information, Vector const* numbers);
   void* (*set_response)(void* material, char const* const* words, int count, void* stream);  // of UniaxialMaterial
   int (*get_response)(void* material, int response, void* information);
-  int (*set_number)(void* information, double number);
+  void* (*set_section_response)(void* section, char const* const* words, int count, void* stream);
+  int (*get_section_response)(void* section, int response, void* information);
   int (*add_to_parameter)(void* parameter, int which, void* movable);
   void** (*nodes_of)(void* zero_length_section);
+  Vector const* (*displacement_of)(void* node);
   Vector const* (*velocity_of)(void* node);
   double const* time_step;
   void* const* active_element;
@@ -74,9 +78,12 @@ class Program {
   void write(void* stream, std::string const& text) const;  // to an OPS_Stream of the program
   double value_in(void const* information) const;           // the number in an Information
 
-  // The velocity of one end of the element under way against the other, in global coordinates; zero if the element is
-  // no ZeroLengthSection or has fewer than three directions.
-  std::array<double, 3> velocity_of_active_element() const;
+  // The motion of one end of the element under way against the other, in global coordinates; nothing if there is none or
+  // it is no ZeroLengthSection.
+  struct Motion {
+    std::array<double, 3> displacement{}, velocity{};
+  };
+  std::optional<Motion> motion_of_active_element() const;
 
  private:
   // The program's function or object of this name, as the compiler writes it. symbol() throws Error if there is none.

@@ -7,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/laws/plane/in_plane.hpp"
@@ -80,8 +81,23 @@ int try_deformation(Section* self, Vector const* deformation) noexcept try {
   double by_velocity = 0.0;
   double const dt = *self->program->calls().time_step;
   if (about.depends_on_velocity) {
-    auto const global = self->program->velocity_of_active_element();
-    for (std::size_t i = 0; i < 3; ++i) velocity = velocity + (about.length_to_law * global[i]) * about.axis_in[i];
+    auto const refuse = [&](std::string_view why) {
+      complain(*self->program,
+               fmt::format("isolaw section {}: the law {} takes its velocity from a zeroLengthSection, {}",
+                           tag_of(self), about.id, why));
+      return -1;
+    };
+    auto const motion = self->program->motion_of_active_element();
+    if (!motion) return refuse("and this is another element");
+    Plane expected{0.0, 0.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      expected = expected + (about.length_to_law * motion->displacement[i]) * about.axis_in[i];
+      velocity = velocity + (about.length_to_law * motion->velocity[i]) * about.axis_in[i];
+    }
+    auto const& u = motion->displacement;
+    if (std::hypot(disp.x - expected.x, disp.y - expected.y) >
+        1e-6 * about.length_to_law * std::hypot(u[0], u[1], u[2]))
+      return refuse("whose -orient differs from the orient that isolaw.opensees.section() was given");
     // OpenSees takes no damping matrix from a section, so the tangent holds the slope by the velocity, which changes by
     // 2 / dt of a displacement (Newmark's method with constant acceleration).
     if ((velocity.x != 0.0 || velocity.y != 0.0) && dt > 0.0) by_velocity = 2.0 / dt;
@@ -124,6 +140,22 @@ void destroy(Section* self) noexcept {
   program->calls().end_section(self->base);
 }
 
+void* set_response(Section* self, char const** words, int count, void* stream) noexcept try {
+  auto const& program = *self->program;
+  if (count > 0 && std::string_view(words[0]) == "state")
+    return new_response(program, self, state_response, self->law.state());
+  return program.calls().set_section_response(self, words, count, stream);
+} catch (std::exception const&) {
+  return nullptr;
+}
+
+int get_response(Section* self, int response, void* information) noexcept try {
+  if (response == state_response) return give(*self->program, self->law.state(), information);
+  return self->program->calls().get_section_response(self, response, information);
+} catch (std::exception const&) {
+  return -1;
+}
+
 Matrix* shown_tangent(Section* self, double const (&tangent)[4]) {
   for (std::size_t i = 0; i < 4; ++i) self->shown_tangent[i] = self->factor * tangent[i];
   return &self->tangent_matrix.get();
@@ -156,6 +188,8 @@ Table table_with_own_functions(Program const& program) {
                       tag_of(self), self->about->id, self->factor, self->trial.disp[0], self->trial.disp[1],
                       self->factor * self->trial.force[0], self->factor * self->trial.force[1]));
       });
+  table.own("11setResponseEPPKciR10OPS_Stream", &set_response);
+  table.own("11getResponseEiR11Information", &get_response);
   table.own("26setTrialSectionDeformationERK6Vector", &try_deformation);
   table.own(
       "21getSectionDeformationEv", +[](Section* self) { return &self->disp_vector.get(); });
@@ -189,6 +223,11 @@ Table table_with_own_functions(Program const& program) {
       "7getTypeEv", +[](Section* self) { return directions(*self->program); });
   table.own(
       "8getOrderEv K", +[](Section*) { return 2; });
+  table.own(
+      "29getStressResultantSensitivityEib", +[](Section* self, int, bool) {
+        self->shown[0] = self->shown[1] = no_sensitivity(*self->program);
+        return &self->force_vector.get();
+      });
   AsMovable<Section>::put_into(table);
   return table.take();
 }

@@ -1,9 +1,11 @@
 // Helps to make an object of a base class of the program with functions of this library.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "law.hpp"
 #include "program.hpp"
@@ -40,6 +42,13 @@ inline constexpr int printed_as_json = 25000;  // flag of Print() in OpenSees: O
 
 int tag_of(void const* object);  // of a TaggedObject
 
+// Numbers of the responses of this library, which the program does not use itself.
+enum OwnResponse { energy_response = 4711, state_response };
+// A new Response of the program, with which it asks `object` for as many numbers each time. Null if there is no memory.
+void* new_response(Program const& program, void* object, OwnResponse response, std::vector<double> numbers);
+double no_sensitivity(Program const& program);  // says once that there is none, and returns not a number
+int give(Program const& program, std::vector<double> numbers, void* information);
+
 // The functions of MovableObject for an object of this library, which get the address of that part of the object.
 template <class Object>
 struct AsMovable {
@@ -55,11 +64,11 @@ struct AsMovable {
     auto& object = *whole(self);
     auto const value = object.program->value_in(information);
     double const factor = object.about->factor_of(static_cast<ParameterKind>(parameter), value);
-    if (factor > 0.0) {
+    if (std::isfinite(factor) && factor > 0.0) {
       object.factor = factor;
       return 0;
     }
-    complain(*object.program, "isolaw: the law has no such bound, or its factor would not be above 0");
+    complain(*object.program, "isolaw: the law has no such bound, or its factor would not be a finite number above 0");
     return -1;
   }
   static void put_into(TableWithOwn& table) {

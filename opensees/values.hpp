@@ -25,7 +25,7 @@ struct Matrix {  // two rows and columns, column after column
 template <class Value>
 class ValuesOf {
  public:
-  ValuesOf(Program const& program, typename Value::Number* numbers);
+  ValuesOf(Program const& program, typename Value::Number* numbers, int size = 2);
   ValuesOf(ValuesOf const&) = delete;
   ValuesOf& operator=(ValuesOf const&) = delete;
   Value& get() const { return *reinterpret_cast<Value*>(const_cast<std::byte*>(memory_)); }
@@ -36,16 +36,16 @@ class ValuesOf {
 };
 
 template <>
-inline ValuesOf<Vector>::ValuesOf(Program const& program, double* numbers) {
-  program.calls().begin_vector(memory_, numbers, 2);
+inline ValuesOf<Vector>::ValuesOf(Program const& program, double* numbers, int size) {
+  program.calls().begin_vector(memory_, numbers, size);
 }
 template <>
-inline ValuesOf<Matrix>::ValuesOf(Program const& program, double* numbers) {
-  program.calls().begin_matrix(memory_, numbers, 2, 2);
+inline ValuesOf<Matrix>::ValuesOf(Program const& program, double* numbers, int size) {
+  program.calls().begin_matrix(memory_, numbers, size, size);
 }
 template <>
-inline ValuesOf<Id>::ValuesOf(Program const& program, int* numbers) {
-  program.calls().begin_id(memory_, numbers, 2, false);
+inline ValuesOf<Id>::ValuesOf(Program const& program, int* numbers, int size) {
+  program.calls().begin_id(memory_, numbers, size, false);
 }
 
 }  // namespace isolaw::opensees

@@ -65,7 +65,7 @@ def attach(ops=None):
 
     ops: the module ``openseespy.opensees``, which is imported if none is given. material() and section() attach by
     themselves, so this call is only needed for another module than that of PyPI. Raises Error if the program is another
-    one or its classes differ; then nothing was changed.
+    one, such as xara, or its classes differ; then nothing was changed.
     """
     global _attached
     if ops is None:
@@ -73,6 +73,12 @@ def attach(ops=None):
             import openseespy.opensees as ops
         except ImportError as error:
             raise Error(f"isolaw.opensees: {error}; allowed: a Python with OpenSeesPy; try: pip install openseespy") from None
+    name = ops.__name__ if isinstance(ops, type(_sys)) else getattr(ops, "__module__", "")
+    if name.split(".")[0] == "xara" or name.startswith("opensees.") or (name == "opensees" and hasattr(ops, "__path__")):
+        raise Error(
+            f"isolaw.opensees: {ops!r} belongs to xara, whose classes change from version to version; allowed: openseespy.opensees; "
+            "try: isolaw export --to opensees, a Tcl script with a re-fitted material, which xara reads"
+        )
     try:
         file = _sys.modules[ops.node.__module__].__file__
     except (AttributeError, KeyError):
@@ -103,6 +109,8 @@ def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, ref
         raise Error(f'units: {units!r}; allowed: a unit of force and one of length, such as ("kN", "mm")')
     if _attached is None:
         attach()
+    if isinstance(source, _Campaign) and (dead_band_mm != 0.0 or refinement != 1):
+        raise Error("dead_band_mm, refinement: the campaign has its own; allowed: only with parameters")
     given = source._core if isinstance(source, _Campaign) else source
     found = _core.law_for_opensees(
         law, given, device, tuple(units), call == "isolaw_section", anyway, float(dead_band_mm), _operator.index(refinement)
@@ -147,7 +155,8 @@ def material(
     of a campaign, the reversals that a law with a memory ignores, and the equal parts of each step.
 
     The parameters "factor", "lower" and "upper" of ops.parameter change the factor on the force during an analysis; 1
-    for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force, deformation, tangent, energy.
+    for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force, deformation, tangent, energy and
+    state (docs/opensees.md lists its numbers).
     A law that depends on velocity takes that of the element.
 
     What the campaign doubts about the law is given by warnings.warn. Raises Error for an unknown law, device, bound or
@@ -164,7 +173,7 @@ def section(
     It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. As in ``isolaw.building``, the
     law has one state for both directions if it has such a form, and is a set of springs around the circle otherwise.
     Arguments are those of material(). orient: the six numbers of the element's ``-orient``, which laws that depend on
-    velocity need (default 1, 0, 0, 0, 1, 0).
+    velocity need (default 1, 0, 0, 0, 1, 0); a step fails where the element has another orientation or type.
 
     Raises Error as material() does, and for a law whose force differs from side to side.
     """
@@ -183,6 +192,6 @@ def _axes(orient):
     z = _cross(orient[:3], orient[3:])
     y = _cross(z, orient[:3])
     lengths = [_math.hypot(*axis) for axis in (y, z)]
-    if min(lengths) == 0.0:
-        raise Error(f"orient: {orient}; allowed: two directions that are not parallel")
+    if not all(length > 0.0 and _math.isfinite(length) for length in lengths):
+        raise Error(f"orient: {orient}; allowed: two finite directions that are not parallel")
     return [[value / length for value in axis] for axis, length in zip((y, z), lengths)]

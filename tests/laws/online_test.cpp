@@ -108,6 +108,44 @@ TEST_P(EveryLaw, goes_a_step_in_parts_as_a_refined_path_does) {
   }
 }
 
+TEST_P(EveryLaw, lists_as_many_numbers_of_every_committed_state) {
+  auto const& law = laws::find_law(GetParam());
+  auto const motion = motion_of(law);
+  laws::Online online(law.info.id, parameters_of(law, 0.35));
+  auto const size = online.state().size();
+  double peak = 0.0;
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    double const x = motion.x[i];
+    auto const before = online.state();
+    online.trial(2.0 * x, motion.v[i]);
+    online.trial(x, motion.v[i]);
+    ASSERT_EQ(online.state(), before);
+    online.commit();
+    peak = std::max(peak, std::abs(x));
+    auto const state = online.state();
+    ASSERT_EQ(state.size(), size);
+    ASSERT_EQ(state[size - 4], x);
+    ASSERT_EQ(state[size - 3], motion.v[i]);
+    ASSERT_EQ(state[size - 1], peak);
+  }
+}
+
+TEST(Online, state_holds_the_law_s_variable_and_the_open_turning_points) {
+  laws::Online bilinear("bilinear", std::vector{2.0, 1.0, 10.0});  // K1, K2, xy
+  bilinear.trial(30.0, 0.0);
+  bilinear.commit();
+  EXPECT_EQ(bilinear.state(), (std::vector{10.0, 30.0, 0.0, 1.0, 30.0}));  // z = (K1 - K2) xy
+  // Force and list of forces at the turns; follower; displacement; last direction and list of turns; the motion.
+  laws::Online remembering("ramberg-osgood", parameters_of(laws::find_law("ramberg-osgood"), 0.35));
+  for (double const x : {30.0, -20.0, 10.0}) {
+    remembering.trial(x, 0.0);
+    remembering.commit();
+  }
+  auto const state = remembering.state();
+  ASSERT_EQ(state.size(), 13U);
+  EXPECT_EQ((std::vector(state.begin() + 5, state.end())), (std::vector{10.0, 1.0, 2.0, -20.0, 10.0, 0.0, 1.0, 30.0}));
+}
+
 TEST(Online, follows_with_the_dead_band_of_the_record) {
   auto const& law = laws::find_law("power-masing");
   auto const parameters = parameters_of(law, 0.35);

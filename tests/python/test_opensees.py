@@ -194,6 +194,77 @@ class Materials(InFolder):
         self.assertEqual(ops.eleResponse(1, "material", 1, "energy")[0], 0.0)
         self.assertEqual(ops.eleResponse(1, "material", 1, "stress")[0], 0.0)
 
+    def test_the_energy_is_the_work_done_with_the_factor_of_each_step(self):
+        two_nodes(1)
+        add("material", 7, "bilinear", usual_parameters("bilinear"))
+        ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+        ops.parameter(1, "element", 1, "material", 1, "factor")
+        driven(("force",), d1=PATH)
+        energy = ops.eleResponse(1, "material", 1, "energy")[0]
+        ops.updateParameter(1, 3.0)
+        self.assertEqual(ops.eleResponse(1, "material", 1, "energy")[0], energy)
+
+    def test_the_state_of_the_law_is_a_response_and_is_recorded(self):
+        parameters = usual_parameters("bilinear")
+        recorded = {}
+        for law in LAWS:
+            two_nodes(1)
+            add("material", 7, law, usual_parameters(law))
+            ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+            ops.recorder("Element", "-file", str(self.path / f"{law}.txt"), "-ele", 1, "material", 1, "state")
+            states = driven(("material", 1, "state"), d1=PATH)
+            ops.wipe()  # writes the file
+            recorded[law] = np.loadtxt(self.path / f"{law}.txt")
+            in_law = PATH / {"mm": 1.0, "cm": 10.0, "m": 1000.0}[LAWS[law]["units"][1]]
+            self.assertLess(np.abs(states[:, -4] - in_law).max(), 1e-9 * np.abs(in_law).max())
+            self.assertLess(np.abs(states[:, -1] - np.maximum.accumulate(np.abs(in_law))).max(), 1e-9 * np.abs(in_law).max())
+            self.assertLess(np.abs(recorded[law] - states).max(), 1e-5 * np.abs(states).max())
+        z = isolaw.force("bilinear", parameters, isolaw.motion(PATH, TIME)) - parameters["K2"] * PATH
+        self.assertLess(np.abs(recorded["bilinear"][:, 0] - z).max(), 1e-4 * np.abs(z).max())
+
+    def test_the_state_of_a_section_is_a_response(self):
+        for law in ("bilinear", "ramberg-osgood"):
+            parameters = usual_parameters(law)
+            two_nodes(2, 3)
+            add("section", 9, law, parameters)
+            ops.element("zeroLengthSection", 1, 1, 2, 9)
+            states = driven(("section", "state"), d2=PATH, d3=0.5 * PATH)
+            if law == "bilinear":
+                z = states[:, :2]
+                force = np.array(ops.eleResponse(1, "section", "force"))
+                self.assertLess(np.abs(force - parameters["K2"] * np.array([PATH[-1], 0.5 * PATH[-1]]) - z[-1]).max(), 1e-6)
+                self.assertAlmostEqual(states[-1, 2], PATH[-1])
+                ops.parameter(1, "element", 1, "factor")
+                for value in (2.0, math.inf):  # the second is refused
+                    ops.updateParameter(1, value)
+                    np.testing.assert_allclose(ops.eleResponse(1, "section", "force"), 2.0 * force)
+            else:  # springs around the circle, of which the first is along the first direction
+                alone = 13
+                self.assertEqual(states.shape[1], 16 * alone)
+                way = 2.0 / 16 / math.tan(0.5 * math.pi / 16)
+                self.assertLess(np.abs(states[:, alone - 4] - way * PATH).max(), 1e-6)
+
+    def test_an_analysis_of_sensitivity_gives_no_number_and_a_sentence(self):
+        script = f"""
+import sys
+sys.path[:0] = {sys.path!r}
+import openseespy.opensees as ops, isolaw.opensees
+ops.model("basic", "-ndm", 1, "-ndf", 1)
+ops.node(1, 0.0); ops.node(2, 0.0); ops.fix(1, 1)
+isolaw.opensees.material(7, "bilinear", {usual_parameters("bilinear")!r})
+ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+ops.parameter(1, "element", 1, "material", 1, "factor")
+ops.timeSeries("Linear", 1); ops.pattern("Plain", 1, 1); ops.load(2, 1.0)
+ops.constraints("Plain"); ops.numberer("Plain"); ops.system("FullGeneral"); ops.algorithm("Newton")
+ops.integrator("LoadControl", 1.0); ops.analysis("Static")
+ops.sensitivityAlgorithm("-computeAtEachStep")
+ops.analyze(1)
+print("gives", ops.sensNodeDisp(2, 1, 1))
+"""
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertIn("gives nan", done.stdout)
+        self.assertIn("the laws give no derivatives by parameters", done.stderr)
+
     def test_elements_with_one_material_are_independent(self):
         two_nodes(1, 2)
         add("material", 7, "bouc-wen", usual_parameters("bouc-wen"))
@@ -237,6 +308,7 @@ class Materials(InFolder):
             ((7, "bilinear", bilinear), {"units": "kN-mm"}, "a unit of force and one of length"),
             ((2**40, "bilinear", bilinear), {}, "tag: 1099511627776"),
             ((7, "bilinear", self.lot), {"device": "c"}, "c"),
+            ((7, "bilinear", self.lot), {"dead_band_mm": 1.0}, "dead_band_mm, refinement: the campaign has its own"),
         ):
             with self.subTest(said=said), self.assertRaisesRegex(isolaw.Error, said):
                 add("material", *arguments, **keywords)
@@ -249,6 +321,25 @@ class Materials(InFolder):
             isolaw.opensees._call("isolaw_attach", isolaw._core.__file__.encode())
         with self.assertRaisesRegex(isolaw.Error, "not loaded in this process"):
             isolaw.opensees._call("isolaw_attach", b"/nowhere/opensees.so")
+
+    def test_xara_is_refused_by_a_sentence(self):
+        xara = SOURCE / "build/opensees/xara/bin/python"
+        if not xara.exists():
+            self.skipTest("xara is not there (tools/opensees.sh build/opensees installs it)")
+        script = f"""
+import sys
+sys.path.append({str(pathlib.Path(isolaw.__file__).parents[1])!r})
+import opensees, opensees.openseespy as ops, isolaw, isolaw.opensees
+for one in (opensees, ops, ops.Model, ops.Model(ndm=1, ndf=1)):
+    try:
+        isolaw.opensees.attach(one)
+    except isolaw.Error as error:
+        print(error)
+"""
+        done = subprocess.run([xara, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.count("belongs to xara"), 4, done.stdout)
+        self.assertEqual(done.stdout.count("try: isolaw export --to opensees"), 4)
 
     def test_what_the_campaign_doubts_is_warned_of(self):
         ops.wipe()
@@ -279,23 +370,28 @@ class Materials(InFolder):
         self.assertTrue((self.path / "frame/frame.csv").exists())
 
     def test_a_database_is_refused_by_a_sentence(self):
-        script = f"""
+        for kind in ("material", "section"):
+            script = f"""
 import sys
 sys.path[:0] = {sys.path!r}
 import openseespy.opensees as ops, isolaw.opensees
-ops.model("basic", "-ndm", 1, "-ndf", 1)
-ops.node(1, 0.0); ops.node(2, 0.0); ops.fix(1, 1)
-isolaw.opensees.material(7, "bilinear", {usual_parameters("bilinear")!r})
-ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+ops.model("basic", "-ndm", 3, "-ndf", 6)
+ops.node(1, 0.0, 0.0, 0.0); ops.node(2, 0.0, 0.0, 0.0)
+if {kind!r} == "material":
+    isolaw.opensees.material(7, "bilinear", {usual_parameters("bilinear")!r})
+    ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
+else:
+    isolaw.opensees.section(7, "bilinear", {usual_parameters("bilinear")!r})
+    ops.element("zeroLengthSection", 1, 1, 2, 7)
 ops.database("File", {str(self.path / "base")!r})
 try:
     ops.save(1)
 except ops.OpenSeesError:
     print("still there")
 """
-        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
-        self.assertIn("still there", done.stdout)
-        self.assertIn("OpenSees cannot make this object anew", done.stderr)
+            done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+            self.assertIn("still there", done.stdout)
+            self.assertIn("OpenSees cannot make this object anew", done.stderr)
 
 
 class Sections(InFolder):
@@ -375,6 +471,68 @@ class Sections(InFolder):
                 ops.setStrain(way * float(n @ (uy, uz)), way * float(n @ (vy, vz)))
                 expected[row] += of_force * ops.getStress() * n
         self.assertLess(np.abs(np.array(forces) - expected).max(), 1e-6 * np.abs(expected).max())
+
+    def test_a_law_of_velocity_gets_that_of_the_nodes_in_a_plane_model(self):
+        law, parameters = "power-masing-viscous", usual_parameters("power-masing-viscous")
+        forces = {}
+        for ndm, ndf in ((2, 3), (3, 6)):
+            ops.wipe()
+            ops.model("basic", "-ndm", ndm, "-ndf", ndf)
+            ops.node(1, *[0.0] * ndm)
+            ops.node(2, *[0.0] * ndm, "-mass", *[1e-2] * ndf)
+            ops.fix(1, *[1] * ndf)
+            ops.fix(2, 1, 0, *[1] * (ndf - 2))
+            add("section", 9, law, parameters)
+            ops.element("zeroLengthSection", 1, 1, 2, 9)
+            ops.timeSeries("Trig", 1, 0.0, 10.0, 1.0, "-factor", 60.0)
+            ops.pattern("Plain", 1, 1)
+            ops.load(2, *(1.0 if i == 1 else 0.0 for i in range(ndf)))
+            ops.constraints("Plain")
+            ops.numberer("Plain")
+            ops.system("FullGeneral")
+            ops.algorithm("Newton")
+            ops.test("NormDispIncr", 1e-9, 30)
+            ops.integrator("Newmark", 0.5, 0.25)
+            ops.analysis("Transient")
+            forces[ndm] = []
+            for _ in range(100):
+                self.assertEqual(ops.analyze(1, 0.01), 0)
+                forces[ndm].append(ops.eleResponse(1, "section", "force")[0])
+        self.assertLess(np.abs(np.subtract(forces[2], forces[3])).max(), 1e-9 * np.abs(forces[3]).max())
+
+    def test_a_law_of_velocity_refuses_an_element_of_another_orientation_or_type(self):
+        script = f"""
+import sys
+sys.path[:0] = {sys.path!r}
+import openseespy.opensees as ops, isolaw.opensees
+ops.model("basic", "-ndm", 3, "-ndf", 6)
+ops.node(1, 0.0, 0.0, 0.0); ops.node(2, 1000.0, 0.0, 0.0)
+ops.fix(1, 1, 1, 1, 1, 1, 1)
+isolaw.opensees.section(9, "power-masing-viscous", {usual_parameters("power-masing-viscous")!r}, orient=(0, 0, 1, 1, 0, 0))
+for tag, code in enumerate(("P", "T", "My", "Mz"), 1):
+    ops.uniaxialMaterial("Elastic", tag, 1e6)
+ops.section("Aggregator", 10, 1, "P", 2, "T", 3, "My", 4, "Mz", "-section", 9)
+ops.geomTransf("Linear", 1, 0, 0, 1)
+ops.beamIntegration("Lobatto", 1, 10, 2)
+ops.element("forceBeamColumn", 1, 1, 2, 1, 1)
+ops.node(3, 0.0, 0.0, 0.0)
+ops.fix(3, 1, 0, 1, 1, 1, 1)
+ops.element("zeroLengthSection", 2, 1, 3, 9)  # another orientation than that of section()
+ops.timeSeries("Linear", 1); ops.pattern("Plain", 1, 1)
+for node in (2, 3):
+    ops.load(node, 0, 1.0, 0, 0, 0, 0)
+ops.constraints("Plain"); ops.numberer("Plain"); ops.system("FullGeneral"); ops.algorithm("Linear")
+ops.integrator("LoadControl", 1.0); ops.analysis("Static")
+print("code", ops.analyze(1))
+"""
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertIn("takes its velocity from a zeroLengthSection, and this is another element", done.stderr)
+        self.assertIn("takes its velocity from a zeroLengthSection, whose -orient differs", done.stderr)
+
+    def test_an_orientation_that_is_none_is_refused(self):
+        for orient in ((1.0, 0.0, 0.0), (1.0, 0.0, 0.0, 2.0, 0.0, 0.0), (1.0, 0.0, 0.0, float("nan"), 1.0, 0.0)):
+            with self.subTest(orient=orient), self.assertRaisesRegex(isolaw.Error, "orient: "):
+                add("section", 9, "bilinear", usual_parameters("bilinear"), orient=orient)
 
 
 if __name__ == "__main__":

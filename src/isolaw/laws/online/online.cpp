@@ -14,9 +14,33 @@ struct Online::Form {
   virtual std::unique_ptr<Form> copy() const = 0;
   virtual Force trial(double x, double v) = 0;
   virtual void commit() = 0;
+  virtual std::vector<double> state() const = 0;
 };
 
 namespace {
+
+// Lists the numbers of a state as Online::state() gives them.
+struct Listed {
+  std::vector<double> numbers;
+
+  template <class... Parts>
+  void operator()(Parts&... parts) {
+    (one(parts), ...);
+  }
+  void one(double& x) { numbers.push_back(x); }
+  void one(Dual& x) { numbers.push_back(x.v); }
+  void one(bool& x) { numbers.push_back(x ? 1.0 : 0.0); }
+  template <class Part>
+  void one(std::vector<Part>& list) {
+    numbers.push_back(static_cast<double>(list.size()));
+    Part last = list.empty() ? Part() : list.back();
+    one(last);
+  }
+  template <class Part>
+  void one(Part& part) {
+    part.members(*this);
+  }
+};
 
 template <class Law>
 class FormOf final : public Online::Form {
@@ -35,6 +59,12 @@ class FormOf final : public Online::Form {
     return {trial_.force, trial_.tangent, trial_.damping};
   }
   void commit() override { Motion::keep(trial_, committed_); }
+  std::vector<double> state() const override {
+    auto state = committed_;  // members() is not const
+    Listed listed;
+    listed(state.law, state.x, state.v, state.direction, state.peak);
+    return listed.numbers;
+  }
 
  private:
   struct Fixed {
@@ -70,6 +100,9 @@ Online::Force Online::trial(double x, double v) {
 }
 void Online::commit() {
   form_->commit();
+}
+std::vector<double> Online::state() const {
+  return form_->state();
 }
 
 }  // namespace isolaw::laws

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace isolaw::laws {
 
@@ -24,6 +25,11 @@ class Online {  // starts virgin at 0, in the law's units and seconds; copies ar
   // The force after a motion from the committed state to x, where the velocity is v. The duration does not matter.
   Force trial(double x, double v);
   void commit();  // makes the last trial the committed state
+
+  // Numbers of the committed state, always as many: those of the law, in the order of members() of its State and Memory,
+  // then the displacement, the velocity, the direction of the motion (-1, 0 or 1) and the largest displacement so far. A
+  // list, such as that of turning points, is given as its length and its last item, or zeros.
+  std::vector<double> state() const;
 
   struct Form;
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -15,6 +17,7 @@ struct InPlane::Form {
   virtual std::unique_ptr<Form> copy() const = 0;
   virtual Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity, double dt) = 0;
   virtual void commit() = 0;
+  virtual std::vector<double> state() const = 0;
 };
 
 namespace {
@@ -36,6 +39,13 @@ class CoupledForm final : public InPlane::Form {
     committed_ = trial_;
     from_ = to_;
   }
+  std::vector<double> state() const override {
+    using State = typename Law::template State<double>;
+    auto const numbers = std::bit_cast<std::array<double, sizeof(State) / sizeof(double)>>(committed_);
+    std::vector<double> state(numbers.begin(), numbers.end());
+    state.insert(state.end(), {from_.x, from_.y});
+    return state;
+  }
 
  private:
   Params params_;
@@ -53,6 +63,7 @@ class SpringsForm final : public InPlane::Form {
     return springs_.trial(displacement, velocity);
   }
   void commit() override { springs_.commit(); }
+  std::vector<double> state() const override { return springs_.state(); }
 
  private:
   Springs springs_;
@@ -130,6 +141,9 @@ InPlane::Force InPlane::trial(plane::Vector<double> const& displacement, plane::
 }
 void InPlane::commit() {
   form_->commit();
+}
+std::vector<double> InPlane::state() const {
+  return form_->state();
 }
 
 }  // namespace isolaw::laws

@@ -36,6 +36,10 @@ class InPlane {
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity, double dt);
   void commit();
 
+  // Numbers of the committed state, always as many: those of State of the law in the plane and the displacement, or
+  // those of Springs::state().
+  std::vector<double> state() const;
+
   struct Form;
 
  private:

@@ -38,4 +38,13 @@ void Springs::commit() {
   for (auto& spring : springs_) spring.law.commit();
 }
 
+std::vector<double> Springs::state() const {
+  std::vector<double> all;
+  for (auto const& spring : springs_) {
+    auto const one = spring.law.state();
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
+}
+
 }  // namespace isolaw::laws

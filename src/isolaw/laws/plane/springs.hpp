@@ -32,6 +32,7 @@ class Springs {
   };
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity);
   void commit();
+  std::vector<double> state() const;  // Online::state() of each spring, one after another
 
  private:
   struct Spring {
