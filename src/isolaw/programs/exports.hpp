@@ -16,6 +16,7 @@ namespace isolaw::programs {
 struct Remarks {
   std::vector<std::string> objections;  // reasons to refuse the export, unless the user asks for it `anyway`
   std::vector<std::string> cautions;    // warnings that are shown with the export
+  std::vector<Finding> responses;       // of a building with each re-fit (response.hpp)
 };
 
 struct Target {
@@ -30,6 +31,7 @@ Target const& find_target(std::string_view name);  // throws Error with a list o
 struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
+  std::vector<Finding> responses;
 };
 // Throws Error if the law is not fit for use (its prediction is unusable, for example), or if the material that stands
 // for it in the analysis program is far off the law. With `anyway` these reasons go to `let_through` instead. Always

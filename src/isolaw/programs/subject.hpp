@@ -80,7 +80,8 @@ struct Subject {
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
-  std::optional<Model> model;  // only for targets that write a whole building
+  std::optional<Model> model;               // only for targets that write a whole building
+  std::vector<data::GroundMotion> motions;  // under which a re-fit is compared with the law (response.hpp)
 };
 
 // Makes two sine cycles, without forces. The second begins at the middle point. The velocity is 0 at the first point,
