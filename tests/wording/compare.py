@@ -47,6 +47,7 @@ COMMANDS = (
      "--out", "OUT/lot", "--figures", "none", "--json"),
     ("report", "OUT/lot", "--json", "--figures", "none"),
     ("export", "OUT/lot", "--law", "bouc-wen", "--device", "lot", "--to", "json"),
+    ("export", "OUT/lot", "--law", "jankowski", "--device", "lot", "--to", "json", "--anyway"),
     ("check", "OUT/lot"),
 )
 

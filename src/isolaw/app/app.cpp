@@ -308,6 +308,10 @@ void add_export(Commands& commands) {
                fmt::format("name of the namespace and the commands in the file: letters, digits and _, at most {} "
                            "(default: isolaw, the law, the campaign, the device and the units)",
                            programs::longest_name));
+  c.add_option(
+      "--motion", a.motions,
+      "files of the ground's acceleration, AT2 or columns with units, under which a re-fit is compared with the "
+      "law (default: --ground-motion, or artificial motions)");
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");

@@ -391,9 +391,8 @@ int merge_buildings(MergeArguments const& arguments) {
 
 void write_example_building(std::filesystem::path const& directory) {
   make_folder(directory);
-  constexpr std::uint32_t motions = 7;
-  for (std::uint32_t i = 0; i < motions; ++i) {
-    auto const motion = building::synthetic_motion(1940, i, {.step_s = 0.01, .duration_s = 20.0});
+  for (std::uint32_t i = 0; i < building::example_motions; ++i) {
+    auto const motion = building::example_motion(i);
     for (auto const* axis : {"x", "y"}) {
       std::string file = fmt::format("# made, not recorded\ntime [s],acceleration_{} [m/s2]\n", axis);
       auto const& a = axis[0] == 'x' ? motion.x_mm_s2 : motion.y_mm_s2;
@@ -402,7 +401,7 @@ void write_example_building(std::filesystem::path const& directory) {
       write_file(directory / fmt::format("motion-{}-{}.csv", i + 1, axis), file);
     }
   }
-  write_file(directory / "building.toml", building::building_template(motions));
+  write_file(directory / "building.toml", building::building_template(building::example_motions));
 }
 
 }  // namespace isolaw::app

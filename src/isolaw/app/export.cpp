@@ -32,6 +32,11 @@ int export_law(ExportArguments const& a) {
                  .found = fmt::format("is given with --to {}", a.to),
                  .allowed = "a target whose file has a name: not " + joined(nameless)});
   if (a.name) programs::require_export_name(*a.name);
+  constexpr std::array never_refitted{"openseespy-law", "cpp", "opensees-cpp", "abaqus", "csv"};
+  if (!a.motions.empty() && std::ranges::find(never_refitted, target.name) != never_refitted.end())
+    throw Error({.where = "--motion",
+                 .found = fmt::format("is given with --to {}, which writes the law itself", a.to),
+                 .allowed = "a target that may re-fit the law: not " + joined(never_refitted)});
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   auto const& units = find_unit_system(a.units ? *a.units : std::string(contents.acceptance.report_units));
   apply(a.acceptance, contents.acceptance);
@@ -47,6 +52,7 @@ int export_law(ExportArguments const& a) {
     campaign::apply(a.seed, settings);
     subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
   }
+  for (auto const& file : a.motions) subject.motions.push_back(data::read_ground_motion(file));
   auto const exported = programs::write_export(subject, target, units, a.anyway);
   for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     say("warning: {}\n", printable(warning));
@@ -54,8 +60,11 @@ int export_law(ExportArguments const& a) {
   if (subject.model)
     for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
   for (auto const& caution : exported.cautions) say("warning: {}\n", printable(caution));
+  for (auto const& response : exported.responses)
+    say("{}: {}\n", wording::row(response.kind).severity == wording::Severity::note ? "note" : "warning",
+        printable(wording::sentence(response, units)));
   for (auto const& objection : exported.let_through) say("{}\n", printable(study::let_through(objection)));
-  std::vector<std::filesystem::path> inputs;
+  auto inputs = a.motions;
   for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})
     if (auto const given = a.model.find(key); given != a.model.end()) inputs.emplace_back(text_of(given->second));
   if (!a.out) {

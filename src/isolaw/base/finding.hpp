@@ -39,6 +39,8 @@ enum class FindingKind {
   building_bounds_cover, covering_factors, building_bounds_cover_with, building_law_or_lot, building_no_draws,
   displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, building_runs_failed,
   draws_too_few, motions_too_few,
+  // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
+  refit_response_off, refit_response,
   // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
   no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,

@@ -156,7 +156,8 @@ Coupling coupling_of(std::string_view law, std::span<double const> parameters) {
   return laws::no_coupled_form(law, parameters) ? Coupling::springs : Coupling::coupled;
 }
 
-std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling) {
+std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling,
+                                      double dead_band_mm, int parts) {
   auto const& entry = laws::find_law(law);
   if (parameters.size() != entry.parameters.size())
     throw Error({.where = std::string(law),
@@ -164,7 +165,7 @@ std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double con
                  .allowed = std::to_string(entry.parameters.size())});
   if (coupling == Coupling::coupled)
     return std::make_unique<InPlaneBearing>(laws::InPlane::coupled(law, parameters), entry.info);
-  laws::Online const online(law, parameters);
+  laws::Online const online(law, parameters, dead_band_mm / entry.info.length.in_record_units, parts);
   if (coupling == Coupling::separate) return std::make_unique<SeparateBearing>(online, entry.info);
   if (has_no_slope_at_rest(online, entry.info)) return std::make_unique<RestingSprings>(online, entry.info);
   return std::make_unique<InPlaneBearing>(laws::InPlane::springs(online), entry.info);

@@ -34,7 +34,10 @@ enum class Coupling {
 };
 // Coupling::coupled if the law has a two-dimensional form with these parameters, else Coupling::springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-// Makes a virgin bearing at rest. Throws Error for an unknown law, a wrong coupling or a wrong number of parameters.
-std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling);
+// Makes a virgin bearing at rest. `dead_band_mm` and `parts`, the integration steps of a trial, are those of
+// laws::Online; coupled forms have neither. Throws Error for an unknown law, a wrong coupling or a wrong number of
+// parameters.
+std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling,
+                                      double dead_band_mm = 0.0, int parts = 1);
 
 }  // namespace isolaw::building

@@ -64,4 +64,8 @@ Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion
   return motion;
 }
 
+Motion example_motion(std::uint32_t index) {
+  return synthetic_motion(1940, index, {.step_s = 0.01, .duration_s = 20.0});
+}
+
 }  // namespace isolaw::building

@@ -21,4 +21,8 @@ struct SyntheticMotion {
 // Generates motion `index` of the family `seed`. Machines differ only in the last digits of cos and exp.
 Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion const& wanted = {});
 
+// The motions of `isolaw example DIR --building`, from 0 to 6.
+inline constexpr std::uint32_t example_motions = 7;
+Motion example_motion(std::uint32_t index);
+
 }  // namespace isolaw::building

@@ -68,6 +68,25 @@ void write_validity(JsonWriter& out, Subject const& subject) {
   out.member("temperature_min_C", t.temperature_min_C).member("temperature_max_C", t.temperature_max_C).end_object();
 }
 
+void write(JsonWriter& out, std::string_view key, RefitResponse const& response, UnitSystem const& units) {
+  out.key(key).begin_object().member("mass_t", response.mass_Mg).member("mass_from", response.mass_from);
+  out.member("period_s", response.period_s).member("why_not", response.why_not).key("motions").begin_array();
+  for (auto const& each : response.motions) {
+    out.begin_object().member("motion", each.motion);
+    out.member("law_displacement", units.from_mm(each.law_disp_mm))
+        .member("law_shear", units.from_kN(each.law_shear_kN));
+    out.member("displacement", units.from_mm(each.refit_disp_mm)).member("shear", units.from_kN(each.refit_shear_kN));
+    out.end_object();
+  }
+  out.end_array();
+  if (auto const& finding = response.finding) {
+    out.member("displacement_percent", finding->number("disp_percent"));
+    out.member("shear_percent", finding->number("shear_percent"));
+    out.member("off", finding->kind == FindingKind::refit_response_off);
+  }
+  out.end_object();
+}
+
 void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck const& check, UnitSystem const& units) {
   out.key("forms").begin_array();
   for (std::size_t i = 0; i < realisation.forms.size(); ++i) {
@@ -131,6 +150,7 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   if (!realisation.substitute.empty())
     write_parameters(out, "substitute_parameters", laws::find_law(realisation.substitute),
                      realisation.substitute_parameters);
+  if (!realisation.substitute.empty()) write(out, "in_a_building", realisation.response, units);
   write_validity(out, subject);
   auto const& doubts = subject.doubts;
   out.member("prediction", wording::remark(doubts.prediction));

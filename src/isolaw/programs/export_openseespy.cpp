@@ -55,6 +55,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
       "# To check: python3 this-file (exit code 0 where all agree)\n{1}\n"
       "try:\n    import openseespy.opensees as ops\nexcept ImportError:  # a build of one's own\n    import opensees as ops\n\n\n",
       check.forms.front().function, addition.usage);
+  text += addition.head;
   for (auto const& form : check.forms) text += function(form);
   text += fmt::format(
       "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = [\n{}\n]\n",

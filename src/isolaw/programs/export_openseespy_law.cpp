@@ -2,8 +2,14 @@
 // self-check in OpenSees.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <ranges>
+
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/online/online.hpp"
 #include "isolaw/programs/exports.hpp"
+#include "isolaw/programs/model_text.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
 
@@ -28,69 +34,80 @@ std::vector<double> online_force(Subject const& subject, std::vector<double> con
 
 }  // namespace
 
-std::string openseespy_law(Subject const& subject, UnitSystem const& units) {
+std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix) {
   auto const written = [&](std::vector<double> const& values_mm) {
     std::vector<double> values;
     for (double const x : values_mm) values.push_back(std::stod(fmt::format("{:.10g}", units.from_mm(x))));
     return values;
   };
   auto const disp = written(subject.protocol.disp_mm), velocity = written(subject.protocol.vel_mm_s);
-  std::string text;
-  for (auto const& line : fact_lines(
-           facts_of_the_law(subject, units, "OpenSeesPy with isolaw",
-                            "the law itself, computed as isolaw computes it, one step for each step of the analysis")))
-    text += "# " + line + "\n";
-  text +=
-      "#\n# To use:   with isolaw's Python package and openseespy: import this module; material(1) or material(1, \"upper\").\n"
-      "#           isolaw.opensees.section is the law in two directions, in one element.\n"
-      "# To check: python3 this-file (exit code 0 where all agree)\n\n"
-      "import openseespy.opensees as ops\nimport isolaw.opensees\n\nPARAMETERS = {\n";
+  std::string capitals(prefix);
+  std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  auto text = capitals + "PARAMETERS = {\n";
   for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
     auto const& p = subject.law->parameters[i];
     text += fmt::format("    \"{}\": {},  # {}: {}\n", p.name, exactly(subject.parameters[i]), p.unit, p.meaning);
   }
-  text += "}\n# Factors on the force.\nBOUNDS = {\"nominal\": 1.0";
+  text += fmt::format("}}\n# Factors on the force.\n{}BOUNDS = {{\"nominal\": 1.0", capitals);
   if (subject.bounds.lower) text += fmt::format(", \"lower\": {}", exactly(subject.bounds.lower->overall));
   if (subject.bounds.upper) text += fmt::format(", \"upper\": {}", exactly(subject.bounds.upper->overall));
-  text += fmt::format(R"python(}}
+  text += "}\n";
+  bool const drawn = subject.model && !subject.model->draws.empty();
+  if (drawn) {
+    text += fmt::format("# Parameters of the drawn laws, in the order of {0}PARAMETERS.\n{0}DRAWN = {{\n", capitals);
+    auto const& draws = subject.model->draws;
+    for (std::size_t d = 0; d < draws.size(); ++d)
+      for (std::size_t b = 0; b < draws[d].size(); ++b)
+        text += fmt::format("    \"{}\": ({},),\n", drawn_variant(d + 1, b + 1),
+                            joined(draws[d][b] | std::views::transform(exactly)));
+    text += "}\n";
+  }
+  return text +
+         fmt::format(
+             R"python(
+
+def {prefix}arguments(variant="nominal"):
+    """What isolaw.opensees.material and section are told about the law in a variant: nominal, lower, upper{or_draw}."""
+    return {{
+        "law": "{id}", "source": {source}, "bound": {bound},
+        "units": ("{force}", "{length}"), "dead_band_mm": {dead_band}, "refinement": {refinement},
+    }}
 
 
-def material(tag, variant="nominal"):
+def {prefix}material(tag, variant="nominal"):
     """The law as a uniaxial material: force over displacement."""
-    isolaw.opensees.material(
-        tag, "{0}", PARAMETERS, bound=BOUNDS[variant], units=("{1}", "{2}"), dead_band_mm={3}, refinement={4}
-    )
+    isolaw.opensees.material(tag, **{prefix}arguments(variant))
 
 
 # The motion of the self-check, and the force of the law along it.
-DISP = [
-{5}
+{capitals}DISP = [
+{disp}
 ]
-VELOCITY = [
-{6}
+{capitals}VELOCITY = [
+{velocity}
 ]
-EXPECTED = [
-{7}
+{capitals}EXPECTED = [
+{expected}
 ]
 
 
-def self_check():
+def {prefix}self_check():
     """Moves a material of each variant along the motion. What there was is wiped. True where all forces agree."""
     allowed = 1e-8  # of the peak force
     everything = True
-    for variant, factor in BOUNDS.items():
+    for variant, factor in {capitals}BOUNDS.items():
         ops.wipe()
-        material(1, variant)
+        {prefix}material(1, variant)
         ops.testUniaxialMaterial(1)
         got = []
-        for disp, velocity in zip(DISP, VELOCITY):
+        for disp, velocity in zip({capitals}DISP, {capitals}VELOCITY):
             ops.setStrain(disp, velocity)
             got.append(ops.getStress())
-        peak = factor * max(abs(force) for force in EXPECTED)
-        worst = max(abs(force - factor * expected) for force, expected in zip(got, EXPECTED))
+        peak = factor * max(abs(force) for force in {capitals}EXPECTED)
+        worst = max(abs(force - factor * expected) for force, expected in zip(got, {capitals}EXPECTED))
         passed = all(force == force for force in got) and worst <= allowed * peak
         print(
-            f"isolaw {0} {{variant}}: largest difference {{worst / peak:.3g}} of the peak force (allowed {{allowed:g}}): "
+            f"isolaw {id} {{variant}}: largest difference {{worst / peak:.3g}} of the peak force (allowed {{allowed:g}}): "
             + ("PASS" if passed else "FAIL")
         )
         everything = everything and passed
@@ -98,15 +115,35 @@ def self_check():
     return everything
 
 
-if __name__ == "__main__":
-    import sys
-
-    sys.exit(0 if self_check() else 1)
 )python",
-                      subject.law->info.id, units.force.symbol, units.length.symbol, exactly(subject.dead_band_mm),
-                      subject.refinement, number_lines(disp, ", ", "    "), number_lines(velocity, ", ", "    "),
-                      number_lines(online_force(subject, disp, velocity, units), ", ", "    "));
-  return text;
+             fmt::arg("prefix", prefix), fmt::arg("capitals", capitals), fmt::arg("or_draw", drawn ? " or a draw" : ""),
+             fmt::arg("source",
+                      !drawn
+                          ? capitals + "PARAMETERS"
+                          : fmt::format(
+                                "dict(zip({0}PARAMETERS, {0}DRAWN[variant])) if variant in {0}DRAWN else {0}PARAMETERS",
+                                capitals)),
+             fmt::arg("bound", capitals + (drawn ? "BOUNDS.get(variant, 1.0)" : "BOUNDS[variant]")),
+             fmt::arg("id", subject.law->info.id), fmt::arg("force", units.force.symbol),
+             fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exactly(subject.dead_band_mm)),
+             fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(disp, ", ", "    ")),
+             fmt::arg("velocity", number_lines(velocity, ", ", "    ")),
+             fmt::arg("expected", number_lines(online_force(subject, disp, velocity, units), ", ", "    ")));
+}
+
+std::string openseespy_law(Subject const& subject, UnitSystem const& units) {
+  std::string text;
+  for (auto const& line : fact_lines(
+           facts_of_the_law(subject, units, "OpenSeesPy with isolaw",
+                            "the law itself, computed as isolaw computes it, one step for each step of the analysis")))
+    text += "# " + line + "\n";
+  return text +
+         "#\n# To use:   with isolaw's Python package and openseespy: import this module; material(1) or material(1, \"upper\").\n"
+         "#           isolaw.opensees.section is the law in two directions, in one element.\n"
+         "# To check: python3 this-file (exit code 0 where all agree)\n\n"
+         "import openseespy.opensees as ops\nimport isolaw.opensees\n\n" +
+         law_in_python(subject, units, "") +
+         "if __name__ == \"__main__\":\n    import sys\n\n    sys.exit(0 if self_check() else 1)\n";
 }
 
 }  // namespace isolaw::programs

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/building/bearing.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/model_text.hpp"
 #include "isolaw/programs/script_addition.hpp"
@@ -36,14 +37,107 @@ std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
   return text;
 }
 
+std::string python_springs(std::string_view function) {
+  return fmt::format(
+      "{}(tag, variant(case, i))\n"
+      "ops.element(\"zeroLength\", i, i, top, \"-mat\", tag, tag, axial, \"-dir\", 1, 2, 3, \"-orient\", c, s, 0.0, -s, c, 0.0)\n",
+      function);
+}
+
 std::string python_isolator(ModelNumbers const& n) {
   return n.coupled
-             ? "        bearing(i, i, top, variant(case, i), \"-P\", axial, \"-T\", 1, \"-My\", 1, \"-Mz\", 1, \"-orient\", 0.0, 0.0, 1.0, c, s, 0.0)\n"
-             : fmt::format(
-                   "        {}(tag, variant(case, i))\n"
-                   "        ops.element(\"zeroLength\", i, i, top, \"-mat\", tag, tag, axial, \"-dir\", 1, 2, 3, \"-orient\", c, s, 0.0, -s, c, 0.0)\n",
-                   n.function);
+             ? "bearing(i, i, top, variant(case, i), \"-P\", axial, \"-T\", 1, \"-My\", 1, \"-Mz\", 1, \"-orient\", 0.0, 0.0, 1.0, c, s, 0.0)\n"
+             : python_springs(n.function);
 }
+
+// How the law itself acts in plan, as in isolaw.building: by its own form in two directions, else as springs around the
+// circle, which round its knee, so a motion along x alone has the law once along each axis.
+building::Coupling coupling_in_model(Subject const& subject) {
+  auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);
+  bool const springs_follow = subject.law->info.traits.odd && subject.model->motions.size() > 1;
+  return coupling == building::Coupling::springs && !springs_follow ? building::Coupling::separate : coupling;
+}
+
+// True if springs around the circle have the parameters that the campaign fitted to them. Draws have none.
+bool as_fitted_springs(Subject const& subject) {
+  return coupling_in_model(subject) == building::Coupling::springs && subject.springs && subject.model->draws.empty();
+}
+
+std::string python_isolator_with_law(Subject const& subject) {
+  return coupling_in_model(subject) == building::Coupling::separate
+             ? python_springs("law_material")
+             : "about = law_arguments(variant(case, i))\n" +
+                   std::string(as_fitted_springs(subject) ? "about[\"source\"] = LAW_SPRINGS\n" : "") +
+                   "isolaw.opensees.section(tag, orient=[0.0, 0.0, 1.0, c, s, 0.0], **about)\n"
+                   "ops.section(\"Aggregator\", tag + 1, axial, \"P\", \"-section\", tag)\n"
+                   "ops.element(\"zeroLengthSection\", i, i, top, tag + 1, \"-orient\", 0.0, 0.0, 1.0, c, s, 0.0)\n";
+}
+
+std::string python_springs_of_law(Subject const& subject) {
+  std::string text = "# Parameters with which the springs of a section follow the tests.\nLAW_SPRINGS = {\n";
+  for (std::size_t i = 0; i < subject.springs->size(); ++i)
+    text += fmt::format("    \"{}\": {},\n", subject.law->parameters[i].name, exactly((*subject.springs)[i]));
+  return text + "}\n\n\n";
+}
+
+std::string indented(std::string_view lines, std::size_t by) {
+  std::string text;
+  for (std::string_view rest = lines; !rest.empty();) text += fmt::format("{:{}}{}\n", "", by, take_part(rest, '\n'));
+  return text;
+}
+
+std::vector<Fact> law_facts(Subject const& subject) {
+  auto const coupling = coupling_in_model(subject);
+  return {{"Law or re-fit",
+           "an isolator has the law itself if Python finds the package isolaw and this accepts the running OpenSees, "
+           "else the re-fit; a run prints which, and why not the law. The argument --re-fit, or RE_FIT = True below, "
+           "chooses the re-fit. The errors above are those of the re-fit; the law itself has none of them"},
+          {"  isolators with the law",
+           coupling == building::Coupling::coupled ? "a section with the law's own form in two directions"
+           : coupling == building::Coupling::springs
+               ? std::string("a section of springs around the circle, with ") +
+                     (as_fitted_springs(subject)
+                          ? "parameters that were fitted to such springs"
+                          : "the parameters of the law along one direction: they round its knee and dissipate "
+                            "less (isolaw calibrate --bidirectional springs fits them)")
+               : "two springs at right angles, along the axes of its angle: they do not know of each other"}};
+}
+
+constexpr std::string_view python_switch =
+    R"python(# True: the isolators have the re-fit also where the law itself can be had. So does the argument --re-fit.
+RE_FIT = False
+
+
+)python";
+
+constexpr std::string_view python_choice = R"python(LAW_FAILED = "its check failed"
+
+
+@functools.cache
+def no_law():
+    """Why the law itself cannot be had in this Python and OpenSees; "" if it can, and its check passes. What there was is
+    wiped."""
+    global isolaw
+    try:
+        import isolaw.opensees
+
+        isolaw.opensees.attach(ops)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return "" if law_self_check() else LAW_FAILED
+    except (ImportError, OSError, AttributeError, TypeError, ValueError) as error:  # isolaw.Error is a ValueError
+        return f"{type(error).__name__}: {error}"
+
+
+def isolators():
+    """Whether the isolators have the law itself, and a sentence that says which of the two they have, and why."""
+    reason = "RE_FIT or --re-fit asks for it" if RE_FIT else no_law()
+    if reason:
+        return False, f"The isolators have the re-fit. Why not the law itself: {reason}."
+    return True, f"The isolators have the law itself, by the Python package isolaw {isolaw.__version__}."
+
+
+)python";
 
 constexpr std::string_view python_build_head = R"python(def variant(case, i):
     """The variant of the law that isolator number i has in a case."""
@@ -52,7 +146,7 @@ constexpr std::string_view python_build_head = R"python(def variant(case, i):
 
 def build(case):
     """Nodes 1 to n on the ground, n + 1 to 2 n above the isolators, 2 n + 1 at the centre of the mass; elements 1 to n."""
-    ops.wipe()
+HAS_LAW    ops.wipe()
     ops.model("basic", "-ndm", 3, "-ndf", 6)
     n = len(BEARINGS)
     slab = 2 * n + 1
@@ -195,7 +289,7 @@ def run(folder, which=()):
         if case not in CASES:
             raise ValueError(f"no case {case}; there is: {' '.join(CASES)}")
     os.makedirs(folder, exist_ok=True)
-    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weight", "rotation", "left at end")
+SAY_WHICH    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weight", "rotation", "left at end")
     table_row("", f"[{LENGTH}]", "", f"[{LENGTH}]", f"[{FORCE}]", f"[{FORCE}]", "", "[rad]", f"[{LENGTH}]")
     beyond, drawn = [], []
     with opened(folder, "peaks.csv") as peaks:
@@ -221,8 +315,9 @@ def run(folder, which=()):
 
 def main(arguments):
     """Runs the analyses if asked to `run`, else the check; returns the exit code."""
-    if not arguments or arguments[0] != "run":
-        return 0 if self_check() else 1
+ARGUMENTS    if not arguments or arguments[0] != "run":
+        passed = self_check()
+CHECK        return 0 if passed else 1
     try:
         run(arguments[1] if len(arguments) > 1 else "FOLDER", arguments[2:])
     except (RuntimeError, ValueError, OSError) as error:
@@ -241,11 +336,51 @@ std::string openseespy_model(Subject const& subject, Realisation const& realisat
   ScriptAddition addition;
   addition.facts = model_facts(subject, realisation, units);
   addition.usage = run_usage("python3 this-file", folder, numbers);
-  auto rest = std::string(python_rest);
-  constexpr std::string_view place = "FOLDER\"";
-  rest.replace(rest.find(place), place.size(), folder + "\"");
-  addition.procedures = "import math\nimport os\nimport sys\n\n" + python_data(numbers, units) +
-                        std::string(python_build_head) + python_isolator(numbers) + rest;
+  bool const either = !realisation.substitute.empty();
+  auto const isolator = python_isolator(numbers);
+  auto build = std::string(python_build_head), rest = std::string(python_rest);
+  auto const set = [](std::string& text, std::string_view place, std::string_view by) {
+    text.replace(text.find(place), place.size(), by);
+  };
+  set(rest, "FOLDER\"", folder + "\"");
+  set(build, "HAS_LAW", either ? "    has_law = isolators()[0]\n" : "");
+  set(rest, "SAY_WHICH",
+      either ? "    which_one = isolators()[1]\n"
+               "    print(which_one)\n"
+               "    with opened(folder, \"isolators.txt\") as file:\n"
+               "        print(which_one, file=file)\n"
+             : "");
+  set(rest, "ARGUMENTS",
+      either ? "    global RE_FIT\n"
+               "    RE_FIT = RE_FIT or \"--re-fit\" in arguments\n"
+               "    arguments = [word for word in arguments if word != \"--re-fit\"]\n"
+             : "");
+  set(rest, "CHECK",
+      either ? "        passed = no_law() != LAW_FAILED and passed\n"
+               "        print(isolators()[1])\n"
+             : "");
+  addition.procedures = fmt::format("{}import math\nimport os\nimport sys\n{}\n", either ? "import functools\n" : "",
+                                    either ? "import warnings\n" : "") +
+                        python_data(numbers, units);
+  if (either) {
+    for (auto& fact : law_facts(subject)) addition.facts.push_back(std::move(fact));
+    addition.head = python_switch;
+    addition.usage += "#           --re-fit: the isolators have the re-fit also where the law itself can be had\n";
+    addition.procedures += law_in_python(subject, units, "law_");
+    if (as_fitted_springs(subject)) addition.procedures += python_springs_of_law(subject);
+    addition.procedures += python_choice;
+  }
+  addition.procedures += build;
+  if (either)
+    addition.procedures +=
+        "        if has_law:\n"
+        "            # isolaw warns that a static analysis has no velocity; under the loads nothing moves in plan.\n"
+        "            with warnings.catch_warnings():\n"
+        "                warnings.simplefilter(\"ignore\")\n" +
+        indented(python_isolator_with_law(subject), 16) + "        else:\n" + indented(isolator, 12);
+  else
+    addition.procedures += indented(isolator, 8);
+  addition.procedures += rest;
   addition.dispatch = "sys.exit(main(sys.argv[1:]))\n";
   return openseespy_script(subject, realisation, units, addition);
 }

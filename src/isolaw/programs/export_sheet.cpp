@@ -27,13 +27,15 @@ struct Set {
   std::string how;      // "exact", or the fitted law and its error
   bool is_near = true;  // false if the fitted law is far off the exported law
   std::string off;      // how far, if it is fitted
+  RefitResponse response = {};
   Values nominal;
   std::optional<Values> lower, upper;
 };
 
 template <class Values>
 Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::string how, bool is_near = true) {
-  Set<Values> variants{std::move(how), is_near, {}, nominal, {}, {}};
+  Set<Values> variants{
+      .how = std::move(how), .is_near = is_near, .off = {}, .nominal = nominal, .lower = {}, .upper = {}};
   if (subject.bounds.lower) variants.lower = scaled(nominal, *subject.bounds.lower);
   if (subject.bounds.upper) variants.upper = scaled(nominal, *subject.bounds.upper);
   return variants;
@@ -42,11 +44,14 @@ Set<Values> with_bounds(Subject const& subject, Values const& nominal, std::stri
 struct Errors {
   Deviation on_records;
   std::vector<OtherCycle> on_other_cycles;
+  RefitResponse in_a_building;
 };
 
-Errors errors_of(Subject const& subject, laws::LawEntry const& law, std::span<double const> parameters) {
+Errors errors_of(Subject const& subject, BuildingOnLaw const& building, std::string_view link,
+                 laws::LawEntry const& law, std::span<double const> parameters) {
   return {deviation_of_law(subject, law, parameters),
-          other_cycles(subject, [&](History const& history) { return law_force(law, parameters, history); })};
+          other_cycles(subject, [&](History const& history) { return law_force(law, parameters, history); }),
+          building.with(link, law, parameters)};
 }
 
 template <class Values>
@@ -55,6 +60,7 @@ Set<Values> fitted_set(Subject const& subject, Values const& nominal, std::strin
   auto const off = fmt::format("{}; {}", deviation_text(errors.on_records), text(errors.on_other_cycles));
   auto variants = with_bounds(subject, nominal, fmt::format("{}{}: {}", far ? "FAR OFF, " : "", what, off), !far);
   variants.off = off;
+  variants.response = errors.in_a_building;
   return variants;
 }
 
@@ -78,10 +84,11 @@ Wen sharp(Corner const& v) {
   return {.alpha = v.K2 / v.K1, .Ke = v.K1, .beta = half, .gamma = half, .n = sharpest};
 }
 
-std::optional<Wen> fitted_bouc_wen(Subject const& subject, std::vector<fit::Override> const& overrides, Errors& error) {
+std::optional<Wen> fitted_bouc_wen(Subject const& subject, BuildingOnLaw const& building, std::string_view link,
+                                   std::vector<fit::Override> const& overrides, Errors& error) {
   auto const found = fit_substitute(subject, smooth_law, overrides);
   if (found.law == nullptr) return std::nullopt;
-  error = errors_of(subject, *found.law, found.parameters);
+  error = errors_of(subject, building, link, *found.law, found.parameters);
   return bouc_wen_values(*found.law, found.parameters);
 }
 
@@ -92,21 +99,24 @@ fit::Override tie_gamma() {
   return {.law = std::string(smooth_law), .parameter = "gamma", .interval = std::nullopt, .tied_to = "beta"};
 }
 
+constexpr std::string_view plastic_wen_link = "Plastic (Wen)";
+
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
 // Bouc-Wen values with beta = gamma and an exponent from 1 to 20, which Plastic (Wen) requires.
-WenSet plastic_wen(Subject const& subject) {
+WenSet plastic_wen(Subject const& subject, BuildingOnLaw const& building) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
-    auto const error = errors_of(subject, laws::find_law(smooth_law), parameters_of(s));
+    auto const error = errors_of(subject, building, plastic_wen_link, laws::find_law(smooth_law), parameters_of(s));
     return fitted_set(subject, s, "the corner as an exponent of 20, from the law", error);
   }
   auto const v = bouc_wen_values(*subject.law, subject.parameters);
   if (v && std::abs(v->beta - v->gamma) <= 1e-9 * std::abs(v->beta + v->gamma) && v->n >= 1.0)
     return with_bounds(subject, *v, "exact: beta = gamma");
   Errors error;
-  auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {1.0, sharpest})}, error);
+  auto const found =
+      fitted_bouc_wen(subject, building, plastic_wen_link, {tie_gamma(), set("n", {1.0, sharpest})}, error);
   if (!found) return std::nullopt;
   auto const what =
       v ? fmt::format(
@@ -116,28 +126,28 @@ WenSet plastic_wen(Subject const& subject) {
   return fitted_set(subject, *found, what, error);
 }
 
-WenSet rubber_isolator(Subject const& subject) {
+WenSet rubber_isolator(Subject const& subject, BuildingOnLaw const& building) {
   Errors error;
-  auto const found = fitted_bouc_wen(subject, {tie_gamma(), set("n", {2.0, 2.0})}, error);
+  auto const found = fitted_bouc_wen(subject, building, "Rubber Isolator", {tie_gamma(), set("n", {2.0, 2.0})}, error);
   if (!found) return std::nullopt;
   return fitted_set(subject, *found, "re-fitted with exponent 2 and beta = gamma; from the law", error);
 }
 
-WenSet free_bouc_wen(Subject const& subject, WenSet const& wen) {
+WenSet free_bouc_wen(Subject const& subject, BuildingOnLaw const& building, WenSet const& wen) {
   if (bilinear_values(*subject.law, subject.parameters)) return wen;
   if (auto const v = bouc_wen_values(*subject.law, subject.parameters))
     return with_bounds(subject, *v, "the law's own equation; the program's integration comes on top");
   Errors error;
-  auto const found = fitted_bouc_wen(subject, {}, error);
+  auto const found = fitted_bouc_wen(subject, building, "Bouc-Wen (MIDAS, SeismoStruct)", {}, error);
   if (!found) return std::nullopt;
   return fitted_set(subject, *found, "re-fitted; from the law", error);
 }
 
-CornerSet bilinear(Subject const& subject) {
+CornerSet bilinear(Subject const& subject, BuildingOnLaw const& building) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) return with_bounds(subject, *v, "exact");
   auto const found = fit_substitute(subject, corner_law);
   if (found.law == nullptr) return std::nullopt;
-  auto const error = errors_of(subject, *found.law, found.parameters);
+  auto const error = errors_of(subject, building, "the bilinear model", *found.law, found.parameters);
   return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);
 }
 
@@ -297,9 +307,28 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   for (auto const& f : validity(subject, units)) fact(f.label, f.text);
   for (auto const& f : away_facts(subject, {})) fact(f.label, f.text);
   for (auto const& f : bound_facts(subject, false)) fact(f.label, f.text);
-  auto const wen = plastic_wen(subject);
-  auto const corner = bilinear(subject);
+  BuildingOnLaw const building(subject);
+  auto const wen = plastic_wen(subject, building);
+  auto const corner = bilinear(subject, building);
   bool const fitted = wen || corner;
+  auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
+  auto const free = free_bouc_wen(subject, building, wen);
+  RefitResponse response;
+  auto const add = [&](auto const& set) {
+    if (!set || set->response.mass_from.empty()) return;
+    response = set->response;
+    auto const& finding = response.finding;
+    if (finding && std::ranges::find(remarks.responses, *finding) == remarks.responses.end()) {
+      remarks.responses.push_back(*finding);
+      fact("In a building", wording::remark(*finding, units));
+    }
+  };
+  add(wen);
+  add(rubber);
+  add(free);
+  add(corner);
+  response.finding.reset();
+  for (auto const& f : response_facts(subject, response, units)) fact(f.label, f.text);
   if (fitted)
     fact(
         "Errors below",
@@ -323,8 +352,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   else if (!near(wen) && !near(corner))
     remarks.objections.push_back(fmt::format("the link that replaces the law in these programs is far off it: {}",
                                              wen ? wen->off : corner->off));
-  csi(page, subject, wen, fitted ? rubber_isolator(subject) : std::nullopt, corner, units);
-  others(page, free_bouc_wen(subject, wen), corner);
+  csi(page, subject, wen, rubber, corner, units);
+  others(page, free, corner);
 
   page.heading("To compare: one cycle of the law");
   page.line(fmt::format("Second cycle of two, the first at half the amplitude, {:.4g} Hz.\n", subject.frequency_Hz));

@@ -36,6 +36,7 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
     remarks.cautions.push_back(
         fmt::format("{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
                     marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
+  if (auto const& response = realisation.response.finding) remarks.responses.push_back(*response);
   return realisation;
 }
 
@@ -71,7 +72,11 @@ constexpr std::array all{
     Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
     // The JSON contains the law itself and the error of each substitute, so a poor substitute is no reason to refuse.
     Target{"json",
-           [](Subject const& s, UnitSystem const& units, Remarks&) { return export_json(s, realise(s), units); }},
+           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
+             auto const realisation = realise(s);
+             if (auto const& response = realisation.response.finding) remarks.responses.push_back(*response);
+             return export_json(s, realisation, units);
+           }},
     Target{"sheet", value_sheet},
     Target{"csv", [](Subject const& s, UnitSystem const& units, Remarks&) { return protocol_csv(s, units); }}};
 
@@ -108,6 +113,7 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
   result.text = target.write(subject, units, remarks);
   auto& to_form = remarks.objections;
   result.cautions = std::move(remarks.cautions);
+  result.responses = std::move(remarks.responses);
   if (!to_form.empty() && !anyway)
     throw Error({.where = where,
                  .found = joined(to_form, "; "),

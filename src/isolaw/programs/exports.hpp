@@ -16,6 +16,7 @@ namespace isolaw::programs {
 struct Remarks {
   std::vector<std::string> objections;  // reasons to refuse the export, unless the user asks for it `anyway`
   std::vector<std::string> cautions;    // warnings that are shown with the export
+  std::vector<Finding> responses;       // of a building with each re-fit (response.hpp)
 };
 
 struct Target {
@@ -30,6 +31,7 @@ Target const& find_target(std::string_view name);  // throws Error with a list o
 struct Export {
   std::string text;
   std::vector<std::string> let_through, cautions;
+  std::vector<Finding> responses;
 };
 // Throws Error if the law is not fit for use (its prediction is unusable, for example), or if the material that stands
 // for it in the analysis program is far off the law. With `anyway` these reasons go to `let_through` instead. Always
@@ -44,6 +46,9 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_law(Subject const& subject, UnitSystem const& units);
+// Python code that has the law itself by isolaw.opensees: its parameters and bounds, and the functions arguments(), material()
+// and self_check(). `prefix` ("" or "law_") begins the names, in capitals those of constants. Needs `ops` and `isolaw`.
+std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);
 std::string abaqus_element(Subject const& subject, UnitSystem const& units);

@@ -193,6 +193,8 @@ Realisation refit(Subject const& subject, Realisation realisation) {
     realisation.fidelity = Fidelity::refitted;
     realisation.substitute = std::string(one.law->info.id);
     realisation.substitute_parameters = one.parameters;
+    realisation.response =
+        BuildingOnLaw(subject).with(realisation.forms.front().nominal.title, *one.law, one.parameters);
     realisation.explanation += fmt::format(
         "; in its place the nearest {} law{}, fitted to this law's force on the record of {}", realisation.substitute,
         &one == fitted.data() ? "" : ", the nearest whose force the program finds", subject.histories.front().device);

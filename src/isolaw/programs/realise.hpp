@@ -9,6 +9,7 @@
 
 #include "isolaw/fit/box.hpp"
 #include "isolaw/programs/mapping.hpp"
+#include "isolaw/programs/response.hpp"
 #include "isolaw/programs/subject.hpp"
 #include "isolaw/programs/untested_motions.hpp"
 
@@ -55,6 +56,7 @@ struct Realisation {
   std::vector<Realised> forms;  // the preferred form is first
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
+  RefitResponse response;                   // of a building with the substitute
   std::vector<std::string> refused;         // rejected forms, each with the reason: "form: how its replay failed"
   std::optional<Deviation> draws_from_law;  // largest deviation of a form from its drawn law, on the first history
 };

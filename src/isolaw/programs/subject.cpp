@@ -209,6 +209,8 @@ void add_device_parameters(Subject& subject, campaign::Contents const& contents,
         {.where = where, .found = "the law has no result there: " + why, .allowed = "a law that was identified"});
   }
   subject.parameters = run->parameters;
+  if (auto const* analysis = contents.analysis_of(device, subject.law->info.id); analysis && analysis->springs)
+    subject.springs = analysis->springs->parameters;
   subject.refinement = run->refinement;
   subject.objective = run->objective;
   add_histories(subject, named, contents.settings.turning_points);
@@ -227,6 +229,7 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
                         : "the name of the one device: " + campaign::devices_to_name(contents),
          .advice = contents.devices.size() > 1 ? "isolaw calibrate ... --analysis full" : ""});
   subject.parameters = lot->mean.parameters;
+  if (lot->springs) subject.springs = lot->springs->parameters;
   subject.refinement = lot->refinement;
   subject.objective = lot->mean.mean;
   for (auto const device : lot->devices)

@@ -64,6 +64,8 @@ struct Subject {
   // Number of the device in the campaign, from 1, if plain_name() gives another device the same name. Otherwise 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's order and units
+  // Parameters with which springs around a circle follow the tests, if the campaign fitted them.
+  std::optional<std::vector<double>> springs;
   // One history for each test of the device, or of the lot's devices. The one of largest amplitude is first.
   std::vector<History> histories;
   History protocol;           // two cycles, at half and at all of the tested amplitude
@@ -80,7 +82,8 @@ struct Subject {
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
-  std::optional<Model> model;  // only for targets that write a whole building
+  std::optional<Model> model;               // only for targets that write a whole building
+  std::vector<data::GroundMotion> motions;  // under which a re-fit is compared with the law (response.hpp)
 };
 
 // Makes two sine cycles, without forces. The second begins at the middle point. The velocity is 0 at the first point,

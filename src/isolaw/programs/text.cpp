@@ -197,6 +197,14 @@ std::string deviation_text(Deviation const& d) {
   return text;
 }
 
+std::vector<Fact> response_facts(Subject const& subject, RefitResponse const& response, UnitSystem const& units) {
+  std::vector<Fact> facts;
+  if (response.finding) facts.push_back({"In a building", wording::remark(*response.finding, units)});
+  if (!response.motions.empty()) facts.push_back({"  the building", building_text(subject, response, units)});
+  if (!response.why_not.empty()) facts.push_back({"In a building", "not computed: " + response.why_not});
+  return facts;
+}
+
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units) {
   auto const& t = subject.tested;
   auto const load = [&](std::optional<double> value) {
@@ -320,6 +328,7 @@ std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, 
         {"The law itself",
          "--to openseespy-law brings it into OpenSeesPy; --to opensees-cpp writes it as a material of OpenSees, to compile"});
   for (auto& fact : replay_facts(subject, realisation, units)) result.push_back(std::move(fact));
+  for (auto& fact : response_facts(subject, realisation.response, units)) result.push_back(std::move(fact));
   for (auto const& refused : realisation.refused) result.push_back({"Refused", refused});
   for (auto& fact : validity(subject, units)) result.push_back(std::move(fact));
   result.push_back(

@@ -50,6 +50,7 @@ std::vector<std::string> fact_lines(std::vector<Fact> const& facts);
 
 // Returns the parameters as text for users, for example "K1 = 2.0 kN/mm, ...".
 std::string parameter_text(laws::LawEntry const& law, std::span<double const> parameters);
+std::vector<Fact> response_facts(Subject const& subject, RefitResponse const& response, UnitSystem const& units);
 // The ranges in which the law was fitted and tested; "not stated" if the records do not say.
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
 std::string equations(laws::LawInfo const& law);  // the law's formula in one line

@@ -314,6 +314,13 @@ std::span<Row const> rows() {
       campaign(
           motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
           "{motions} motion{|s}: codes accept the mean over {wanted} motions or more as the design's response, some over eleven."),
+      // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
+      campaign(
+          refit_response_off, "refit-response-off", "re-fit", serious, "Use the law itself", each_alone, anywhere, law,
+          "with {refit} in its place, a building's peak displacement is off by {disp_percent:+.1f} %[ ({disp_least_percent:+.1f} to {disp_most_percent:+.1f} %)] and its peak base shear by {shear_percent:+.1f} %[ ({shear_least_percent:+.1f} to {shear_most_percent:+.1f} %)] under {motions}. That is more than {allowed_percent} %: use the law itself, or allow for it in the design."),
+      campaign(
+          refit_response, "refit-response", "re-fit", note, "", each_alone, anywhere, law,
+          "with {refit} in its place, a building's peak displacement is off by {disp_percent:+.1f} %[ ({disp_least_percent:+.1f} to {disp_most_percent:+.1f} %)] and its peak base shear by {shear_percent:+.1f} %[ ({shear_least_percent:+.1f} to {shear_most_percent:+.1f} %)] under {motions}."),
       // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
       doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
