@@ -307,6 +307,9 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
       exported("bilinear", "a", "cpp", {"--motion", "m.AT2"}),
       {"--motion", "is given with --to cpp, which writes the law itself", "a target that may re-fit the law"});
   expect_refused(exported("bilinear", "a", "json", {"--motion", "none.AT2"}), {"none.AT2"});
+  write("ground.csv", ground_motion());
+  auto const unused = exported("bilinear", "a", "opensees", {"--motion", "ground.csv"});
+  EXPECT_TRUE(contains(unused.err, "warning: --motion is not used: the file has the law itself")) << unused;
   expect_refused(exported("bilinear", "a", "json", {"--out", "none/such.json"}),
                  {"none/such.json", "cannot be written"});
   expect_refused(isolaw({"export", "nothing", "--law", "bilinear", "--device", "a", "--to", "json"}), {"nothing"});

@@ -42,7 +42,8 @@ std::string law_in_python(Subject const& subject, UnitSystem const& units, std::
   };
   auto const disp = written(subject.protocol.disp_mm), velocity = written(subject.protocol.vel_mm_s);
   std::string capitals(prefix);
-  std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   auto text = capitals + "PARAMETERS = {\n";
   for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
     auto const& p = subject.law->parameters[i];

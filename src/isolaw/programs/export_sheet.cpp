@@ -314,19 +314,17 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
   RefitResponse response;
-  auto const add = [&](auto const& set) {
+  auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     response = set->response;
-    auto const& finding = response.finding;
-    if (finding && std::ranges::find(remarks.responses, *finding) == remarks.responses.end()) {
-      remarks.responses.push_back(*finding);
-      fact("In a building", wording::remark(*finding, units));
-    }
+    remarks.add(response, subject);
   };
-  add(wen);
-  add(rubber);
-  add(free);
-  add(corner);
+  compare(wen);
+  compare(rubber);
+  compare(free);
+  compare(corner);
+  if (response.mass_from.empty()) remarks.add(response, subject);
+  for (auto const& finding : remarks.responses) fact("In a building", wording::remark(finding, units));
   response.finding.reset();
   for (auto const& f : response_facts(subject, response, units)) fact(f.label, f.text);
   if (fitted)

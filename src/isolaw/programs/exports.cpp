@@ -36,7 +36,7 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
     remarks.cautions.push_back(
         fmt::format("{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
                     marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
-  if (auto const& response = realisation.response.finding) remarks.responses.push_back(*response);
+  remarks.add(realisation.response, subject);
   return realisation;
 }
 
@@ -74,13 +74,22 @@ constexpr std::array all{
     Target{"json",
            [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
              auto const realisation = realise(s);
-             if (auto const& response = realisation.response.finding) remarks.responses.push_back(*response);
+             remarks.add(realisation.response, s);
              return export_json(s, realisation, units);
            }},
     Target{"sheet", value_sheet},
     Target{"csv", [](Subject const& s, UnitSystem const& units, Remarks&) { return protocol_csv(s, units); }}};
 
 }  // namespace
+
+void Remarks::add(RefitResponse const& response, Subject const& subject) {
+  if (response.finding && std::ranges::find(responses, *response.finding) == responses.end())
+    responses.push_back(*response.finding);
+  else if (!response.why_not.empty())
+    cautions.push_back("the response of a building was not computed: " + response.why_not);
+  else if (response.motions.empty() && !subject.motions.empty())
+    cautions.emplace_back("--motion is not used: the file has the law itself, so there is no re-fit to compare with it");
+}
 
 std::span<Target const> targets() {
   return all;

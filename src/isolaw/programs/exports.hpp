@@ -17,6 +17,8 @@ struct Remarks {
   std::vector<std::string> objections;  // reasons to refuse the export, unless the user asks for it `anyway`
   std::vector<std::string> cautions;    // warnings that are shown with the export
   std::vector<Finding> responses;       // of a building with each re-fit (response.hpp)
+  // Adds what `response` says, or a caution if it has no result. Without a re-fit `response` is empty.
+  void add(RefitResponse const& response, Subject const& subject);
 };
 
 struct Target {
