@@ -156,6 +156,7 @@ TEST(ChannelChanges, a_delay_that_grows_is_said_for_its_cycles) {
   EXPECT_NEAR(found->number("first_ms"), 0.0, 4.0);
   EXPECT_NEAR(found->number("last_ms"), 25.0, 3.0);  // at 6.5 and 7.5 s
   EXPECT_NEAR(found->number("reported_ms"), 15.0, 4.0);
+  EXPECT_NEAR(found->number("damping_points"), -2.4, 0.7);  // 100 pi f dt
   EXPECT_EQ(find(budget, FindingKind::force_late), nullptr);
   auto const constant = budget_of(record_of({.late_s = [](double) { return 0.02; }}));
   EXPECT_EQ(find(constant, FindingKind::lag_grows), nullptr) << all_of(constant);

@@ -372,7 +372,7 @@ std::span<Row const> rows() {
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),
       doubt(
           lag_grows, "lag-grows", caution, one_sentence,
-          "the delay of the force behind displacement changes within the test: <{first_ms:3} ms in cycle {from_cycle} and {last_ms:3} ms in cycle {to_cycle} of block {block}; {reported_ms:3} ms in the reported cycle {cycle}> (+- {uncertainty_ms:2} ms, {reversals} reversals). The clocks of the channels may differ. The damping of the reported cycle comes out about {damping_points:2} points too small (pi f dt); --skew-ms moves all cycles by one time and cannot correct this."),
+          "the delay of the force behind displacement changes within the test: <{first_ms:3} ms in cycle {from_cycle} and {last_ms:3} ms in cycle {to_cycle} of block {block}; {reported_ms:3} ms in the reported cycle {cycle}> (+- {uncertainty_ms:2} ms, {reversals} reversals). The clocks of the channels may differ. The damping of the reported cycle changes by about {damping_points:2} points by it (pi f dt); --skew-ms moves all cycles by one time and cannot correct this."),
       doubt(friction_in_force, "friction-in-force", caution, one_sentence, "", wording::jump_of_force),
       doubt(
           samples_few, "samples-few", caution, one_sentence,

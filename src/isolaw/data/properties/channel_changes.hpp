@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "isolaw/data/properties/properties.hpp"
 

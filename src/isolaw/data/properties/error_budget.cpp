@@ -306,7 +306,7 @@ class Assessment {
                                   {"uncertainty_ms", ms_per_s * found.growth_uncertainty},
                                   {"reversals", static_cast<double>(found.growth_reversals)},
                                   {"reported_ms", ms_per_s * reported},
-                                  {"damping_points", points}});
+                                  {"damping_points", -points}});
     locate(budget_.warnings, cycle());
   }
 
