@@ -15,6 +15,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/laws/memory/open_branches.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
@@ -34,7 +35,8 @@ std::string together(laws::LawEntry const& law) {
 }
 void print_markdown() {
   fmt::print(
-      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there; a law that remembers its path takes the way there from zero\nas its first motion. Analysis programs start at zero.\n");
+      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there; a law that remembers its path takes the way there from zero\nas its first motion. Analysis programs start at zero.\n\nA law that remembers turning points keeps at most {} whose loops are still open. Records have a few tens of them. After thousands of\nshrinking turns the law drops those that change the force least, and until the motion has grown out again its force differs by up to\n0.4 % of the peak.\n",
+      laws::OpenBranches::most);
   for (auto const& law : laws::catalogue()) {
     fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}{}; of `--laws {}`.\n\n```\n{}\n```\n\n", law.info.id,
                plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,

@@ -78,7 +78,7 @@ struct Abe {
   template <class T, class X>
   struct Constants {
     abe_parts::Constants<T> parts;
-    T per_p_plus_1, per_Y0;
+    T per_p_plus_1, per_p_plus_2, per_Y0;
     Flow<T, X, Reach::beyond_saturation> flow;
   };
   template <class T, class X>
@@ -86,6 +86,7 @@ struct Abe {
     Constants<T, X> c;
     c.parts = abe_parts::constants<T>(p);
     c.per_p_plus_1 = T(1.0) / (p.p + T(1.0));
+    c.per_p_plus_2 = T(1.0) / (p.p + T(2.0));
     c.per_Y0 = T(1.0) / p.Y0;
     c.flow.fit(p.n, T(1.0));
     return c;
@@ -100,21 +101,25 @@ struct Abe {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // A step is cut into pieces, into shorter ones near x = 0, where |x|^p is not smooth.
-      double const x0 = value_of(step.x0), x1 = value_of(step.x1), length = value_of(step.length);
-      double const nearest = x0 * x1 <= 0.0 ? 0.0 : std::min(std::abs(x0), std::abs(x1));
-      // The largest step of a sine of 200 samples per cycle is 2 pi / 200 = 0.0314 of its peak. No piece is longer than
-      // that by more than 1 %, unless this takes over 64 pieces. The 1 % keeps each step of such a sine in one piece.
-      int const smooth = static_cast<int>(std::ceil(std::min(64.0, length / (0.0317 * value_of(step.peak1)))));
-      int const pieces = std::max(nearest < 1.5 * length ? 5 : nearest < 4.0 * length ? 2 : 1, smooth);
+      // A step is cut at x = 0, where |x|^p is not smooth, and into pieces as long as the largest step of a sine of 200
+      // samples per cycle, 2 pi / 200 = 0.0314 of its peak, and 1 % more, so that each step of such a sine stays in one
+      // piece. From 64 pieces on they are longer. The last piece is what is left, so that the force does not jump
+      // where the number of pieces changes.
+      double const length = value_of(step.length);
+      double const piece = std::max(0.0317 * value_of(step.peak1), length / 64.0);
       X x = step.x0, peak = step.peak0;
-      for (int i = 1; i <= pieces; ++i) {
-        X const end = i == pieces ? step.x1 : step.x0 + step.dx * i / pieces;
+      auto const go = [&](X const& end) {
         X const next = max(abs(end), peak);
         advance(p, c, state, N(step.direction), x, end, peak, next);
         x = end;
         peak = next;
-      }
+      };
+      auto const go_through_zero = [&](X const& end) {
+        if (value_of(x) * value_of(end) < 0.0) go(X(0.0));
+        go(end);
+      };
+      for (double way = piece; way < length; way += piece) go_through_zero(step.x0 + step.dx * (way / length));
+      go_through_zero(step.x1);
     }
     return abe_parts::elastic_force(p, c.parts, state.softened, step) + state.F2;
   }
@@ -142,15 +147,23 @@ struct Abe {
                       X const& x1, X const& peak0, X const& peak1) {
     N const one(1.0), before = state.growth, after = growth_at<N>(p, c, x1);
     X const length = abs(x1 - x0);
-    bool const tiny = value_of(length) <= std::max(1e-6 * value_of(max(abs(x0), abs(x1))), smallest_power_base);
+    double const size = value_of(max(abs(x0), abs(x1)));
+    bool const tiny = value_of(length) <= std::max(1e-6 * size, smallest_power_base);
     N mean = tiny ? N(0.5) * (before + after)
                   : (rounded(N(x1) * after) - N(x0) * before) * c.per_p_plus_1 * N(1.0 / (x1 - x0));
+    // The change of |x / Uh|^p over the piece is that of the straight line nearest to it. Unlike the difference of its
+    // ends this is continuous where a piece ends at x = 0.
+    N change = after - before;
+    if (value_of(length) > 1e-3 * size) {
+      N const first_moment = (N(x1 * x1) * after - N(x0 * x0) * before) * c.per_p_plus_2 * N(1.0 / (x1 - x0));
+      change = N(12.0 / (x1 - x0)) * (first_moment - N(0.5 * (x0 + x1)) * mean);
+    }
     X const growth = peak1 - peak0;
-    if (grows(growth)) mean = mean - N(growth / 12.0) * (after - before) / (p.Us + N(0.5 * (peak0 + peak1)));
+    if (grows(growth)) mean = mean - N(growth / 12.0) * change / (p.Us + N(0.5 * (peak0 + peak1)));
     N const Yt = p.Y0 * (one + mean), per_mean = one / (one + mean);
     N const travel = abe_parts::travel(p, c.parts, state.softened, length, peak0, peak1);
     auto const moved = c.flow.advance(direction * state.F2 * c.per_Y0 * per_mean, travel);
-    N const d = (after - before) * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
+    N const d = change * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
     // The product relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for a short travel. For a long travel it is
     // 6 and moved.ratio is 0, which makes `first` equal to d/2.
     N const fade = one / (one + some + N(2.0) * some * some), fade2 = fade * fade;

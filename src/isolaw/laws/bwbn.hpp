@@ -125,11 +125,17 @@ struct Bwbn {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // An infinite displacement makes `wanted` NaN. std::min then gives its first argument, which is also the largest
-      // number of pieces that finite displacements can need.
-      double const wanted = value_of(pieces_to_the_peak * step.length / step.peak1);
-      int const pieces = std::max(1, static_cast<int>(std::ceil(std::min(2.0 * pieces_to_the_peak, wanted))));
-      for (int i = 0; i < pieces; ++i) advance(p, c, state, N(step.direction), step.length / pieces);
+      // Every piece but the last is as long as 1/50 of the peak; the last is what is left, so that the force does not
+      // jump where the number of pieces changes. An infinite displacement makes `wanted` NaN. std::min then gives its
+      // first argument, which is also the largest number of pieces that finite displacements can need.
+      double const wanted = std::min(2.0 * pieces_to_the_peak, value_of(pieces_to_the_peak * step.length / step.peak1));
+      X left = step.length;
+      for (double i = 1.0; i < wanted; i += 1.0) {
+        X const piece = step.peak1 / pieces_to_the_peak;
+        advance(p, c, state, N(step.direction), piece);
+        left = left - piece;
+      }
+      advance(p, c, state, N(step.direction), left);
     }
     return rounded(p.alpha * p.ko * N(step.x1)) + c.share * state.z;
   }

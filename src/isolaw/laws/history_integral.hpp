@@ -26,7 +26,7 @@ struct HistoryIntegral {
           "F = K (M/100)^(g-1) x/100 + S ((1 - s) q1 + s q2),   M the largest |x| so far\n"
           "dq1 = (dx - q1 |dx|)/D,   dq2 = (dx - q2 |dx|)/(u D)",
       .note =
-          "Made for high damping rubber. Commercial programs do not publish how they soften it with amplitude: the elastic force here is that of power-masing. For a single memory fix s at 0; u then has no effect. With g = 1 as well the law is vaiana with straight limit curves, which analysis programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested amplitude the hysteretic force stays the same, while the elastic force is 2^g and 5^g times as large. Tremor relaxes the force; the dead band keeps tremor out.",
+          "Made for high damping rubber. Commercial programs do not publish how they soften it with amplitude: the elastic force here is that of power-masing. For a single memory fix s at 0; u then has no effect. With g = 1 as well the law is vaiana with straight limit curves, which analysis programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested amplitude the hysteretic force stays the same, while the elastic force is 2^g and 5^g times as large. Tremor relaxes the force; the dead band keeps tremor out. After a turn the force follows within the length of the quick memory, which may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
       .step_cost = 125};
 
   template <class T>

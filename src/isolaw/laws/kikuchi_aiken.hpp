@@ -1,12 +1,18 @@
 // Kikuchi-Aiken: loops between plus and minus the largest displacement so far, the peak. Their secant stiffness,
 // damping and shape depend on the peak; inner branches follow Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
-// points and the peak of the displacement, which the record decides. Departures: a branch from one peak to the opposite
-// one has risen, after a travel of s peaks, by 2 - 2 exp(-a s) + b s exp(-c s) strengths; the strength is the
-// hysteretic force at the peak. At s = 2 the published branch therefore misses the opposite peak by
-// 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). Here a term in (s/2)^8 adds this
-// difference, so that the force is continuous. b acts only at peaks where a has reached its largest value, as for the
-// published compounds.
+// points and the peak of the displacement, which the record decides. Departures:
+// - A branch from one peak to the opposite one has risen, after a travel of s peaks, by 2 - 2 exp(-a s) + b s exp(-c s)
+//   strengths; the strength is the hysteretic force at the peak. At s = 2 the published branch therefore misses the
+//   opposite peak by 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). Here terms in
+//   (s/2)^8 add this difference, so that the force is continuous. Inner branches have these terms too: a branch that
+//   begins just short of a peak is then the same as one from the peak. They move the forces of the published compounds
+//   by up to 1e-5 of the peak.
+// - b acts only at peaks where a has reached its largest value, as for the published compounds.
+// - b is at most e (1/U - 1) min(c, 5), U the hysteretic share of the force at the peak. The term of b is then nowhere
+//   larger than the elastic share, so that a loop does not exceed its force at the peak. The 5 keeps the force from
+//   falling by that share within a short travel, where c is large. No published compound reaches this limit up to a
+//   strain of 4.1.
 #pragma once
 
 #include <cmath>
@@ -39,11 +45,15 @@ inline T area_left(T const& a) {
 
 template <class T>
 struct Constants {
-  T least_area, c, twice_c2;  // c is the parameter c times log2(e), for exp2
+  T least_area;
+  T c, twice_c2, bump_end;  // the parameter c times log2(e), for exp2; 2 c^2; exp(-2c)
+  T most_b;                 // the limit of b where U = 1/2
 };
 template <class T>
 inline Constants<T> constants(T const& largest_a, T const& c) {
-  return {area_left(max(largest_a, T(smallest_power_base))), c * T(log2_e), T(2.0) * c * c};
+  T const exponent = c * T(log2_e);
+  return {area_left(max(largest_a, T(smallest_power_base))), exponent, T(2.0) * c * c, exp2(T(-2.0) * exponent),
+          T(2.71828182845904523536) * min(c, T(5.0))};
 }
 
 template <class N>
@@ -83,8 +93,7 @@ struct Loops {
     } else {
       Turn const& from = turned[memory.branch];
       X const s = memory.direction * (at - from.x) / memory.peak;
-      hysteretic =
-          from.force + N(memory.direction) * strength * from.scale * shape(c, s, memory.branch == 0, from.bump);
+      hysteretic = from.force + N(memory.direction) * strength * from.scale * shape(c, s, from.bump);
     }
     N hardening = exp2(exponent * N(log2(max(size, X(smallest_power_base)))));
     use_secant_near_zero(hardening, size, [&] { return exponent; });
@@ -106,20 +115,18 @@ struct Loops {
       root = root - (area * root - N(1.0) + e) / (area - N(2.0) * e);
     }
     a = root * N(log2_e);
-    b = c.twice_c2 * (area - wanted);
-    closing = N(0.0);
-    closing = N(2.0) - shape(c, 2.0, true, true);
+    b = min(c.twice_c2 * (area - wanted), c.most_b * (N(1.0) - now.share) / now.share);
+    closing = N(2.0) * exp2(N(-2.0) * a);
   }
 
   // How far the hysteretic force has risen on a branch, in strengths and before it is scaled, at a distance of s peaks
-  // from the branch's turn.
+  // from the branch's turn. It is 2 at s = 2.
   template <class T, class X>
-  N shape(Constants<T> const& c, X const& s, bool outer, bool bump) const {
-    N f = N(2.0) - N(2.0) * exp2(-a * N(s));
-    if (bump) f = f + b * N(s) * exp2(-c.c * N(s));
-    if (!outer) return f;
-    X const half2 = 0.25 * s * s, half4 = half2 * half2;
-    return f + closing * N(half4 * half4);
+  N shape(Constants<T> const& c, X const& s, bool bump) const {
+    X const half = 0.5 * s, half2 = half * half, half4 = half2 * half2;
+    N f = N(2.0) - N(2.0) * exp2(-a * N(s)) + closing * N(half4 * half4);
+    if (bump) f = f + b * N(s) * (exp2(-c.c * N(s)) - c.bump_end * N(half4 * half2 * half));
+    return f;
   }
 
   // Begins a branch at x. An inner branch is scaled so that it returns to the point where the branch before it began.
@@ -135,8 +142,7 @@ struct Loops {
     Turn const& before = turned[place - 1];
     X const s = abs(x - before.x) / peak;
     now.bump = before.bump && x * before.x <= 0.0;
-    now.scale =
-        before.scale * shape(c, s, place == 1, before.bump) / max(shape(c, s, false, now.bump), N(smallest_power_base));
+    now.scale = before.scale * shape(c, s, before.bump) / max(shape(c, s, now.bump), N(smallest_power_base));
   }
 };
 // [end]
@@ -155,15 +161,15 @@ struct KikuchiAiken {
       .formula =
           "F = Q1 + Q2,   Q1 = (1 - U)/2 Fm (X + sgn(X) |X|^n),   X = x/m,   m the largest |x| so far\n"
           "Q2 = U Fm sgn(X) where m grows,   Qb +- A U Fm f(|x - xb|/m) from a turning point (xb, Qb)\n"
-          "f(s) = 2 - 2 exp(-a s) + b s exp(-c s), and (2 - f(2)) (s/2)^8 more on a branch from a peak\n"
+          "f(s) = 2 - 2 exp(-a s) + b s exp(-c s), plus what it lacks of 2 at s = 2 times (s/2)^8\n"
           "A = 1 on a branch from a peak; on an inner branch it is such that the branch returns to where the one before it began\n"
           "Masing's rules close branches\n"
           "a solves (1 - exp(-2 a))/a = 1 - pi h/(2 U) and is at most amax\n"
-          "b = c^2 (pi h/U - 2 + 2 (1 - exp(-2 a))/a) where a is amax, 0 where a is smaller\n"
+          "b = c^2 (pi h/U - 2 + 2 (1 - exp(-2 a))/a) where a is amax, but at most e (1/U - 1) min(c, 5); 0 where a is smaller\n"
           "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1\n"
           "n = 1 + n1 (m - xn);   m - xn is taken as 0 in Fm and n where m is below xn",
       .note =
-          "Made for high damping rubber. The functions are of millimetres, so that no height of rubber is needed; a published compound's functions of strain have the same p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2. b is left out after two turns on one side or after a branch without it. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given ends. At five times the fitted amplitude these lines mean little, and where h has fallen to 0 a new peak may give back more work than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here only the path decides them. A virgin device has no bounded slope at 0 where p is above 0.",
+          "Made for high damping rubber. The functions are of millimetres, so that no height of rubber is needed; a published compound's functions of strain have the same p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2 and b below its limit. This limit is not of the source, and no published compound reaches it up to a strain of 4.1: without it loops can exceed the force at their peaks many times over. b is left out after two turns on one side or after a branch without it, as in the source. Therefore the force jumps where a turn moves across x = 0 or a loop on one side just fails to close. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given ends. At five times the fitted amplitude these lines mean little, and where h has fallen to 0 a new peak may give back more work than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here only the path decides them. A virgin device has no bounded slope at 0 where p is above 0.",
       .step_cost = 272};
 
   template <class T>

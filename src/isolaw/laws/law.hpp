@@ -39,6 +39,7 @@
 // start, step, Memory and their helpers, without designated initialisers, concepts, template lambdas and paper steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -184,17 +185,18 @@ using Step = StepOf<double>;
 // displacement. A first sample away from 0 counts as a motion from 0.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  bool turns;          // whether the motion turned at the begin of this step
-  std::size_t kept;    // if it turned: stack index for the force at that turning point
-  std::size_t branch;  // stack index of the turning point that began the branch; none: on the skeleton
-  double branch_x;     // displacement of that turning point
-  double direction;    // +1, -1; 0 before the first motion
-  double peak0, peak;  // largest |x| before and after the step
-  double inside;       // the part of the step's length with |x| below peak0
-  double side_peak;    // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;       // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
-  double log2_worn;    // log2(1 + NT), NT the travel of both sides relative to the largest |x|
-  double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
+  bool turns;           // whether the motion turned at the begin of this step
+  std::size_t kept;     // if it turned: stack index for the force at that turning point
+  std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step
+  std::size_t branch;   // stack index of the turning point that began the branch; none: on the skeleton
+  double branch_x;      // displacement of that turning point
+  double direction;     // +1, -1; 0 before the first motion
+  double peak0, peak;   // largest |x| before and after the step
+  double inside;        // the part of the step's length with |x| below peak0
+  double side_peak;     // largest |x| on the side of x after the step; N, G and C below belong to this side too
+  double virgin;        // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
+  double log2_worn;     // log2(1 + NT), NT the travel of both sides relative to the largest |x|
+  double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
   double log2_softening, log2_way_back;  // G: half the travel outwards and four times the travel back; C: travel back
   std::size_t side;                      // 0: x >= 0, 1: x < 0
   bool softens, returns;                 // G, C have changed since the last step that ended on this side
@@ -286,10 +288,14 @@ struct NoConstants {};
 
 // Kernels size the stack of a law before the first step, for the most turning points that are remembered at once.
 struct Depth {
-  std::size_t depth;
+  std::size_t depth, dropped = Memory::none;
 };
 template <class List>
-void hold(List&, Memory const&) {}
+void hold(List& list, Memory const& memory) {
+  if (memory.dropped == Memory::none) return;
+  auto const first = list.begin() + static_cast<std::ptrdiff_t>(memory.dropped);
+  std::move(first + 2, list.end(), first);
+}
 
 template <class Law, class T, class X>
 auto constants_of(auto const& params) {

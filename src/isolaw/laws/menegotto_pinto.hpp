@@ -26,7 +26,7 @@ struct MenegottoPinto {
           "(xr, Fr) the last reversal, (x0, F0) where its line of slope E meets b E x +- (1 - b) Fy, the side ahead\n"
           "R = R0 (1 - cR1 xi / (cR2 + xi)),   xi = |xm - x0| E / Fy,   xm the farthest reversal ahead, at least +-Fy / E",
       .note =
-          "Without isotropic hardening. A branch knows only the last reversal: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew and overshoots that branch.",
+          "Without isotropic hardening. A branch knows only the last reversal: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew and overshoots that branch. Even noise in a hold, however small, does so.",
       .step_cost = 360};
 
   template <class T>

@@ -27,7 +27,7 @@ struct PowerScragging {
           "dw1 = (dx - w1 |dx|) / (U (M/100)^h),   dw2 = (dx - w2 |dx|) / (u U (M/100)^h)\n"
           "M the largest |x| so far, m that of the side of x, N its travel as for power-masing",
       .note =
-          "The structure was found on one measured device. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work.",
+          "The structure was found on one measured device. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work. After a turn the force follows within the length of the quick memory, which may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
       .step_cost = 210};
 
   template <class T>

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "isolaw/laws/memory/open_branches.hpp"
 #include "isolaw/programs/cpp_form.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/header_parts.hpp"
@@ -16,9 +17,8 @@ namespace isolaw::programs {
 namespace {
 
 // Numbers of state variables (SVARS). The first is enough for the largest state without turning points. A law that
-// remembers turning points gets the second in addition, which is enough for the turning points of a long free
-// vibration.
-constexpr int fixed_variables = 64, turning_variables = 1000;
+// remembers turning points gets the second in addition, for the most that it keeps, with up to five numbers each.
+constexpr int fixed_variables = 64, turning_variables = 5 * static_cast<int>(laws::OpenBranches::most);
 
 }  // namespace
 
@@ -44,17 +44,13 @@ std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
           "//   1.0\n"
           "// The property is the factor on the force: {2}. Along any line: data line 1, 2, 3, PROPERTIES=4, and the\n"
           "// direction behind the factor. Displacements are from rest; the line does not turn with them; it has no mass.\n"
-          "{3}"
           "// To run: c++ -std=c++17 -O2 -fPIC -c this-file -o {0}.o; abaqus job=model user={0}.o\n"
           "// Or user=this-file, where compile_cpp of the environment file has C++17.\n"
           "// Static (general and perturbed), direct integration in time with its half-increment residual, and the matrices\n"
           "// of frequency steps. ENERGY(4) is all the work done on it. Not run in Abaqus: its calls were made by Fortran.\n"
-          "// {4}\n"
+          "// {3}\n"
           "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
           name, variables, factors,
-          turns
-              ? "// VARIABLES= holds what the law remembers of its turning points; it stops with a message where more are needed.\n"
-              : "",
           steady
               ? "The law does not depend on the velocity."
               : "The law depends on the velocity: in time that of the nodes, in static steps the increment over its time.") +

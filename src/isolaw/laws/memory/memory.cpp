@@ -29,6 +29,7 @@ void remember(Path& path) {
     all.move(first ? 0.0 : step.x0, step.x1, 0.0);
     path.memory.push_back({.turns = all.turns,
                            .kept = all.kept,
+                           .dropped = all.dropped,
                            .branch = all.branch,
                            .branch_x = all.branch_x,
                            .direction = all.direction,
