@@ -44,7 +44,7 @@ enum class FindingKind {
   vertical_test_refused,
   // Doubts about the values in a record.
   units_implausible, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
-  about_acceleration, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
+  about_acceleration, force_lost, cycle_unlike_neighbours, force_late, friction_in_force, samples_few, time_uneven, time_jumps,
   noise, drift, loop_open, speed_off, off_centre, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused,

@@ -133,8 +133,10 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
 void add_warnings(TestRecord& record, Properties const& properties) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
-  // If a signal is faulty, all other warnings may be wrong and are left out.
-  if (!properties.faults.empty()) return append(warnings, properties.refusal);
+  // If no block is sound, all other warnings may be wrong and are left out.
+  if (properties.is_false && !properties.faults.empty()) return append(warnings, properties.refusal);
+  append(warnings, properties.faulty);
+  if (properties.failure) warnings.push_back(*properties.failure);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();
   if (std::abs(start) > 0.05 * half_range)

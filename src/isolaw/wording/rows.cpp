@@ -344,6 +344,9 @@ std::span<Row const> rows() {
           about_acceleration, "about-acceleration", serious, by_words,
           "the file mentions acceleration ('{line}'), but isolaw needs the displacement of the device, one face against the other, over time."),
       doubt(
+          force_lost, "force-lost", serious, one_sentence,
+          "the force is suddenly lost: <cycle {cycle} of block {block} has {percent:3} % of the peak force in the cycle before it>. The specimen failed, or its channel did. No verdict passes the device until someone finds which; --rows or --to leaves the rest of the record out."),
+      doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
           "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
       doubt(force_late, "force-late", caution, by_words, "", wording::force_late),

@@ -12,6 +12,7 @@
 #include "isolaw/data/cycles/cycle_blocks.hpp"
 #include "isolaw/data/cycles/excursions.hpp"
 #include "isolaw/data/cycles/holds.hpp"
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -142,7 +143,7 @@ bool has_gap(std::vector<Gap> const& gaps, double first, double last) {
 }
 
 struct Motion {
-  std::span<double const> x, time;
+  std::span<double const> x, time, load;
   std::vector<Gap> gaps;
   double centre = 0.0;
   double noise = 0.0;
@@ -185,6 +186,8 @@ Shape Motion::shape(Group const& group) const {
   auto const& one = excursions[group.begin];
   auto const& other = excursions[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
+  if (!load.empty()) shape.load_kN = num::moments(load.subspan(one.tip, other.tip - one.tip + 1)).mean;
+  shape.rest_before = one.rest;
   shape.turns_at_start = one.turns;
   shape.turns_at_end = turns_after(group);
   return shape;
@@ -289,7 +292,8 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
                       {"largest_mm", (largest.largest - largest.least) / 2.0}}};
 }
 
-Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s) {
+Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s,
+                      std::span<double const> load_kN) {
   auto gaps = time_gaps(disp_mm, time_s);
   auto const moving = without_gaps(time_s, gaps);
   if (!moving.empty()) time_s = moving;
@@ -302,6 +306,7 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
   Motion motion;
   motion.x = disp_mm;
   motion.time = time_s;
+  motion.load = load_kN;
   motion.gaps = std::move(gaps);
   segmentation.band_mm = found.band_mm;
   if (found.at.size() < 2) {
@@ -398,12 +403,12 @@ Reversals reversals(std::span<double const> disp_mm) {
 }
 
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s,
-                     std::span<std::size_t const> starts) {
-  if (starts.empty()) return cut_test(disp_mm, time_s);
+                     std::span<std::size_t const> starts, std::span<double const> load_kN) {
+  if (starts.empty()) return cut_test(disp_mm, time_s, load_kN);
   Segmentation all;
   int blocks = 0;
   for (auto const& range : test_ranges(starts, disp_mm.size())) {
-    auto test = cut_test(range.of(disp_mm), range.of(time_s));
+    auto test = cut_test(range.of(disp_mm), range.of(time_s), range.of(load_kN));
     if (test.cyclic == all.cyclic ? test.band_mm > all.band_mm : test.cyclic) {
       all.band_mm = test.band_mm;
       all.centre_mm = test.centre_mm;

@@ -41,10 +41,10 @@ struct Segmentation {
 };
 
 // If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
-// itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in
-// time and memory.
+// itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. load_kN is the
+// vertical load, or empty; where it changes, a new block begins. Never throws; O(n) in time and memory.
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {},
-                     std::span<std::size_t const> starts = {});
+                     std::span<std::size_t const> starts = {}, std::span<double const> load_kN = {});
 
 // `at` holds the first sample, the reversals and the last extreme. It is empty if there is no motion.
 struct Reversals {

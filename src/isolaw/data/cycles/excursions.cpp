@@ -29,7 +29,9 @@ class Finder {
     finish(excursions_.back());
     for (std::size_t j = 0; j < excursions_.size(); ++j) {
       if (!excursions_[j].ends_open) excursions_[j].fall = fall(excursions_[j]);
-      if (j > 0) excursions_[j].rests = rests_between(excursions_[j - 1], excursions_[j]);
+      if (j == 0) continue;
+      excursions_[j].rest = rest_between(excursions_[j - 1], excursions_[j]);
+      excursions_[j].rests = excursions_[j].rest > excursions_[j - 1].fall;
     }
     return std::move(excursions_);
   }
@@ -126,10 +128,11 @@ class Finder {
     return duration(from, first_below(excursion, from, static_cast<std::size_t>(std::floor(excursion.last))));
   }
 
-  // Whether the device rests between two excursions for longer than the first excursion takes to fall.
-  bool rests_between(Excursion const& before, Excursion const& after) const {
+  // The time between two excursions in which the device is near the centre. It rests if this is longer than the first
+  // excursion takes to fall.
+  double rest_between(Excursion const& before, Excursion const& after) const {
     auto const to = first_beyond(after, low);
-    return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
+    return duration(first_below(before, last_beyond(before, high), to), to);
   }
 
   std::span<double const> x_, time_;

@@ -118,7 +118,8 @@ class Assessment {
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
-      if (cycles.size() < 3) continue;
+      bool const fails = properties_.failure && properties_.failure->blocks.front() == block.number;
+      if (cycles.size() < 3 || fails) continue;  // a lost force is said as such
       cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
       Cycle const* oddest = nullptr;
       double share = 1.0;  // peak force over the mean of the peaks in the neighbouring cycles

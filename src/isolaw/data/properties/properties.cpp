@@ -8,8 +8,10 @@
 #include <cstddef>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "isolaw/data/channels/time_gaps.hpp"
+#include "isolaw/data/properties/failure.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -139,10 +141,19 @@ double largest_slope(Cycle const& cycle, CycleView const& view) {
   return largest;
 }
 
-void add_load(Cycle& cycle, std::span<double const> load) {
-  double const start = value_at(load, cycle.first);
+// Leaves out a rest before the first motion of the cycle, in which a rig may change the load.
+void add_load(Cycle& cycle, CycleView const& view) {
+  auto const& load = view.load_kN;
+  auto samples = inside(cycle, load.size());
+  double from = cycle.first;
+  if (cycle.still_samples > 0.0) {
+    constexpr double at_rest = 0.02;  // times the amplitude
+    double const zero = value_at(view.disp_mm, cycle.first);
+    auto const rests = [&](std::size_t i) { return std::abs(view.disp_mm[i] - zero) <= at_rest * cycle.amplitude_mm; };
+    while (samples.begin + 1 < samples.end && rests(samples.begin)) from = static_cast<double>(samples.begin++);
+  }
+  double const start = value_at(load, from);
   double least = start, largest = start, sum = start;
-  auto const samples = inside(cycle, load.size());
   for (auto i = samples.begin; i < samples.end; ++i) {
     least = std::min(least, load[i]);
     largest = std::max(largest, load[i]);
@@ -162,7 +173,7 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
     cycle.period_s = value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first) - cut.still_time;
     cycle.v_max_mm_s = largest_slope(cycle, view);
   }
-  if (!view.load_kN.empty()) add_load(cycle, view.load_kN);
+  if (!view.load_kN.empty()) add_load(cycle, view);
   return cycle;
 }
 
@@ -243,15 +254,32 @@ std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise
   return {};
 }
 
-std::vector<Finding> why_impossible(Properties const& properties, CycleView const& view) {
+// What the first impossible cycle of each block has.
+std::vector<Finding> impossible_cycles(Properties const& properties, CycleView const& view) {
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
-  for (auto const* cycle : properties.counted())
-    if (auto why = impossible(*cycle, view, noise); !why.empty()) return why;
-  return {};
+  std::vector<Finding> found;
+  for (auto const& block : properties.blocks)
+    for (auto const* cycle : block.counted())
+      if (auto why = impossible(*cycle, view, noise); !why.empty()) {
+        found.push_back(std::move(why.front()));
+        break;
+      }
+  return found;
 }
 
-std::vector<Finding> refusal_of(Segmentation const& cut, Properties const& properties) {
-  if (cut.refusal) return {*cut.refusal};
+void discount(Block& block, std::string const& why) {
+  block.fault = why;
+  block.frequency_Hz.reset();
+  block.v_max_mm_s.reset();
+  block.waveform.clear();
+  for (auto& cycle : block.cycles) {
+    cycle.number = 0;
+    cycle.not_counted = why;
+  }
+}
+
+std::vector<Finding> refusal_of(std::optional<Finding> const& not_cut, Properties const& properties) {
+  if (not_cut) return {*not_cut};
   if (!properties.samples_per_cycle) return {{.kind = FindingKind::no_cycle_counts}};
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
     return {{.kind = FindingKind::samples_too_few,
@@ -259,14 +287,46 @@ std::vector<Finding> refusal_of(Segmentation const& cut, Properties const& prope
   return {};
 }
 
-Cycle const* cycle_to_report(std::vector<Block> const& blocks) {
+// The block in which the force is lost is taken only if no other counts.
+Cycle const* cycle_to_report(Properties const& properties) {
   Block const* largest = nullptr;
-  for (auto const& block : blocks)
-    if (!block.counted().empty() && (largest == nullptr || block.amplitude_mm > 1.02 * largest->amplitude_mm))
+  auto const fails = [&](Block const& block) {
+    return properties.failure && properties.failure->blocks.front() == block.number;
+  };
+  for (auto const& block : properties.blocks)
+    if (!block.counted().empty() &&
+        (largest == nullptr || fails(*largest) || (!fails(block) && block.amplitude_mm > 1.02 * largest->amplitude_mm)))
       largest = &block;
   if (largest == nullptr) return nullptr;
   auto const counted = largest->counted();
   return counted[std::min(counted.size(), reported_cycle) - 1];
+}
+
+// Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
+void conclude(Properties& properties, std::optional<Finding> const& not_cut) {
+  std::vector<double> lengths;
+  for (auto const* cycle : properties.counted()) lengths.push_back(cycle->last - cycle->first - cycle->still_samples);
+  properties.samples_per_cycle = lengths.empty() ? std::nullopt : std::optional(num::median(lengths));
+  properties.reported.reset();
+  properties.is_false = !properties.faulty.empty() && lengths.empty();
+  properties.refusal = properties.is_false ? std::exchange(properties.faulty, {}) : refusal_of(not_cut, properties);
+  if (auto const* reported = cycle_to_report(properties); reported != nullptr && properties.refusal.empty())
+    properties.reported = *reported;
+}
+
+// The blocks in which a fault lies. A channel without its sign is so everywhere.
+std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
+  std::vector<int> blocks;
+  auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
+  auto const touches = [&](Block const& block) {
+    return std::ranges::any_of(fault.samples, [&](std::size_t sample) {
+      return static_cast<double>(sample) <= block.cycles.back().last &&
+             static_cast<double>(sample + longest - 1) >= block.cycles.front().first;
+    });
+  };
+  for (auto const& block : properties.blocks)
+    if (fault.kind == FaultKind::rectified || touches(block)) blocks.push_back(block.number);
+  return blocks;
 }
 
 }  // namespace
@@ -321,24 +381,23 @@ Properties cyclic_properties(CycleView const& given) {
   Properties properties;
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
-  auto const cut = segment(view.disp_mm, view.time_s, view.starts);
+  auto const cut = segment(view.disp_mm, view.time_s, view.starts, view.load_kN);
   properties.centre_mm = cut.centre_mm;
-  std::vector<double> lengths;
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
       properties.blocks.emplace_back();
       properties.blocks.back().number = piece.block;
     }
     properties.blocks.back().cycles.push_back(measure(piece, view));
-    if (piece.number > 0) lengths.push_back(piece.last - piece.first - piece.still_samples);
   }
   for (auto& block : properties.blocks) summarise(block, view);
-  if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
-  properties.refusal = why_impossible(properties, view);
-  properties.is_false = !properties.refusal.empty();
-  if (!properties.is_false) properties.refusal = refusal_of(cut, properties);
-  if (auto const* reported = cycle_to_report(properties.blocks); reported != nullptr && properties.refusal.empty())
-    properties.reported = *reported;
+  find_failure(properties);
+  properties.faulty = impossible_cycles(properties, view);
+  for (auto const& finding : properties.faulty) {
+    auto& block = properties.blocks[static_cast<std::size_t>(finding.blocks.front()) - 1];
+    discount(block, fmt::format("cycle {} of the block cannot be true", finding.number("cycle")));
+  }
+  conclude(properties, cut.refusal);
   return properties;
 }
 
@@ -347,21 +406,27 @@ Properties cyclic_properties(TestRecord const& record) {
       cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
-  properties.refusal.clear();
-  for (auto const& fault : properties.faults) properties.refusal.push_back(fault.finding);
-  properties.is_false = true;
-  properties.reported.reset();
-  properties.samples_per_cycle.reset();
-  for (auto& block : properties.blocks) {
-    block.frequency_Hz.reset();
-    block.v_max_mm_s.reset();
-    block.waveform.clear();
-    for (auto& cycle : block.cycles) {
-      cycle.number = 0;
-      cycle.not_counted =
-          fmt::format("the {} is {}", properties.faults.front().channel, said_of(properties.faults.front().kind));
-    }
+  std::optional<Finding> not_cut;
+  if (!properties.is_false && !properties.refusal.empty()) not_cut = properties.refusal.front();
+  std::vector<Finding> found;
+  for (auto& fault : properties.faults) {
+    auto const blocks = blocks_of(fault, properties);
+    if (properties.blocks.size() > 1) fault.finding.blocks = blocks;
+    for (int const number : blocks)
+      discount(properties.blocks[static_cast<std::size_t>(number) - 1],
+               fmt::format("the {} is {}", fault.channel, said_of(fault.kind)));
+    found.push_back(fault.finding);
   }
+  // What else cannot be true in a block follows from its faulty signal.
+  for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
+    if (std::ranges::none_of(found, [&](Finding const& fault) {
+          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+        }) && properties.blocks.size() > 1)
+      found.push_back(std::move(finding));
+  if (properties.failure && !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
+    properties.failure.reset();
+  properties.faulty = std::move(found);
+  conclude(properties, not_cut);
   return properties;
 }
 
@@ -377,6 +442,13 @@ Stability stability(Block const& block, double Cycle::*property) {
   Stability found;
   found.cycles = static_cast<int>(values.size());
   if (values.size() <= third) return found;
+  // No quotient by nearly nothing: a device without stiffness has no course of stiffness or damping.
+  constexpr double nearly_nothing = 1e-3;  // times the largest value
+  double const largest = std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
+  bool const of_stiffness = property != &Cycle::energy_kN_mm;
+  if (!(std::abs(values[third]) > nearly_nothing * largest) ||
+      (of_stiffness && std::ranges::any_of(block.counted(), [](Cycle const* c) { return !c->damping(); })))
+    return found;
   for (double const value : values) found.ratio_to_third.push_back(value / values[third]);
   double const mean = (values[0] + values[1] + values[2]) / 3.0;
   found.first_to_third = found.ratio_to_third.front();

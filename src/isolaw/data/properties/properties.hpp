@@ -58,6 +58,7 @@ struct Block {
   std::optional<double> frequency_Hz;  // 1 / period, without rests and holds
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
+  std::string fault;          // why none of its cycles counts, if a signal or loop in it cannot be true
   std::vector<Cycle> cycles;  // in order, with the cycles that do not count
 
   std::vector<Cycle const*> counted() const;
@@ -71,7 +72,10 @@ struct Properties {
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
   bool is_false = false;                    // the refusal is about a signal or cycle that cannot be true
-  std::vector<SignalFault> faults;          // set only for a TestRecord; if there are any, no cycle counts
+  std::vector<SignalFault> faults;          // set only for a TestRecord
+  // What cannot be true in some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
+  std::vector<Finding> faulty;
+  std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 
@@ -91,7 +95,7 @@ struct CycleView {
 };
 
 Properties cyclic_properties(CycleView const& view);
-// Also takes over the faults of the record's signals. If there are any, no cycle counts.
+// Also takes over the faults of the record's signals. No cycle counts of a block in which one lies.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
@@ -100,7 +104,7 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if there is no cycle 3. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
+// empty if there is no cycle 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
 // least_to_largest is the smallest value over the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles

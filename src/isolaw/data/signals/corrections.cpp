@@ -29,7 +29,9 @@ void note(TestRecord& record, FindingKind kind, std::string option, std::vector<
 }
 
 void repair_channel(TestRecord& record, std::vector<double>& values, std::string const& name, std::string_view unit) {
-  auto const found = spikes(values);
+  auto mended = record.disp_mm;
+  for (auto const& spike : spikes(mended)) mended[spike.at] = spike.expected;
+  auto const found = spikes_in(values, small_stages(mended, record.time_s));
   std::vector<std::size_t> samples;
   for (auto const& spike : found) samples.push_back(spike.at);
   auto finding = finding_at(FindingKind::spikes_repaired, name, unit, samples, record.time_s);
