@@ -114,7 +114,7 @@ def read_record(path, *, name=None, **reading):
 
     path: the file. name: the device's name; by default the file's name without its ending.
     columns, units: information that the file lacks, as a dict or as the text of the option of the same name:
-    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load;
+    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force, load and cycle;
     ``columns={"force": "loadcell.csv:F"}`` takes the force from another file.
     dt: sampling interval in s of a file without time. sheet, test: the sheet or test to read of a file with several.
     rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: the part to read, in seconds of the file's own

@@ -50,7 +50,7 @@ enum class FindingKind {
   loads_ambiguous, load_unit_unclear, velocity_unused,
   values_uncorrected, uncorrected_without_properties, uncorrected_not_known,
   // Notes: numbers of a record that the reader should know.
-  samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
+  viscous_device, sliding_device, samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples, largest_swings,
   // How the record was read. word("text") of the finding is the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,

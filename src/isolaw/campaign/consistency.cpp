@@ -25,7 +25,7 @@ void require_device(Device const& d) {
   auto const& raw = d.raw;
   auto const& fit = d.record;
   bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
-                    same(raw.load_kN, raw.size()) && fit.time_s.size() == fit.size() &&
+                    same(raw.load_kN, raw.size()) && same(raw.logged_cycle, raw.size()) && fit.time_s.size() == fit.size() &&
                     same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size() &&
                     same(fit.scored, fit.size()) && same(fit.weights, fit.size()) && same(fit.block, fit.size());
   auto const& vertical = d.vertical;

@@ -146,7 +146,7 @@ void add_warnings(TestRecord& record, Properties const& properties) {
              {"disp_mm", start}, {"percent", 100.0 * std::abs(start) / half_range}, {"half_range_mm", half_range}}});
   warn_of_gaps(record);
   warn_of_days(record);
-  if (properties.reported && !properties.reported->damping())
+  if (properties.reported && !properties.reported->damping() && !properties.viscous)
     warnings.push_back({.kind = FindingKind::damping_undefined});
   append(warnings, error_budget(record, properties).warnings);
   append(warnings, properties.refusal);

@@ -95,8 +95,8 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
 // A device may fail all the same, where a limit compares the cycles before and after.
 void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {
   for (auto& a : assessments) {
-    bool const of_test = a.property != rules::Quantity::K_v && !a.limit.empty();
-    if (!of_test || a.verdict == rules::Verdict::fail || a.verdict == rules::Verdict::information) continue;
+    bool const without = a.verdict == rules::Verdict::not_assessed && !a.value && a.subject != rules::Subject::loads;
+    if (a.property == rules::Quantity::K_v || !(a.verdict == rules::Verdict::pass || without)) continue;
     a.verdict = rules::Verdict::not_assessed;
     a.reason = reason;
   }

@@ -105,7 +105,7 @@ ReadOptions resolved_layout(Columns const& columns, Header const& header, ReadOp
   layout.test.reset();
   for (auto const& [channel, column] : columns.channels) {
     layout.columns[channel] = column_key(column.index, header);
-    if (column.unit) layout.units[channel] = column.unit->symbol;
+    if (column.unit && channel != Channel::cycle) layout.units[channel] = column.unit->symbol;
   }
   return layout;
 }

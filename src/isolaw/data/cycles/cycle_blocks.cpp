@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "isolaw/num/statistics.hpp"
@@ -290,16 +291,31 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
   return any ? period : 0.0;
 }
 
+// Numbers the counted cycles of a block by the logger's numbers, if these rise. A counter that goes on from the block
+// before it, which ended with `before`, starts anew. Returns the logger's last number of the block.
+int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
+  std::vector<std::size_t> counted;
+  for (auto i = begin; i < cuts.size(); ++i)
+    if (cuts[i].number > 0) counted.push_back(i);
+  auto const logged = [&](std::size_t i) { return shapes[i].logged; };
+  bool const rise = std::ranges::is_sorted(counted, std::less_equal<>(), logged);
+  if (counted.empty() || logged(counted.front()) <= 0 || !rise) return 0;
+  int const base = before > 0 && logged(counted.front()) > before ? before : 0;
+  for (auto const i : counted) cuts[i].number = logged(i) - base;
+  return logged(counted.back());
+}
+
 }  // namespace
 
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
   auto const runs = runs_of(shapes);
   mark_regular(shapes, runs);
   std::vector<CycleCut> cuts;
-  int block = 0;
+  int block = 0, logged = 0;
   for (auto const& draft : drafts_of(shapes, runs)) {
     ++block;
     int number = 0;
+    auto const begin = cuts.size();
     std::vector<std::size_t> nominal_cycles;
     for (auto i = draft.begin; i < draft.end; ++i)
       if (close(shapes[i].amplitude(), draft.core.amplitude, nominal)) nominal_cycles.push_back(i);
@@ -318,10 +334,13 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view
             of_amplitude(shape, draft.core.amplitude);
       else if (period > 0.0 && !same_pace(shape.period, period, far_period))
         cut.not_counted = of_period(shape, period, unit);
+      else if (shape.jumps)
+        cut.not_counted = "the time jumps within it, and no loop is closed across a jump";
       else
         cut.number = ++number;
       cuts.push_back(std::move(cut));
     }
+    logged = take_logged_numbers(cuts, begin, shapes, logged);
   }
   return cuts;
 }

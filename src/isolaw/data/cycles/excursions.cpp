@@ -11,6 +11,7 @@ constexpr double alike = 0.15;    // difference of two reaches over the larger o
 constexpr double same_fall =
     1.5;                        // ratio of the times in which two excursions fall; alike excursions have a smaller one
 constexpr double slight = 0.2;  // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
+constexpr double closed_by = 1.5;  // steps between samples; a motion that ends closer to the centre has reached it
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {
@@ -98,7 +99,9 @@ class Finder {
     auto const end = x_.size() - 1;
     bool crossed = false;
     for (auto i = excursion.tip + 1; i <= end && !crossed; ++i) crossed = out(excursion, i) <= 0.0;
-    bool const comes_to_rest = std::abs(y(end)) <= level(excursion.reach_mm);
+    double const step = std::abs(x_[end] - x_[end - 1]);
+    bool const comes_to_rest =
+        std::abs(y(end)) <= std::max(level(excursion.reach_mm), std::min(closed_by * step, excursion.reach_mm / 4.0));
     excursion.ends_open = !crossed && !comes_to_rest;
     excursion.last = excursion.ends_open ? static_cast<double>(end) : boundary(excursion, end, false);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace isolaw::data {
@@ -47,11 +48,18 @@ void find_failure(Properties& properties) {
   Cycle const* before = nullptr;
   double kept = 1.0;
   std::vector<Cycle*> dead;
-  for (std::size_t k = 0; k < cycles.size(); ++k) {
-    auto& cycle = *cycles[k];
-    bool const is_dead = std::any_of(cycles.begin(), cycles.begin() + static_cast<std::ptrdiff_t>(k), [&](auto* other) {
+  constexpr std::size_t most_blocks = 100;  // before a cycle with which it is compared
+  std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
+  for (auto* each : cycles) {
+    auto& cycle = *each;
+    auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
+    bool const is_dead = std::ranges::any_of(earlier, [&](Cycle const* other) {
       return comparable(*other, cycle) && size_of(cycle) < nearly_gone * size_of(*other);
     });
+    if (strongest.empty() || strongest.back()->block != cycle.block)
+      strongest.push_back(&cycle);
+    else if (size_of(cycle) > size_of(*strongest.back()))
+      strongest.back() = &cycle;
     bool const follows = before != nullptr && before->block == cycle.block && cycle.counts();
     double const share = follows ? share_kept(*before, cycle) : 1.0;
     bool const loses = share < 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
@@ -71,14 +79,15 @@ void find_failure(Properties& properties) {
   if (dead.empty()) return;
   // The force stays away if it is gone in the last cycle. Then the cycles between the failure and the first dead one are
   // those in which the device fails.
-  auto const first = std::ranges::find(cycles, fails);
   bool const for_good = dead.back() == cycles.back();
   auto const why = fmt::format("the force is lost in cycle {} of block {}", number, block);
-  for (auto at = first; at != cycles.end(); ++at) {
-    if (!for_good && std::ranges::find(dead, *at) == dead.end()) continue;
-    if ((*at)->counts()) (*at)->not_counted = why;
-    (*at)->number = 0;
-  }
+  auto const end = [&](std::vector<Cycle*> const& lost, auto first) {
+    for (; first != lost.end(); ++first) {
+      if ((*first)->counts()) (*first)->not_counted = why;
+      (*first)->number = 0;
+    }
+  };
+  for_good ? end(cycles, std::ranges::find(cycles, fails)) : end(dead, dead.begin());
 }
 
 }  // namespace isolaw::data

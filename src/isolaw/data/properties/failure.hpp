@@ -7,7 +7,7 @@
 namespace isolaw::data {
 
 // Sets properties.failure. Cycles whose force is nearly gone, in units of what an earlier cycle of no larger amplitude
-// had, no longer count; nor do those before them from the cycle that fails on. O(n^2) in the number of cycles.
+// had, no longer count; nor do those before them from the cycle that fails on.
 void find_failure(Properties& properties);
 
 }  // namespace isolaw::data

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "isolaw/data/channels/time_gaps.hpp"
+#include "isolaw/data/properties/device_kind.hpp"
 #include "isolaw/data/properties/failure.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -81,6 +83,13 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
 
 // Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
+  if (cycle.one_sided) {  // halfway between its turns, because the loop is closed at them
+    double const start = value_at(x, cycle.first);
+    double const tip = peaks.largest - start > start - peaks.least ? peaks.at_largest : peaks.at_least;
+    auto const out = force_at_level(x, F, cycle.first, tip, (peaks.largest + peaks.least) / 2.0);
+    auto const back = force_at_level(x, F, tip, cycle.last, (peaks.largest + peaks.least) / 2.0);
+    return out && back ? std::abs(*out - *back) / 2.0 : 0.0;
+  }
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
   bool const ends_in_motion = cycle.last < static_cast<double>(x.size() - 1) && !cycle.turns_at_end;
@@ -111,8 +120,9 @@ void derive(Cycle& cycle, Peaks const& peaks) {
   double const least = least_excursion * cycle.amplitude_mm;
   cycle.K_plus_kN_per_mm = cycle.d_plus_mm > least ? cycle.F_plus_kN / cycle.d_plus_mm : 0.0;
   cycle.K_minus_kN_per_mm = cycle.d_minus_mm < -least ? cycle.F_minus_kN / cycle.d_minus_mm : 0.0;
-  cycle.damping_percent = 100.0 * cycle.energy_kN_mm /
-                          (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * cycle.amplitude_mm * cycle.amplitude_mm);
+  double const elastic = cycle.K_eff_kN_per_mm * cycle.amplitude_mm * cycle.amplitude_mm;
+  cycle.damping_percent = elastic != 0.0 ? 100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * elastic)
+                                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 void idealise(Cycle& cycle) {
@@ -180,7 +190,10 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
 // Compares a swing with half a cosine and a line. A cycle that spends more than twice a sine's time near its extremes
 // is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
-  auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
+  auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
+  if (cycle.one_sided)  // the way out, from the turn at which it is cut
+    (value_at(view.disp_mm, cycle.first) < (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0 ? peaks.smallest
+                                                                                     : peaks.largest) = cycle.first;
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
@@ -244,27 +257,14 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
 }
 
 // Says why no device can have the loop of this cycle. Empty if a device can.
-std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
+std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise, bool viscous) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);
   if (cycle.energy_kN_mm < -least)
     return {of_cycle(FindingKind::cycle_gives_energy, cycle, {"energy_kN_mm", -cycle.energy_kN_mm})};
-  if (!(cycle.K_eff_kN_per_mm > 0.0))
+  if (!viscous && !(cycle.K_eff_kN_per_mm > 0.0))
     return {of_cycle(FindingKind::cycle_not_stiff, cycle, {"K_eff_kN_per_mm", cycle.K_eff_kN_per_mm})};
   return {};
-}
-
-// What the first impossible cycle of each block has.
-std::vector<Finding> impossible_cycles(Properties const& properties, CycleView const& view) {
-  Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
-  std::vector<Finding> found;
-  for (auto const& block : properties.blocks)
-    for (auto const* cycle : block.counted())
-      if (auto why = impossible(*cycle, view, noise); !why.empty()) {
-        found.push_back(std::move(why.front()));
-        break;
-      }
-  return found;
 }
 
 void discount(Block& block, std::string const& why) {
@@ -276,6 +276,32 @@ void discount(Block& block, std::string const& why) {
     cycle.number = 0;
     cycle.not_counted = why;
   }
+}
+
+// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether none
+// is.
+bool take_out_impossible(Properties& properties, CycleView const& view) {
+  constexpr std::size_t most_said = 5;
+  Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
+  std::vector<std::pair<Block*, int>> taken;  // blocks and the numbers of their cycles
+  bool any_sound = false;
+  for (auto& block : properties.blocks) {
+    auto const counted = block.counted();
+    std::vector<Finding> why;
+    for (auto at = counted.begin(); at != counted.end() && why.empty(); ++at) {
+      why = impossible(**at, view, noise, properties.viscous.has_value());
+      if (why.empty()) continue;
+      taken.emplace_back(&block, (*at)->number);
+      if (properties.faulty.size() < most_said) properties.faulty.push_back(std::move(why.front()));
+    }
+    any_sound = any_sound || (!counted.empty() && (taken.empty() || taken.back().first != &block));
+  }
+  if (any_sound)
+    for (auto const& [block, number] : taken)
+      discount(*block, fmt::format("cycle {} of the block cannot be true", number));
+  else if (properties.faulty.size() > 1)
+    properties.faulty.resize(1);
+  return !taken.empty() && !any_sound;
 }
 
 std::vector<Finding> refusal_of(std::optional<Finding> const& not_cut, Properties const& properties) {
@@ -303,12 +329,12 @@ Cycle const* cycle_to_report(Properties const& properties) {
 }
 
 // Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
-void conclude(Properties& properties, std::optional<Finding> const& not_cut) {
+void conclude(Properties& properties, std::optional<Finding> const& not_cut, bool none_is_sound) {
   std::vector<double> lengths;
   for (auto const* cycle : properties.counted()) lengths.push_back(cycle->last - cycle->first - cycle->still_samples);
   properties.samples_per_cycle = lengths.empty() ? std::nullopt : std::optional(num::median(lengths));
   properties.reported.reset();
-  properties.is_false = !properties.faulty.empty() && lengths.empty();
+  properties.is_false = !properties.faulty.empty() && (lengths.empty() || none_is_sound);
   properties.refusal = properties.is_false ? std::exchange(properties.faulty, {}) : refusal_of(not_cut, properties);
   if (auto const* reported = cycle_to_report(properties); reported != nullptr && properties.refusal.empty())
     properties.reported = *reported;
@@ -373,6 +399,10 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
   return result;
 }
 
+CycleView view_of(TestRecord const& record) {
+  return {record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts, record.logged_cycle};
+}
+
 Properties cyclic_properties(CycleView const& given) {
   auto view = given;
   assert(view.disp_mm.size() == view.force_kN.size());
@@ -381,7 +411,8 @@ Properties cyclic_properties(CycleView const& given) {
   Properties properties;
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
-  auto const cut = segment(view.disp_mm, view.time_s, view.starts, view.load_kN);
+  auto const cut = segment(view.disp_mm, view.time_s, view.starts,
+                           {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
   properties.centre_mm = cut.centre_mm;
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
@@ -392,18 +423,17 @@ Properties cyclic_properties(CycleView const& given) {
   }
   for (auto& block : properties.blocks) summarise(block, view);
   find_failure(properties);
-  properties.faulty = impossible_cycles(properties, view);
-  for (auto const& finding : properties.faulty) {
-    auto& block = properties.blocks[static_cast<std::size_t>(finding.blocks.front()) - 1];
-    discount(block, fmt::format("cycle {} of the block cannot be true", finding.number("cycle")));
+  if (auto const* cycle = cycle_to_report(properties)) {
+    properties.viscous = viscous_law(view, *cycle);
+    properties.slider = slider(*cycle);
   }
-  conclude(properties, cut.refusal);
+  bool const none_is_sound = take_out_impossible(properties, view);
+  conclude(properties, cut.refusal, none_is_sound);
   return properties;
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  auto properties =
-      cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
+  auto properties = cyclic_properties(view_of(record));
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
   std::optional<Finding> not_cut;
@@ -426,7 +456,7 @@ Properties cyclic_properties(TestRecord const& record) {
   if (properties.failure && !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
     properties.failure.reset();
   properties.faulty = std::move(found);
-  conclude(properties, not_cut);
+  conclude(properties, not_cut, properties.is_false);
   return properties;
 }
 
@@ -436,7 +466,7 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 
 Stability stability(Block const& block, double Cycle::*property) {
   constexpr std::size_t third = 2;
-  constexpr std::size_t most = 10;
+  constexpr int most = 10;
   std::vector<double> values;
   for (auto const* cycle : block.counted()) values.push_back(cycle->*property);
   Stability found;
@@ -444,17 +474,20 @@ Stability stability(Block const& block, double Cycle::*property) {
   if (values.size() <= third) return found;
   // No quotient by nearly nothing: a device without stiffness has no course of stiffness or damping.
   constexpr double nearly_nothing = 1e-3;  // times the largest value
-  double const largest = std::abs(*std::ranges::max_element(values, {}, [](double value) { return std::abs(value); }));
+  auto const size = [](double value) { return std::abs(value); };
+  double const size_of_largest = size(*std::ranges::max_element(values, {}, size));
   bool const of_stiffness = property != &Cycle::energy_kN_mm;
-  if (!(std::abs(values[third]) > nearly_nothing * largest) ||
-      (of_stiffness && std::ranges::any_of(block.counted(), [](Cycle const* c) { return !c->damping(); })))
+  if (!(std::abs(values[third]) > nearly_nothing * size_of_largest) ||
+      (of_stiffness && std::ranges::any_of(block.counted(), [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
     return found;
   for (double const value : values) found.ratio_to_third.push_back(value / values[third]);
   double const mean = (values[0] + values[1] + values[2]) / 3.0;
   found.first_to_third = found.ratio_to_third.front();
   found.first_to_mean_1_3 = values.front() / mean;
   found.last_to_mean_1_3 = values.back() / mean;
-  auto const upto = std::min(most, values.size());
+  auto const upto = static_cast<std::size_t>(
+      std::ranges::count_if(block.counted(), [](Cycle const* c) { return c->number <= most; }));
+  if (upto < 2) return found;  // a logger kept other cycles
   auto const ratios = std::span(found.ratio_to_third).first(upto);
   auto const [least, largest] = std::ranges::minmax(ratios);
   found.min_1_10 = least;

@@ -64,6 +64,20 @@ struct Block {
   std::vector<Cycle const*> counted() const;
 };
 
+// F = F_0 + C |v|^alpha in one direction of motion, F = F_0 - C |v|^alpha in the other, with C in kN (s/mm)^alpha. F_0
+// is the force at the turns of the motion, such as the preload of a gas spring.
+struct ViscousSide {
+  double C = 0.0, alpha = 0.0;
+};
+struct ViscousLaw {  // data/properties/device_kind.hpp
+  ViscousSide out, back;  // while displacement rises, and while it falls
+  double F_0_kN = 0.0, v_max_mm_s = 0.0;
+};
+struct Slider {  // data/properties/device_kind.hpp
+  double mu = 0.0, N_kN = 0.0;
+  std::optional<double> R_mm;
+};
+
 struct Properties {
   std::vector<Block> blocks;
   // The third counted cycle of the block of largest amplitude, or the last if it counts fewer. If the amplitudes of two
@@ -75,6 +89,8 @@ struct Properties {
   std::vector<SignalFault> faults;          // set only for a TestRecord
   // What cannot be true in some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
   std::vector<Finding> faulty;
+  std::optional<ViscousLaw> viscous;        // of a device without stiffness; its K_eff and damping judge nothing
+  std::optional<Slider> slider;
   std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
@@ -85,14 +101,16 @@ struct Properties {
   bool is_reported(Cycle const& cycle) const;
 };
 
-// All channels have the same length, but time_s and load_kN may be empty.
+// All channels have the same length, but time_s, load_kN and logged_cycle may be empty.
 struct CycleView {
   std::span<double const> disp_mm;
   std::span<double const> force_kN;
   std::span<double const> time_s;
   std::span<double const> load_kN;
   std::span<std::size_t const> starts = {};  // as in TestRecord
+  std::span<double const> logged_cycle = {};
 };
+CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
 // Also takes over the faults of the record's signals. No cycle counts of a block in which one lies.

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "isolaw/data/cycles/cycles.hpp"
 #include "isolaw/data/signals/clipping.hpp"
 #include "isolaw/data/signals/signal_pair.hpp"
 #include "isolaw/data/signals/spikes.hpp"
