@@ -114,7 +114,8 @@ def read_record(path, *, name=None, **reading):
 
     path: the file. name: the device's name; by default the file's name without its ending.
     columns, units: information that the file lacks, as a dict or as the text of the option of the same name:
-    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force and load;
+    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force, load
+    and cycle;
     ``columns={"force": "loadcell.csv:F"}`` takes the force from another file. channel_scale: a dict by channel, the
     number of units that a value of 1 in the file is. missing: ``"leave-out"`` or ``"interpolate"``, what to do with rows
     in which a channel has no value.

@@ -257,7 +257,7 @@ TEST(OverallVerdict, OneRecordIsNoTestOfTwoDevices) {
   EXPECT_EQ(overall_verdict(summary).word, "PASS");
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
-  rules::withhold_verdicts(copy.assessments, copy.copy_of);
+  rules::withhold_verdicts(copy.assessments, rules::same_record_as(copy.copy_of));
   auto const overall = overall_verdict(summary);
   EXPECT_EQ(overall.text(),
             "INCOMPLETE: NTC 2018: pass on 1 of 1 requirement with 1 of 2 devices; without a verdict: D02");
@@ -275,7 +275,7 @@ TEST(OverallVerdict, OfACopyTheFirstDeviceFails) {
   add(summary, "D02", {line("K_eff", Verdict::fail, 23.0), line("K_v", Verdict::pass)});
   auto& copy = summary.devices[1].acceptance;
   copy.copy_of = "D01";
-  rules::withhold_verdicts(copy.assessments, copy.copy_of);
+  rules::withhold_verdicts(copy.assessments, rules::same_record_as(copy.copy_of));
   EXPECT_EQ(copy.assessments[1].verdict, Verdict::pass);  // device D02 has a compression test of its own
   EXPECT_EQ(overall_verdict(summary).failing.size(), 1u);
   EXPECT_EQ(text_of(verdict_against(summary, "D02")), "D01 fails NTC 2018: K_eff +23.0 %");

@@ -160,8 +160,9 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
   fmt::print("{}: {}\n", device.name == campaign::name_of_file(file) ? test.shown_file : device.name,
              counted(record.size(), "sample"));
   for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
-  if (auto const properties = data::cyclic_properties(record); properties.is_false)
-    say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(properties.refusal));
+  auto const properties = data::cyclic_properties(record);
+  if (auto const& why = properties.is_false ? properties.refusal : properties.faulty; !why.empty())
+    say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(why));
 }
 
 // Throws Error if no test can be read.

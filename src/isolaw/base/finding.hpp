@@ -47,14 +47,14 @@ enum class FindingKind {
   vertical_test_refused,
   // Doubts about the values in a record.
   units_implausible, motion_implausible, force_beyond_load, vertical_stiffness_implausible, vertical_softer_than_expected, time_in_days,
-  about_acceleration, cycle_unlike_neighbours, stiffness_rises, force_late, lag_grows, friction_in_force, samples_few,
+  about_acceleration, force_lost, cycle_unlike_neighbours, stiffness_rises, force_late, lag_grows, friction_in_force, samples_few,
   time_uneven, time_jumps, noise, hum, drift, offset_steps, loop_open, speed_off, frequency_sweeps, off_centre,
   gain_of_one_side, starts_off_zero, several_amplitudes, damping_undefined,
   average_too_wide, tests_state_differently, shared_time_short, channel_interpolated, axis_taken_for_channel, unit_overridden,
   loads_ambiguous, load_unit_unclear, velocity_unused, direction_unread,
   values_uncorrected, uncorrected_without_properties, uncorrected_not_known,
   // Notes: numbers of a record that the reader should know.
-  samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
+  viscous_device, sliding_device, samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples, largest_swings,
   // How the record was read. word("text") of the finding is the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,

@@ -114,6 +114,7 @@ std::string known_units(Dimension dimension) {
 
 std::string_view name(Dimension dimension) {
   if (dimension == Dimension::force) return "force";
+  if (dimension == Dimension::count) return "number";
   return dimension == Dimension::length ? "length" : "time";
 }
 

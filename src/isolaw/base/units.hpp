@@ -7,7 +7,7 @@
 
 namespace isolaw {
 
-enum class Dimension { force, length, time };
+enum class Dimension { force, length, time, count };
 
 struct Unit {
   Dimension dimension;
@@ -21,6 +21,7 @@ inline constexpr Unit mm{Dimension::length, "mm", 1.0};
 inline constexpr Unit cm{Dimension::length, "cm", 10.0};
 inline constexpr Unit m{Dimension::length, "m", 1e3};
 inline constexpr Unit s{Dimension::time, "s", 1.0};
+inline constexpr Unit counts{Dimension::count, "1", 1.0};  // of a counter; no text names it
 
 // The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
 // are ignored. "mN" is unknown nevertheless: without its case, a millinewton would be read as a meganewton.

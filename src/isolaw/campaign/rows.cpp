@@ -91,6 +91,7 @@ void for_each_series(auto& device, Visit&& visit) {
   visit("raw", "disp_mm", device.raw.disp_mm);
   visit("raw", "force_kN", device.raw.force_kN);
   visit("raw", "load_kN", device.raw.load_kN);
+  visit("raw", "logged_cycle", device.raw.logged_cycle);
   visit("raw", "uncorrected_time_s", device.uncorrected.time_s);
   visit("raw", "uncorrected_disp_mm", device.uncorrected.disp_mm);
   visit("raw", "uncorrected_force_kN", device.uncorrected.force_kN);

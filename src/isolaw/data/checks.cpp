@@ -160,8 +160,10 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
 void add_warnings(TestRecord& record, Properties const& properties) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
-  // If a signal is faulty, all other warnings may be wrong and are left out.
-  if (!properties.faults.empty()) return append(warnings, properties.refusal);
+  // If no block is sound, all other warnings may be wrong and are left out.
+  if (properties.is_false && !properties.faults.empty()) return append(warnings, properties.refusal);
+  append(warnings, properties.faulty);
+  if (properties.failure) warnings.push_back(*properties.failure);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();
   if (std::abs(start) > 0.05 * half_range)
@@ -172,7 +174,7 @@ void add_warnings(TestRecord& record, Properties const& properties) {
   warn_about_rig(record, properties);
   warn_of_gaps(record);
   warn_of_days(record);
-  if (properties.reported && !properties.reported->damping())
+  if (properties.reported && !properties.reported->damping() && !properties.viscous)
     warnings.push_back({.kind = FindingKind::damping_undefined});
   append(warnings, error_budget(record, properties).warnings);
   append(warnings, properties.refusal);

@@ -88,7 +88,8 @@ void Remarks::add(RefitResponse const& response, Subject const& subject) {
   else if (!response.why_not.empty())
     cautions.push_back("the response of a building was not computed: " + response.why_not);
   else if (response.motions.empty() && !subject.motions.empty())
-    cautions.emplace_back("--motion is not used: the file has the law itself, so there is no re-fit to compare with it");
+    cautions.emplace_back(
+        "--motion is not used: the file has the law itself, so there is no re-fit to compare with it");
 }
 
 std::span<Target const> targets() {

@@ -186,12 +186,12 @@ std::string same_record_as(std::string_view device) {
   return fmt::format("the same record as {}", device);
 }
 
-void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of) {
+void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view reason) {
   for (auto& a : assessments) {
     bool const judged = a.verdict == Verdict::pass || a.verdict == Verdict::fail;
     if (!judged || a.property == Quantity::K_v) continue;  // K_v comes from a compression test
     a.verdict = Verdict::not_assessed;
-    a.reason = same_record_as(copy_of);
+    a.reason = reason;
   }
 }
 

@@ -50,8 +50,8 @@ struct LoadPair {  // properties of one device at the largest and smallest verti
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 std::string same_record_as(std::string_view device);  // "the same record as D01"
-// Removes the verdicts from a shear test whose record is a copy of another device's: it does not test this device.
-void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view copy_of);
+// Makes the verdicts on a shear test "not assessed" for this reason. Verdicts on K_v, from a compression test, stay.
+void withhold_verdicts(std::vector<Assessment>& assessments, std::string_view reason);
 // Whether nominal (1 + lower/100) <= value <= nominal (1 + upper/100), with a slack of 1e-12.
 bool is_within(double value, double nominal, std::optional<double> lower_percent, std::optional<double> upper_percent);
 // "from -20 % to +20 %", "at least -25 %". The text starts with a word, since spreadsheets take a sign for a formula.

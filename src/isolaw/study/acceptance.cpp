@@ -42,7 +42,16 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design) {
+// A faulty block that is larger than every sound one is the one on which a verdict would rest without its fault.
+void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen) {
+  constexpr double larger = 1.02;
+  for (auto const& block : properties.blocks)
+    if (!block.fault.empty() && block.amplitude_mm > larger * find_block(properties, chosen.block)->amplitude_mm)
+      chosen.block = block.number;
+}
+
+// With a rule set, a faulty block may be chosen, on which no verdict can rest.
+DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design, bool has_rules) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
     chosen.choice = wording::reasons(properties.refusal);
@@ -54,18 +63,45 @@ DeviceAcceptance choose_block(data::Properties const& properties, rules::Design 
     return chosen;
   }
   chosen.choice = "the block of the largest amplitude; a design displacement would choose another (--design disp=...)";
-  if (!design.disp_mm) return chosen;
-  double nearest = 0.0;
-  chosen.block.reset();
-  for (auto const& block : properties.blocks) {
-    if (block.counted().empty()) continue;
-    double const distance = std::abs(block.amplitude_mm - *design.disp_mm);
-    if (chosen.block && distance >= nearest) continue;
-    nearest = distance;
-    chosen.block = block.number;
+  if (!design.disp_mm) {
+    if (has_rules) choose_faulty(properties, chosen);
+    return chosen;
   }
+  constexpr double alike = 0.02;  // fraction of the design displacement; blocks of one nominal amplitude differ by less
+  data::Block const* nearest = nullptr;
+  auto const off = [&](data::Block const& block) { return std::abs(block.amplitude_mm - *design.disp_mm); };
+  auto const load_off = [&](data::Block const& block) {
+    auto const load = mean_load_kN(block);
+    return design.load_kN && load ? std::abs(*load - *design.load_kN) : 0.0;
+  };
+  for (auto const& block : properties.blocks) {
+    if (block.counted().empty() && (block.fault.empty() || !has_rules)) continue;
+    double const farther = nearest == nullptr ? 0.0 : off(block) - off(*nearest);
+    bool const same =
+        nearest != nullptr && std::abs(farther) <= alike * *design.disp_mm && load_off(block) != load_off(*nearest);
+    if (nearest == nullptr || (same ? load_off(block) < load_off(*nearest) : farther < 0.0)) nearest = &block;
+  }
+  chosen.block = nearest->number;
   chosen.choice = fmt::format("the block nearest to the design displacement of {:g} mm", *design.disp_mm);
   return chosen;
+}
+
+std::string why_withheld(data::Properties const& properties, data::Block const& block) {
+  if (!block.fault.empty()) return fmt::format("block {} is faulty: {}", block.number, block.fault);
+  auto const& failure = properties.failure;
+  if (!failure) return {};
+  return fmt::format("cycle {} of block {} has lost {:.0f} % of the force", failure->number("cycle"),
+                     failure->blocks.front(), 100.0 - failure->number("percent"));
+}
+
+// A device may fail all the same, where a limit compares the cycles before and after.
+void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {
+  for (auto& a : assessments) {
+    bool const without = a.verdict == rules::Verdict::not_assessed && !a.value && a.subject != rules::Subject::loads;
+    if (a.property == rules::Quantity::K_v || !(a.verdict == rules::Verdict::pass || without)) continue;
+    a.verdict = rules::Verdict::not_assessed;
+    a.reason = reason;
+  }
 }
 
 }  // namespace
@@ -132,13 +168,15 @@ LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& desig
   devices.clear();
   std::vector<rules::DeviceValues> measured;
   for (auto const& test : tests) {
-    auto device = choose_block(*test.properties, design);
+    auto device = choose_block(*test.properties, design, result.has_rules());
     device.copy_of = test.copy_of;
     if (auto const* block = find_block(*test.properties, device.block)) {
       auto const values = values_of(*block, test);
       if (result.has_rules()) device.assessments = rules::assess(rules, values, design, load_pair(test, *block));
-      if (!test.copy_of.empty()) rules::withhold_verdicts(device.assessments, test.copy_of);
-      measured.push_back({test.device, values, test.copy_of});
+      if (!test.copy_of.empty()) rules::withhold_verdicts(device.assessments, rules::same_record_as(test.copy_of));
+      device.withheld = why_withheld(*test.properties, *block);
+      if (!device.withheld.empty()) withhold_passes(device.assessments, device.withheld);
+      if (!values.cycles.empty()) measured.push_back({test.device, values, test.copy_of});
     }
     devices.push_back(std::move(device));
   }

@@ -200,8 +200,9 @@ void compare_properties(TestFit& fitted, data::FitRecord const& record, std::spa
   };
   if (auto const reference = compared_cycle(measured, record)) {
     auto const computed = data::properties_on(*reference, record.disp_mm, force_kN);
-    fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference->K_eff_kN_per_mm);
     fitted.energy_error_percent = error(computed.energy_kN_mm, reference->energy_kN_mm);
+    if (measured.viscous) return;  // it has no stiffness to compare
+    fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference->K_eff_kN_per_mm);
     fitted.damping_error_percent = error(computed.damping_percent, reference->damping_percent);
     return;
   }

@@ -62,8 +62,9 @@ struct Measured {                      // on the device of a fit
 };
 
 Measured measured_on(DeviceResult const& device) {
-  Measured measured{.viscous = std::ranges::find(device.raw.warnings, FindingKind::damping_undefined, &Finding::kind) !=
-                               device.raw.warnings.end()};
+  Measured measured{.viscous = device.properties.viscous ||
+                               std::ranges::find(device.raw.warnings, FindingKind::damping_undefined, &Finding::kind) !=
+                                   device.raw.warnings.end()};
   if (auto const swings = data::swing_properties(device.raw)) measured.damping = swings->damping_percent / 100.0;
   return measured;
 }

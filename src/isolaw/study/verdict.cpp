@@ -88,7 +88,10 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     if (!a.limit.empty() && (copy_of.empty() || property_of(a) == rules::name(rules::Quantity::K_v)))
       add(overall.requirements, property_of(a), a.verdict);
   auto const own = device_verdict(device.acceptance);
-  if (own.verdict == Verdict::fail)
+  auto const& withheld = device.acceptance.withheld;
+  if (own.verdict != Verdict::fail && !withheld.empty())
+    overall.not_assessed.push_back({.device = name, .remark = withheld});
+  else if (own.verdict == Verdict::fail)
     overall.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
   else if (copy_of.empty() && own.verdict != Verdict::pass && own.not_assessed.empty() && !own.passed.empty())
     overall.not_assessed.push_back({.device = name, .remark = "a compression test alone is no pass"});

@@ -364,6 +364,9 @@ std::span<Row const> rows() {
           about_acceleration, "about-acceleration", serious, by_words,
           "the file mentions acceleration ('{line}'), but isolaw needs the displacement of the device, one face against the other, over time."),
       doubt(
+          force_lost, "force-lost", serious, one_sentence,
+          "the force is suddenly lost: <cycle {cycle} of block {block} has {percent:3} % of the peak force in the cycle before it>. The specimen failed, or its channel did. No verdict passes the device until someone finds which; --rows or --to leaves the rest of the record out."),
+      doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
           "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
       doubt(
@@ -446,6 +449,12 @@ std::span<Row const> rows() {
             "without the corrections by hand there would be no properties: {reason}"),
       doubt(uncorrected_not_known, "uncorrected-not-known", caution, by_words,
             "isolaw does not have the record without its corrections by hand, so nothing shows what they change."),
+      fact(
+          viscous_device, "viscous-device",
+          "a viscous device by its loop, F = F_0 +- C v^alpha with C in kN and v in mm/s: F_0 = {F_0_kN:3}, C = {C_out:4} and alpha = {alpha_out:3} while displacement rises, {C_back:4} and {alpha_back:3} while it falls; at the largest speed of {v_max_mm_s:4} the force is {out_kN:4} and {back_kN:4}. It has no effective stiffness, so neither K_eff nor damping judges anything."),
+      fact(
+          sliding_device, "sliding-device",
+          "a sliding device by its loop: friction of {mu_percent:3} % of the vertical load of {load_kN:4} (Q_d / N)[, and a radius of {R_mm:4} (N / K_d)]. The jump of force at reversals is its own friction."),
       fact(
           samples_per_cycle, "samples-per-cycle",
           "{samples:.1f} samples per cycle: energy comes out [{up_to}up to ]{energy_percent:2} % too small, and a peak up to {peak_percent:2} %."),

@@ -1,6 +1,7 @@
 // Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement. One
 // sentence for several devices gives magnitudes as a range, but names the device of each sample, time or cycle.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -12,8 +13,16 @@
 namespace isolaw::wording {
 namespace {
 
-constexpr char const* of_no_use =
-    "Whatever is computed from such a signal is wrong: test again, or give a channel that was not disturbed.";
+// What a fault means for the properties. It takes the blocks in which it lies, and leaves the others.
+std::string of_no_use(Group group) {
+  auto const& blocks = group.front().blocks;
+  std::string const taken =
+      group.size() > 1 || blocks.empty()
+          ? ""
+          : fmt::format(" No cycle of block{} {} counts.", blocks.size() == 1 ? "" : "s", fmt::join(blocks, ", "));
+  return "Whatever is computed from such a signal is wrong: test again, or give a channel that was not disturbed." +
+         taken;
+}
 
 // The range of the numbers `name`, whose unit is the end of that name, in the reader's units and without the unit.
 std::string range_in(UnitSystem const& units, Group group, std::string_view name, int digits = 3) {
@@ -61,7 +70,7 @@ std::string standing(Group group, UnitSystem const& units, std::string_view how)
                        finding.number("longest_samples"), places(finding));
   };
   return fmt::format("the {} is {} {}, while the {} goes on. {}", f.word("channel"), how, each(group, stretch),
-                     f.word("channel") == "force" ? "motion" : "force", of_no_use);
+                     f.word("channel") == "force" ? "motion" : "force", of_no_use(group));
 }
 
 std::string reversal(Group group, UnitSystem const& units) {
@@ -90,7 +99,7 @@ std::string signal_without_sign(Group group, UnitSystem const&) {
   return fmt::format("the {} is recorded without its sign: {} ({}). {}", group.front().word("channel"),
                      force ? "the device moves to both sides, but the force has one sign at all peaks"
                            : "it stays on one side of zero, but the force at its peaks has both signs",
-                     each(group, places), of_no_use);
+                     each(group, places), of_no_use(group));
 }
 
 std::string signal_interrupted(Group group, UnitSystem const& units) {
@@ -100,7 +109,7 @@ std::string signal_interrupted(Group group, UnitSystem const& units) {
                        channel.shown.unit, f.number("longest_samples"), number_text(channel("before"), 5),
                        number_text(channel("after"), 5), channel.shown.unit, places(f));
   };
-  return fmt::format("the {} drops out: {}. {}", group.front().word("channel"), each(group, gap), of_no_use);
+  return fmt::format("the {} drops out: {}. {}", group.front().word("channel"), each(group, gap), of_no_use(group));
 }
 
 std::string signal_spike(Group group, UnitSystem const& units) {
@@ -119,8 +128,11 @@ std::string signal_spike(Group group, UnitSystem const& units) {
                          ? fmt::format(" at {}: {}", places(first), size(first))
                          : ": " + each(group, [&](Finding const& f) { return size(f) + " at " + places(f); });
   return fmt::format(
-      "the {} has {}{}. No properties are computed from such a record; --repair spikes replaces the samples by interpolation between their neighbours.",
-      first.word("channel"), spikes, where);
+      "the {} has {}{}. No properties are computed from such a {}; --repair spikes replaces the samples by interpolation between their neighbours.",
+      first.word("channel"), spikes, where,
+      group.size() > 1 || first.blocks.empty()
+          ? "record"
+          : fmt::format("block, here block{} {}", first.blocks.size() == 1 ? "" : "s", fmt::join(first.blocks, ", ")));
 }
 
 std::string no_complete_cycle(Group group, UnitSystem const& units) {

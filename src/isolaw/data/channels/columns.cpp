@@ -77,7 +77,8 @@ class Resolver {
   void take_option(Channel channel) {
     auto const wanted = options_.columns.find(channel);
     if (wanted == options_.columns.end()) return;
-    bool const optional_channel = channel == Channel::time || (channel == Channel::load && !wanted_.vertical);
+    bool const optional_channel =
+        channel == Channel::time || channel == Channel::cycle || (channel == Channel::load && !wanted_.vertical);
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
       result_.recognised.push_back(decision(
           FindingKind::column_taken,
@@ -289,9 +290,9 @@ class Resolver {
     if (found.size() == 1) {
       result_.channels[channel].index = found.front();
       why_[channel] = "by its name";
-    } else if (found.size() > 1) {
+    } else if (found.size() > 1 && channel != Channel::cycle) {
       report_ambiguity(channel, found);
-    } else if (channel != Channel::load || wanted_.vertical) {
+    } else if (channel != Channel::cycle && (channel != Channel::load || wanted_.vertical)) {
       report_missing(channel);
     }
   }
@@ -530,6 +531,10 @@ class Resolver {
                   fmt::format("{}: {}{}, {}; {}, read in s", name(channel), text, date, why_.at(channel),
                               column.stamp == StampKind::serial_number ? "days of a spreadsheet" : "time stamps"),
                   s.symbol);
+    }
+    if (channel == Channel::cycle) {
+      column.unit = counts;
+      return take(channel, column, fmt::format("{}: {}, {}", name(channel), text, why_.at(channel)), {});
     }
     auto const allowed = known_units(dimension(channel));
     auto const key = name(channel);

@@ -26,6 +26,7 @@ struct Wanted {
   static Wanted compression() { return {.time = false, .force = false, .vertical = true}; }
   static Wanted motion() { return {.force = false, .load = false}; }
   bool has(Channel channel) const {
+    if (channel == Channel::cycle) return force && disp && !part;
     return channel == Channel::time ? time : channel == Channel::disp ? disp : channel == Channel::force ? force : load;
   }
 };

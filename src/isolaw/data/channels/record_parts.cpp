@@ -102,6 +102,8 @@ std::vector<double>& values_of(TestRecord& record, Channel channel) {
       return record.disp_mm;
     case Channel::force:
       return record.force_kN;
+    case Channel::cycle:
+      return record.logged_cycle;
     default:
       return record.load_kN;
   }
@@ -144,7 +146,8 @@ void join_channels(RecordPart& main, RecordPart other) {
                                             ? "--from and --to in place of --rows, which counts in each file"
                                             : "--columns time=none, where the rows belong together"});
       require_without_gaps(more, first, last);
-      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN}) keep(*span, *values);
+      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
+        keep(*span, *values);
       for (auto const channel : measured_channels)
         if (auto& values = values_of(more, channel); !values.empty())
           values = at_times(record.time_s, more.time_s, values);

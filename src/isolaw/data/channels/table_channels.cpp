@@ -52,7 +52,7 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
-// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time, and rows
+// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time or number of the cycle, and rows
 // before a channel's first value or behind its last, are always left out.
 void settle_missing(Rows& rows, MissingValues missing) {
   if (missing == MissingValues::refused) return;
@@ -68,7 +68,8 @@ void settle_missing(Rows& rows, MissingValues missing) {
     std::size_t before = count;  // the last row with a value
     for (std::size_t i = 0; i < count; ++i) {
       if (!std::isfinite(raw.values[i])) {
-        if (missing == MissingValues::left_out || raw.channel == Channel::time) is_kept[i] = false;
+        bool const may_be_filled = raw.channel != Channel::time && raw.channel != Channel::cycle;
+        if (missing == MissingValues::left_out || !may_be_filled) is_kept[i] = false;
         continue;
       }
       for (std::size_t k = before == count ? 0 : before + 1; k < i; ++k) {
@@ -161,7 +162,7 @@ ReadOptions resolved_layout(Columns const& columns, Header const& header, ReadOp
   layout.test.reset();
   for (auto const& [channel, column] : columns.channels) {
     layout.columns[channel] = column_key(column.index, header);
-    if (column.unit) layout.units[channel] = column.unit->symbol;
+    if (column.unit && channel != Channel::cycle) layout.units[channel] = column.unit->symbol;
     if (column.scale != 1.0) layout.scales[channel] = fmt::format("{}", column.scale);
   }
   return layout;

@@ -94,7 +94,8 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
     return;
   }
   check_overload(file, raw, lines, complaints);
-  if (raw.channel != Channel::load) check_constant(file, raw, complaints);  // a press may hold the load constant
+  // A press may hold the load constant, and a record may be of one cycle.
+  if (raw.channel != Channel::load && raw.channel != Channel::cycle) check_constant(file, raw, complaints);
 }
 
 }  // namespace isolaw::data

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <span>
 
 #include "isolaw/num/statistics.hpp"
@@ -18,6 +19,7 @@ constexpr double clear_change = 0.20;     // fraction of the period; least chang
 constexpr double agreement = 0.25;        // fraction of the change; periods before and after it scatter by less
 constexpr std::size_t compared = 3;       // most cycles before a change that are compared
 constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
+constexpr double other_load = 0.1;        // fraction of the vertical load; a larger change splits a block
 constexpr double build_up = 0.15;         // fraction of the amplitude; a lone cycle closer to a run of cycles joins it
 constexpr double symmetric = 0.05;        // Shape::unevenness; a lone cycle that is more even is a block of its own
 constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may shift
@@ -27,8 +29,9 @@ constexpr std::size_t longest_taper = 2;  // cycles in which a test builds up or
 struct Run {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double amplitude = 0.0;  // amplitude and period are medians of the cycles
+  double amplitude = 0.0;  // amplitude, period and load are medians of the cycles
   double period = 0.0;
+  double load = 0.0;
   std::size_t size() const { return end - begin; }
 };
 
@@ -105,8 +108,65 @@ std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const&
     auto const cycles = std::span(shapes).subspan(part.begin, part.size());
     part.amplitude = num::median_over(cycles, &Shape::amplitude);
     part.period = num::median_over(cycles, &Shape::period);
+    part.load = num::median_over(cycles, &Shape::load_kN);
   }
   return parts;
+}
+
+bool same_load(double load, double other, double largest) {
+  // Loads below a tenth of the largest one are noise about no load.
+  return std::abs(load - other) <= other_load * std::max({std::abs(load), std::abs(other), other_load * largest});
+}
+
+// Splits runs where the vertical load changes and, if another cycle follows, keeps its new value.
+std::vector<Run> split_by_load(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
+  double largest = 0.0;
+  for (auto const& shape : shapes) largest = std::max(largest, std::abs(shape.load_kN));
+  if (largest == 0.0) return runs;
+  std::vector<Run> parts;
+  for (auto const& run : runs) {
+    parts.push_back(run);
+    double sum = 0.0;
+    for (auto i = run.begin; i < run.end; ++i) {
+      auto const count = static_cast<double>(i - parts.back().begin);
+      double const load = shapes[i].load_kN;
+      bool const changes = count > 0.0 && !same_load(load, sum / count, largest) &&
+                           (i + 1 == run.end || !same_load(shapes[i + 1].load_kN, sum / count, largest));
+      if (changes) {
+        parts.back().end = i;
+        parts.push_back({.begin = i, .end = run.end});
+        sum = 0.0;
+      }
+      sum += load;
+    }
+  }
+  return parts;
+}
+
+// Splits runs at long rests. Rests that recur after every cycle or two belong to the test's protocol and split nothing.
+std::vector<Run> split_by_rest(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
+  std::vector<Run> parts;
+  for (auto const& run : runs) {
+    auto const rests = [&](std::size_t i) { return i == run.end || shapes[i].rest_before > shapes[i].period; };
+    parts.push_back(run);
+    for (auto i = run.begin + sure_run; i + sure_run <= run.end; ++i) {
+      if (!rests(i)) continue;
+      auto next = i + 1, last = i - 1;
+      while (!rests(next)) ++next;
+      while (last > parts.back().begin && !rests(last)) --last;
+      if (next - i < sure_run || i - last < sure_run) continue;
+      parts.back().end = i;
+      parts.push_back({.begin = i, .end = run.end});
+    }
+  }
+  return parts;
+}
+
+std::vector<Run> runs_of(std::vector<Shape> const& shapes) {
+  std::vector<Run> runs;
+  for (auto const& run : split_by_rest(shapes, split_by_load(shapes, runs_of_amplitude(shapes))))
+    for (auto const& part : split_by_frequency(shapes, run)) runs.push_back(part);
+  return runs;
 }
 
 double middle(Shape const& shape) {
@@ -150,7 +210,8 @@ struct Draft {
 
 bool is_build_up(Run const& lone, Run const& run) {
   return run.size() >= sure_run && close(lone.amplitude, run.amplitude, build_up) &&
-         same_pace(lone.period, run.period, far_period);
+         same_pace(lone.period, run.period, far_period) &&
+         same_load(lone.load, run.load, std::max(std::abs(lone.load), std::abs(run.load)));
 }
 
 // A lone cycle is a run of one cycle. It joins a neighbouring run if it is asymmetric, if it builds up to that run or
@@ -230,18 +291,31 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
   return any ? period : 0.0;
 }
 
+// Numbers the counted cycles of a block by the logger's numbers, if these rise. A counter that goes on from the block
+// before it, which ended with `before`, starts anew. Returns the logger's last number of the block.
+int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
+  std::vector<std::size_t> counted;
+  for (auto i = begin; i < cuts.size(); ++i)
+    if (cuts[i].number > 0) counted.push_back(i);
+  auto const logged = [&](std::size_t i) { return shapes[i].logged; };
+  bool const rise = std::ranges::is_sorted(counted, std::less_equal<>(), logged);
+  if (counted.empty() || logged(counted.front()) <= 0 || !rise) return 0;
+  int const base = before > 0 && logged(counted.front()) > before ? before : 0;
+  for (auto const i : counted) cuts[i].number = logged(i) - base;
+  return logged(counted.back());
+}
+
 }  // namespace
 
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
-  std::vector<Run> runs;
-  for (auto const& run : runs_of_amplitude(shapes))
-    for (auto const& part : split_by_frequency(shapes, run)) runs.push_back(part);
+  auto const runs = runs_of(shapes);
   mark_regular(shapes, runs);
   std::vector<CycleCut> cuts;
-  int block = 0;
+  int block = 0, logged = 0;
   for (auto const& draft : drafts_of(shapes, runs)) {
     ++block;
     int number = 0;
+    auto const begin = cuts.size();
     std::vector<std::size_t> nominal_cycles;
     for (auto i = draft.begin; i < draft.end; ++i)
       if (close(shapes[i].amplitude(), draft.core.amplitude, nominal)) nominal_cycles.push_back(i);
@@ -260,10 +334,13 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view
             of_amplitude(shape, draft.core.amplitude);
       else if (period > 0.0 && !same_pace(shape.period, period, far_period))
         cut.not_counted = of_period(shape, period, unit);
+      else if (shape.jumps)
+        cut.not_counted = "the time jumps within it, and no loop is closed across a jump";
       else
         cut.number = ++number;
       cuts.push_back(std::move(cut));
     }
+    logged = take_logged_numbers(cuts, begin, shapes, logged);
   }
   return cuts;
 }

@@ -15,6 +15,10 @@ struct Shape : CycleCut {
   double period = 0.0;         // from start to end in s or in samples, without holds and rests
   double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
   double unevenness = 0.0;     // |middle - centre of the motion| over the amplitude
+  double load_kN = 0.0;        // mean vertical load between the two tips; 0 if it is not known
+  int logged = 0;              // the logger's number of the cycle; 0 if it has none
+  bool jumps = false;          // the time jumps within it by so much that its loop is not closed
+  double rest_before = 0.0;    // time near the centre before the cycle, in the unit of period
   bool regular = false;        // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
   bool has_gap = false;        // the time jumps within the cycle
   bool taper = false;          // set by number_cycles(): the cycle grows into a run of cycles or fades out of one
@@ -26,7 +30,9 @@ struct Shape : CycleCut {
 // is a block of its own if it is symmetric about the centre. It joins a neighbouring block, but does not count, if it
 // is asymmetric or within 15 % of the amplitude of a run of three or more cycles, as when a rig builds up its
 // amplitude. A change of frequency splits a block if the period changes by 5 % and keeps its new value for two cycles;
-// the periods before the change, and those after it, must scatter by less than a quarter of the change. A cycle does
+// the periods before the change, and those after it, must scatter by less than a quarter of the change. A block also
+// ends where the vertical load changes by a tenth, and at a rest longer than the period if three or more cycles without
+// such a rest lie on each side of it. A cycle does
 // not count if its period is over 1.4 times the block's, or the block's over 1.4 times its own. `unit` is the unit of
 // periods in messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);

@@ -12,6 +12,7 @@
 #include "isolaw/data/cycles/cycle_blocks.hpp"
 #include "isolaw/data/cycles/excursions.hpp"
 #include "isolaw/data/cycles/holds.hpp"
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -27,6 +28,13 @@ constexpr double as_large = 0.05;         // times the amplitude; amplitudes tha
 // Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
 // Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
+// A ground motion does not grow from half cycle to half cycle for so long. A test may, with half cycles that are larger
+// by so much each time.
+constexpr std::size_t fewest_growing = 6;
+constexpr double least_growth = 1.02, largest_growth = 1.5;
+constexpr double at_start = 0.05;  // times the smallest peak; one-sided tests come back to their start within it
+constexpr double one_stage = 1.1;  // ratio of peaks; a one-sided test in stages has more
+constexpr double jump = 0.1;       // times the period; if time jumps by more within a cycle, its loop is not closed
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
 // The first sample, then the turning points between swings of `least` mm or more.
@@ -134,16 +142,19 @@ double or_zero(double disp_mm) {
   return std::abs(disp_mm) < 1e-6 ? 0.0 : disp_mm;
 }
 
+bool is_within(Gap const& gap, double first, double last) {
+  auto const after = static_cast<double>(gap.after);
+  return after >= first && after < last;
+}
 bool has_gap(std::vector<Gap> const& gaps, double first, double last) {
-  return std::ranges::any_of(gaps, [&](Gap const& gap) {
-    auto const after = static_cast<double>(gap.after);
-    return after >= first && after < last;
-  });
+  return std::ranges::any_of(gaps, [&](Gap const& gap) { return is_within(gap, first, last); });
 }
 
 struct Motion {
   std::span<double const> x, time;
+  FurtherChannels further;
   std::vector<Gap> gaps;
+  std::vector<std::size_t> turns;
   double centre = 0.0;
   double noise = 0.0;
   std::vector<Excursion> excursions;
@@ -155,13 +166,16 @@ struct Motion {
     return static_cast<std::size_t>(std::ranges::count(groups, part, &Group::part));
   }
   bool turns_after(Group const& group) const { return group.end == excursions.size() || excursions[group.end].turns; }
+  double at(double index) const { return time.empty() ? index : value_at(time, index); }
   Shape shape(Group const& group) const;
+  Shape shape(double first, double last) const;
 };
 
-Shape Motion::shape(Group const& group) const {
+// What does not depend on where within the cycle the motion turns.
+Shape Motion::shape(double first, double last) const {
   Shape shape;
-  shape.first = first(group);
-  shape.last = last(group);
+  shape.first = first;
+  shape.last = last;
   double const start = value_at(x, shape.first), end = value_at(x, shape.last);
   shape.least = std::min(start, end);
   shape.largest = std::max(start, end);
@@ -179,12 +193,25 @@ Shape Motion::shape(Group const& group) const {
                                 noise);
   shape.still_samples = still.samples;
   shape.still_time = still.time;
-  auto const at = [&](double index) { return time.empty() ? index : value_at(time, index); };
   shape.period = at(shape.last) - at(shape.first) - shape.still_time;
+  shape.rise_and_fall = shape.period + shape.still_time;
   shape.has_gap = has_gap(gaps, shape.first, shape.last);
+  shape.jumps = std::ranges::any_of(gaps, [&](Gap const& gap) {
+    return is_within(gap, shape.first, shape.last) && gap.length_s - gap.taken_s > jump * shape.period;
+  });
+  if (!further.logged_cycle.empty())
+    shape.logged = static_cast<int>(further.logged_cycle[static_cast<std::size_t>((first + last) / 2.0)]);
+  return shape;
+}
+
+Shape Motion::shape(Group const& group) const {
+  auto shape = this->shape(first(group), last(group));
   auto const& one = excursions[group.begin];
   auto const& other = excursions[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
+  if (!further.load_kN.empty())
+    shape.load_kN = num::moments(further.load_kN.subspan(one.tip, other.tip - one.tip + 1)).mean;
+  shape.rest_before = one.rest;
   shape.turns_at_start = one.turns;
   shape.turns_at_end = turns_after(group);
   return shape;
@@ -220,6 +247,12 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
     part.last = motion.last(group);
     bool const one_side = group.part == Part::pre_load || group.part == Part::half;
     part.not_counted = !cyclic && one_side ? not_cyclic_cycle : why_partial(motion, group);
+    auto const after = [&](double index) {
+      return std::ranges::upper_bound(motion.turns, index, {}, [](std::size_t i) { return static_cast<double>(i); });
+    };
+    auto const inside = after(part.last) - after(part.first);
+    constexpr auto usual = 2;  // turns in a part of a cycle
+    if (inside > usual) part.not_counted += fmt::format("; {} turns of the motion lie within it", inside);
     all.push_back(std::move(part));
   }
   return all;
@@ -289,7 +322,80 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
                       {"largest_mm", (largest.largest - largest.least) / 2.0}}};
 }
 
-Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s) {
+// Whether half cycles grow from each to the next, as in a test that makes each larger than the one before.
+bool grows(Motion const& motion) {
+  std::size_t growing = 0;
+  for (std::size_t i = 1; i < motion.excursions.size(); ++i) {
+    double const growth = motion.excursions[i].reach_mm / motion.excursions[i - 1].reach_mm;
+    if (growth >= least_growth && growth <= largest_growth) ++growing;
+  }
+  return growing + 1 >= fewest_growing && growing + 2 >= motion.excursions.size();
+}
+
+// Whether a test in stages goes to one side and comes back to its start each time: 0, peak, 0, peak, 0.
+bool is_one_sided(std::span<double const> x, Reversals const& found) {
+  constexpr std::size_t fewest = 6;  // two loops of each of two stages, without the last way back
+  if (found.at.size() < fewest) return false;
+  double const start = x[found.at[0]];
+  bool const positive = x[found.at[1]] > start;
+  double least = std::numeric_limits<double>::infinity(), largest = 0.0, off = 0.0;
+  for (std::size_t k = 1; k < found.at.size(); ++k) {
+    double const out = (positive ? 1.0 : -1.0) * (x[found.at[k]] - start);
+    if (k % 2 == 0) {
+      off = std::max(off, std::abs(out));
+    } else {
+      least = std::min(least, out);
+      largest = std::max(largest, out);
+    }
+  }
+  return least > 0.0 && largest > one_stage * least && off <= std::max(at_start * least, found.band_mm / 2.0);
+}
+
+// The loops of a one-sided test, from each return to its start to the next, and what is left after the last.
+Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
+  auto const& turns = motion.turns;
+  std::vector<Shape> shapes;
+  for (std::size_t k = 0; k + 2 < turns.size(); k += 2) {
+    auto shape = motion.shape(static_cast<double>(turns[k]), static_cast<double>(turns[k + 2]));
+    if (!motion.further.load_kN.empty())
+      shape.load_kN = num::moments(motion.further.load_kN.subspan(turns[k], turns[k + 2] - turns[k] + 1)).mean;
+    shape.unevenness = 0.0;
+    shape.one_sided = shape.turns_at_start = shape.turns_at_end = true;
+    shapes.push_back(std::move(shape));
+  }
+  segmentation.cyclic = true;
+  segmentation.regular_share = 1.0;
+  segmentation.centre_mm = 0.0;
+  segmentation.cycles = number_cycles(shapes, motion.time.empty() ? "samples" : "s");
+  auto const end = turns.size() % 2 == 0 ? turns[turns.size() - 2] : turns.back();
+  auto const last = motion.x.size() - 1;
+  if (turns.size() % 2 == 0 && end < last)
+    segmentation.cycles.push_back(
+        {.block = segmentation.cycles.back().block,
+         .not_counted =
+             fmt::format("partial: the record ends at {:.4g} mm, before the cycle is closed", or_zero(motion.x.back())),
+         .partial = true,
+         .first = static_cast<double>(end),
+         .last = static_cast<double>(last)});
+  return segmentation;
+}
+
+// A cycle ends before a jump of time at its end, and the next one begins after it: what lies between is not known.
+void part_at_gaps(Motion& motion) {
+  for (auto const& gap : motion.gaps) {
+    if (gap.taken_s >= gap.length_s) continue;  // a rest that was not recorded
+    auto const after = static_cast<double>(gap.after);
+    constexpr double rounding = 0.5;  // samples between a cut at a sample and one beside it
+    auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
+    if (excursion == motion.excursions.end() || excursion + 1 == motion.excursions.end() ||
+        excursion->last > after + 1.0 + rounding)
+      continue;
+    excursion->last = after;
+    (excursion + 1)->first = after + 1.0;
+  }
+}
+
+Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further) {
   auto gaps = time_gaps(disp_mm, time_s);
   auto const moving = without_gaps(time_s, gaps);
   if (!moving.empty()) time_s = moving;
@@ -302,17 +408,21 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
   Motion motion;
   motion.x = disp_mm;
   motion.time = time_s;
+  motion.further = further;
   motion.gaps = std::move(gaps);
   segmentation.band_mm = found.band_mm;
   if (found.at.size() < 2) {
     segmentation.refusal = too_short(disp_mm, motion, segmentation);
     return segmentation;
   }
+  motion.turns = found.at;
   auto const swings = swings_of(disp_mm, found.at);
+  motion.noise = noise_deviation(disp_mm);
+  if (is_one_sided(disp_mm, found)) return cut_one_sided(motion, std::move(segmentation));
   segmentation.centre_mm = centre_of(disp_mm, swings, found.band_mm);
   motion.centre = segmentation.centre_mm;
-  motion.noise = noise_deviation(disp_mm);
   motion.excursions = excursions(disp_mm, time_s, found, segmentation.centre_mm);
+  part_at_gaps(motion);
   for (auto& excursion : motion.excursions) excursion.has_gap = has_gap(motion.gaps, excursion.first, excursion.last);
   motion.groups = group_excursions(motion.excursions);
   if (motion.count(Part::cycle) == 0) {
@@ -323,8 +433,11 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
   std::vector<Shape> shapes;
   for (auto const& group : motion.groups)
     if (group.part == Part::cycle) shapes.push_back(motion.shape(group));
+  bool const growing = grows(motion);
+  if (growing)
+    for (auto& shape : shapes) shape.unevenness = 0.0;
   segmentation.cycles = number_cycles(shapes, time_s.empty() ? "samples" : "s");
-  segmentation.regular_share = regular_share(shapes, swings, motion, found.at);
+  segmentation.regular_share = growing ? 1.0 : regular_share(shapes, swings, motion, found.at);
   segmentation.cyclic = segmentation.regular_share >= least_regular_share;
   if (!segmentation.cyclic) {
     segmentation.refusal = not_cyclic(shapes, segmentation.regular_share);
@@ -398,12 +511,13 @@ Reversals reversals(std::span<double const> disp_mm) {
 }
 
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s,
-                     std::span<std::size_t const> starts) {
-  if (starts.empty()) return cut_test(disp_mm, time_s);
+                     std::span<std::size_t const> starts, FurtherChannels const& further) {
+  if (starts.empty()) return cut_test(disp_mm, time_s, further);
   Segmentation all;
   int blocks = 0;
   for (auto const& range : test_ranges(starts, disp_mm.size())) {
-    auto test = cut_test(range.of(disp_mm), range.of(time_s));
+    auto test = cut_test(range.of(disp_mm), range.of(time_s),
+                         {.load_kN = range.of(further.load_kN), .logged_cycle = range.of(further.logged_cycle)});
     if (test.cyclic == all.cyclic ? test.band_mm > all.band_mm : test.cyclic) {
       all.band_mm = test.band_mm;
       all.centre_mm = test.centre_mm;

@@ -2,7 +2,7 @@
 // if it is at least twice as large as a band, which is one hundredth of the half range, or five standard deviations of
 // the noise if that is more (at most 5 % of the half range). A small interruption of a large swing is ignored. Cycles
 // are cut where displacement crosses its centre in the direction in which the test, or a part of it after a rest,
-// starts (data/cycles/excursions.hpp). A motion that starts, turns or rests near the centre is cut at that sample. The
+// starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its start. A motion that starts, turns or rests near the centre is cut at that sample. The
 // centre is zero unless the record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and
 // decides which of them count, that is, enter the results. A period leaves out the time in which the device stands
 // still (data/cycles/holds.hpp).
@@ -27,6 +27,7 @@ struct CycleCut {
   double last = 0.0;
   bool turns_at_start = false;  // at its start the motion turns at the centre, or starts from rest
   bool turns_at_end = false;
+  bool one_sided = false;      // to one side only, from a turn of the motion to the next on the same side
   double still_samples = 0.0;  // samples in which the device stands still
   double still_time = 0.0;     // time in which it stands still, in s; in samples if there is no time
 };
@@ -43,8 +44,12 @@ struct Segmentation {
 // If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
 // itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in
 // time and memory.
+struct FurtherChannels {                      // each may be empty
+  std::span<double const> load_kN = {};       // vertical load; where it changes, a new block begins
+  std::span<double const> logged_cycle = {};  // the logger's number of the cycle; cycles are numbered by it
+};
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {},
-                     std::span<std::size_t const> starts = {});
+                     std::span<std::size_t const> starts = {}, FurtherChannels const& further = {});
 
 // `at` holds the first sample, the reversals and the last extreme. It is empty if there is no motion.
 struct Reversals {

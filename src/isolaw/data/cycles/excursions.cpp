@@ -11,6 +11,7 @@ constexpr double alike = 0.15;    // difference of two reaches over the larger o
 constexpr double same_fall =
     1.5;                        // ratio of the times in which two excursions fall; alike excursions have a smaller one
 constexpr double slight = 0.2;  // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
+constexpr double closed_by = 1.5;  // steps between samples; a motion that ends closer to the centre has reached it
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {
@@ -29,7 +30,9 @@ class Finder {
     finish(excursions_.back());
     for (std::size_t j = 0; j < excursions_.size(); ++j) {
       if (!excursions_[j].ends_open) excursions_[j].fall = fall(excursions_[j]);
-      if (j > 0) excursions_[j].rests = rests_between(excursions_[j - 1], excursions_[j]);
+      if (j == 0) continue;
+      excursions_[j].rest = rest_between(excursions_[j - 1], excursions_[j]);
+      excursions_[j].rests = excursions_[j].rest > excursions_[j - 1].fall;
     }
     return std::move(excursions_);
   }
@@ -96,7 +99,9 @@ class Finder {
     auto const end = x_.size() - 1;
     bool crossed = false;
     for (auto i = excursion.tip + 1; i <= end && !crossed; ++i) crossed = out(excursion, i) <= 0.0;
-    bool const comes_to_rest = std::abs(y(end)) <= level(excursion.reach_mm);
+    double const step = std::abs(x_[end] - x_[end - 1]);
+    bool const comes_to_rest =
+        std::abs(y(end)) <= std::max(level(excursion.reach_mm), std::min(closed_by * step, excursion.reach_mm / 4.0));
     excursion.ends_open = !crossed && !comes_to_rest;
     excursion.last = excursion.ends_open ? static_cast<double>(end) : boundary(excursion, end, false);
   }
@@ -126,10 +131,11 @@ class Finder {
     return duration(from, first_below(excursion, from, static_cast<std::size_t>(std::floor(excursion.last))));
   }
 
-  // Whether the device rests between two excursions for longer than the first excursion takes to fall.
-  bool rests_between(Excursion const& before, Excursion const& after) const {
+  // The time between two excursions in which the device is near the centre. It rests if this is longer than the first
+  // excursion takes to fall.
+  double rest_between(Excursion const& before, Excursion const& after) const {
     auto const to = first_beyond(after, low);
-    return duration(first_below(before, last_beyond(before, high), to), to) > before.fall;
+    return duration(first_below(before, last_beyond(before, high), to), to);
   }
 
   std::span<double const> x_, time_;

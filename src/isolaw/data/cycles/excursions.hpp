@@ -21,6 +21,7 @@ struct Excursion {
   double reach_mm = 0.0;     // distance of the tip from the centre
   double fall = 0.0;         // time in which it falls from 90 to 10 % of the reach, in s or in samples
   bool turns = false;        // it starts with a turn at the centre, or the record starts there at rest
+  double rest = 0.0;         // time near the centre before it, in s or in samples
   bool rests = false;        // it starts after a rest
   bool starts_open = false;  // the record starts within it
   bool ends_open = false;    // the record ends within it

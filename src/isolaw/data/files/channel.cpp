@@ -14,7 +14,8 @@ ChannelInfo const& info_of(Channel channel) {
   static constexpr ChannelInfo table[]{{"time", "time", Dimension::time},
                                        {"disp", "horizontal displacement", Dimension::length},
                                        {"force", "horizontal force", Dimension::force},
-                                       {"load", "vertical load", Dimension::force}};
+                                       {"load", "vertical load", Dimension::force},
+                                       {"cycle", "number of the cycle", Dimension::count}};
   return table[static_cast<std::size_t>(channel)];
 }
 

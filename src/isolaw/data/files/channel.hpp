@@ -6,9 +6,9 @@
 
 namespace isolaw::data {
 
-enum class Channel { time, disp, force, load };
+enum class Channel { time, disp, force, load, cycle };
 
-inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load};
+inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load, Channel::cycle};
 
 std::string_view name(Channel channel);      // "disp", as options write it
 std::string_view quantity(Channel channel);  // "horizontal displacement"

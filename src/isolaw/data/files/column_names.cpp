@@ -230,6 +230,12 @@ Words words_of(std::string_view name) {
   return words;
 }
 
+// "Cycle", "cycle no", "cycle_count": nothing else beside it but a word for a number.
+bool is_cycle_number(Words const& words) {
+  constexpr std::string_view cycle_words[]{"cycle", "cycles", "zyklus", "zyklen", "ciclo", "cicli", "ciclos", "cyc"};
+  return words.size() <= 2 && any_in(cycle_words, words) && (words.size() == 1 || any_in(counter_words, words));
+}
+
 Meaning meaning_of_words(Words const& words) {
   auto const word = [](Channel channel) { return Meaning{.channel = channel, .certainty = Certainty::word}; };
   if ((any_in(other_quantities, words) || any_in(velocity_words, words))) return {};
@@ -239,6 +245,7 @@ Meaning meaning_of_words(Words const& words) {
   if (any_in(vertical_force_words, words)) return word(Channel::load);
   if (any_in(vertical_disp_words, words)) return {.channel = {}, .vertical_disp = true};
   if (disp) return vertical ? Meaning{.channel = {}, .vertical_disp = true} : word(Channel::disp);
+  if (is_cycle_number(words)) return word(Channel::cycle);
   if (any_in(time_words, words)) return word(Channel::time);
   bool const load = any_in(load_words, words);
   if (any_in(force_words, words)) return word(vertical ? Channel::load : Channel::force);

@@ -57,17 +57,21 @@ class Assessment {
     if (block_ != nullptr) {
       stages();
       sweep();
-      unlike_their_neighbours();
-      stiffness_rises();
       sampling();
-      noise();
-      hum_of(view_.disp_mm, "displacement", "mm");
-      hum_of(view_.force_kN, "force", "kN");
       rests();
-      auto const jump = jump_at_reversals();
-      skew(jump);
-      rig_friction();
-      moving_mass();
+      kind_of_device();
+      // These judge the measurement by the force at the peaks, where a viscous device has none.
+      if (!properties_.viscous) {
+        unlike_their_neighbours();
+        stiffness_rises();
+        noise();
+        hum_of(view_.disp_mm, "displacement", "mm");
+        hum_of(view_.force_kN, "force", "kN");
+        auto const jump = jump_at_reversals();
+        skew(jump);
+        rig_friction();
+        moving_mass();
+      }
       drift();
       closure();
       offsets();
@@ -111,6 +115,26 @@ class Assessment {
       warn(FindingKind::time_uneven, {{"least_s", least}, {"largest_s", largest}, {"mean_s", mean}});
   }
 
+  void kind_of_device() {
+    if (auto const& viscous = properties_.viscous) {
+      auto const at_v_max = [&](ViscousSide const& side, double sign) {
+        return viscous->F_0_kN + sign * side.C * std::pow(viscous->v_max_mm_s, side.alpha);
+      };
+      note(FindingKind::viscous_device, {{"v_max_mm_s", viscous->v_max_mm_s},
+                                         {"C_out", viscous->out.C},
+                                         {"alpha_out", viscous->out.alpha},
+                                         {"out_kN", at_v_max(viscous->out, 1.0)},
+                                         {"C_back", viscous->back.C},
+                                         {"alpha_back", viscous->back.alpha},
+                                         {"back_kN", at_v_max(viscous->back, -1.0)},
+                                         {"F_0_kN", viscous->F_0_kN}});
+    }
+    if (auto const& slider = properties_.slider) {
+      note(FindingKind::sliding_device, {{"mu_percent", 100.0 * slider->mu}, {"load_kN", slider->N_kN}});
+      if (slider->R_mm) budget_.notes.back().numbers.push_back({"R_mm", *slider->R_mm});
+    }
+  }
+
   // Warns that a test has several amplitudes, because the reported cycle describes only one of them.
   void stages() {
     auto const counted = properties_.counted();
@@ -127,7 +151,9 @@ class Assessment {
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
-      if (cycles.size() < 3) continue;
+      bool const fails = properties_.failure && properties_.failure->blocks.front() == block.number;
+      // A lost force is said as such. Of a one-sided loop, one of the two forces is small and any multiple of another.
+      if (cycles.size() < 3 || fails || cycles.front()->one_sided) continue;
       cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
       Cycle const* oddest = nullptr;
       double share = 1.0;  // peak force over the mean of the peaks in the neighbouring cycles
@@ -360,7 +386,7 @@ class Assessment {
     // The jump must reach half its typical value at three quarters of the reversals. Noise alone does not do this.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
-    if (!found.said) return found;
+    if (!found.said || properties_.slider) return found;  // a slider's own friction jumps
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
     std::vector<FindingNumber> numbers{
@@ -443,6 +469,7 @@ class Assessment {
   }
 
   void offsets() {
+    if (cycle().one_sided) return;
     offset_of(view_.disp_mm, "displacement", "mm", most_disp_offset);
     offset_of(view_.force_kN, "force", "kN", most_force_offset);
     if (properties_.centre_mm != 0.0) note(FindingKind::cut_off_zero, {{"centre_mm", properties_.centre_mm}});
@@ -543,8 +570,7 @@ Budget error_budget(CycleView const& view, Properties const& properties, int smo
 }
 
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth) {
-  return error_budget(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts},
-                      properties, smooth);
+  return error_budget(view_of(record), properties, smooth);
 }
 
 }  // namespace isolaw::data

@@ -7,9 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "isolaw/data/channels/time_gaps.hpp"
+#include "isolaw/data/properties/device_kind.hpp"
+#include "isolaw/data/properties/failure.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
@@ -81,6 +85,13 @@ std::optional<double> force_at_level(std::span<double const> x, std::span<double
 
 // Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
+  if (cycle.one_sided) {  // halfway between its turns, because the loop is closed at them
+    double const start = value_at(x, cycle.first);
+    double const tip = peaks.largest - start > start - peaks.least ? peaks.at_largest : peaks.at_least;
+    auto const out = force_at_level(x, F, cycle.first, tip, (peaks.largest + peaks.least) / 2.0);
+    auto const back = force_at_level(x, F, tip, cycle.last, (peaks.largest + peaks.least) / 2.0);
+    return out && back ? std::abs(*out - *back) / 2.0 : 0.0;
+  }
   bool const rises = peaks.at_largest < peaks.at_least;
   bool const starts_in_motion = cycle.first > 0.0 && !cycle.turns_at_start;
   bool const ends_in_motion = cycle.last < static_cast<double>(x.size() - 1) && !cycle.turns_at_end;
@@ -111,8 +122,9 @@ void derive(Cycle& cycle, Peaks const& peaks) {
   double const least = least_excursion * cycle.amplitude_mm;
   cycle.K_plus_kN_per_mm = cycle.d_plus_mm > least ? cycle.F_plus_kN / cycle.d_plus_mm : 0.0;
   cycle.K_minus_kN_per_mm = cycle.d_minus_mm < -least ? cycle.F_minus_kN / cycle.d_minus_mm : 0.0;
-  cycle.damping_percent = 100.0 * cycle.energy_kN_mm /
-                          (2.0 * std::numbers::pi * cycle.K_eff_kN_per_mm * cycle.amplitude_mm * cycle.amplitude_mm);
+  double const elastic = cycle.K_eff_kN_per_mm * cycle.amplitude_mm * cycle.amplitude_mm;
+  cycle.damping_percent = elastic != 0.0 ? 100.0 * cycle.energy_kN_mm / (2.0 * std::numbers::pi * elastic)
+                                         : std::numeric_limits<double>::quiet_NaN();
 }
 
 void idealise(Cycle& cycle) {
@@ -141,10 +153,19 @@ double largest_slope(Cycle const& cycle, CycleView const& view) {
   return largest;
 }
 
-void add_load(Cycle& cycle, std::span<double const> load) {
-  double const start = value_at(load, cycle.first);
+// Leaves out a rest before the first motion of the cycle, in which a rig may change the load.
+void add_load(Cycle& cycle, CycleView const& view) {
+  auto const& load = view.load_kN;
+  auto samples = inside(cycle, load.size());
+  double from = cycle.first;
+  if (cycle.still_samples > 0.0) {
+    constexpr double at_rest = 0.02;  // times the amplitude
+    double const zero = value_at(view.disp_mm, cycle.first);
+    auto const rests = [&](std::size_t i) { return std::abs(view.disp_mm[i] - zero) <= at_rest * cycle.amplitude_mm; };
+    while (samples.begin + 1 < samples.end && rests(samples.begin)) from = static_cast<double>(samples.begin++);
+  }
+  double const start = value_at(load, from);
   double least = start, largest = start, sum = start;
-  auto const samples = inside(cycle, load.size());
   for (auto i = samples.begin; i < samples.end; ++i) {
     least = std::min(least, load[i]);
     largest = std::max(largest, load[i]);
@@ -164,14 +185,17 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
     cycle.period_s = value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first) - cut.still_time;
     cycle.v_max_mm_s = largest_slope(cycle, view);
   }
-  if (!view.load_kN.empty()) add_load(cycle, view.load_kN);
+  if (!view.load_kN.empty()) add_load(cycle, view);
   return cycle;
 }
 
 // Compares a swing with half a cosine and a line. A cycle that spends more than twice a sine's time near its extremes
 // is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
-  auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
+  auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
+  if (cycle.one_sided)  // the way out, from the turn at which it is cut
+    (value_at(view.disp_mm, cycle.first) < (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0 ? peaks.smallest
+                                                                                      : peaks.largest) = cycle.first;
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
@@ -267,25 +291,56 @@ Finding of_cycle(FindingKind kind, Cycle const& cycle, FindingNumber number) {
 }
 
 // Says why no device can have the loop of this cycle. Empty if a device can.
-std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise) {
+std::vector<Finding> impossible(Cycle const& cycle, CycleView const& view, Noise const& noise, bool viscous) {
   double const size = std::abs(cycle.K_eff_kN_per_mm) * cycle.amplitude_mm * cycle.amplitude_mm;
   double const least = rounding_of_energy * size + noise_of_energy * noise_of_area(cycle, view, noise);
   if (cycle.energy_kN_mm < -least)
     return {of_cycle(FindingKind::cycle_gives_energy, cycle, {"energy_kN_mm", -cycle.energy_kN_mm})};
-  if (!(cycle.K_eff_kN_per_mm > 0.0))
+  if (!viscous && !(cycle.K_eff_kN_per_mm > 0.0))
     return {of_cycle(FindingKind::cycle_not_stiff, cycle, {"K_eff_kN_per_mm", cycle.K_eff_kN_per_mm})};
   return {};
 }
 
-std::vector<Finding> why_impossible(Properties const& properties, CycleView const& view) {
-  Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
-  for (auto const* cycle : properties.counted())
-    if (auto why = impossible(*cycle, view, noise); !why.empty()) return why;
-  return {};
+void discount(Block& block, std::string const& why) {
+  block.fault = why;
+  block.frequency_Hz.reset();
+  block.sweep_Hz.reset();
+  block.v_max_mm_s.reset();
+  block.waveform.clear();
+  for (auto& cycle : block.cycles) {
+    cycle.number = 0;
+    cycle.not_counted = why;
+  }
 }
 
-std::vector<Finding> refusal_of(Segmentation const& cut, Properties const& properties) {
-  if (cut.refusal) return {*cut.refusal};
+// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether none
+// is.
+bool take_out_impossible(Properties& properties, CycleView const& view) {
+  constexpr std::size_t most_said = 5;
+  Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
+  std::vector<std::pair<Block*, int>> taken;  // blocks and the numbers of their cycles
+  bool any_sound = false;
+  for (auto& block : properties.blocks) {
+    auto const counted = block.counted();
+    std::vector<Finding> why;
+    for (auto at = counted.begin(); at != counted.end() && why.empty(); ++at) {
+      why = impossible(**at, view, noise, properties.viscous.has_value());
+      if (why.empty()) continue;
+      taken.emplace_back(&block, (*at)->number);
+      if (properties.faulty.size() < most_said) properties.faulty.push_back(std::move(why.front()));
+    }
+    any_sound = any_sound || (!counted.empty() && (taken.empty() || taken.back().first != &block));
+  }
+  if (any_sound)
+    for (auto const& [block, number] : taken)
+      discount(*block, fmt::format("cycle {} of the block cannot be true", number));
+  else if (properties.faulty.size() > 1)
+    properties.faulty.resize(1);
+  return !taken.empty() && !any_sound;
+}
+
+std::vector<Finding> refusal_of(std::optional<Finding> const& not_cut, Properties const& properties) {
+  if (not_cut) return {*not_cut};
   if (!properties.samples_per_cycle) return {{.kind = FindingKind::no_cycle_counts}};
   if (*properties.samples_per_cycle < least_samples_per_cycle * (1.0 - 1e-9))
     return {{.kind = FindingKind::samples_too_few,
@@ -293,14 +348,46 @@ std::vector<Finding> refusal_of(Segmentation const& cut, Properties const& prope
   return {};
 }
 
-Cycle const* cycle_to_report(std::vector<Block> const& blocks) {
+// The block in which the force is lost is taken only if no other counts.
+Cycle const* cycle_to_report(Properties const& properties) {
   Block const* largest = nullptr;
-  for (auto const& block : blocks)
-    if (!block.counted().empty() && (largest == nullptr || block.amplitude_mm > 1.02 * largest->amplitude_mm))
+  auto const fails = [&](Block const& block) {
+    return properties.failure && properties.failure->blocks.front() == block.number;
+  };
+  for (auto const& block : properties.blocks)
+    if (!block.counted().empty() &&
+        (largest == nullptr || fails(*largest) || (!fails(block) && block.amplitude_mm > 1.02 * largest->amplitude_mm)))
       largest = &block;
   if (largest == nullptr) return nullptr;
   auto const counted = largest->counted();
   return counted[std::min(counted.size(), reported_cycle) - 1];
+}
+
+// Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
+void conclude(Properties& properties, std::optional<Finding> const& not_cut, bool none_is_sound) {
+  std::vector<double> lengths;
+  for (auto const* cycle : properties.counted()) lengths.push_back(cycle->last - cycle->first - cycle->still_samples);
+  properties.samples_per_cycle = lengths.empty() ? std::nullopt : std::optional(num::median(lengths));
+  properties.reported.reset();
+  properties.is_false = !properties.faulty.empty() && (lengths.empty() || none_is_sound);
+  properties.refusal = properties.is_false ? std::exchange(properties.faulty, {}) : refusal_of(not_cut, properties);
+  if (auto const* reported = cycle_to_report(properties); reported != nullptr && properties.refusal.empty())
+    properties.reported = *reported;
+}
+
+// The blocks in which a fault lies. A channel without its sign is so everywhere.
+std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
+  std::vector<int> blocks;
+  auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
+  auto const touches = [&](Block const& block) {
+    return std::ranges::any_of(fault.samples, [&](std::size_t sample) {
+      return static_cast<double>(sample) <= block.cycles.back().last &&
+             static_cast<double>(sample + longest - 1) >= block.cycles.front().first;
+    });
+  };
+  for (auto const& block : properties.blocks)
+    if (fault.kind == FaultKind::rectified || touches(block)) blocks.push_back(block.number);
+  return blocks;
 }
 
 }  // namespace
@@ -347,6 +434,10 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
   return result;
 }
 
+CycleView view_of(TestRecord const& record) {
+  return {record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts, record.logged_cycle};
+}
+
 Properties cyclic_properties(CycleView const& given) {
   auto view = given;
   assert(view.disp_mm.size() == view.force_kN.size());
@@ -355,49 +446,56 @@ Properties cyclic_properties(CycleView const& given) {
   Properties properties;
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
-  auto const cut = segment(view.disp_mm, view.time_s, view.starts);
+  auto const cut =
+      segment(view.disp_mm, view.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
   properties.centre_mm = cut.centre_mm;
-  std::vector<double> lengths;
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
       properties.blocks.emplace_back();
       properties.blocks.back().number = piece.block;
     }
     properties.blocks.back().cycles.push_back(measure(piece, view));
-    if (piece.number > 0) lengths.push_back(piece.last - piece.first - piece.still_samples);
   }
   for (auto& block : properties.blocks) summarise(block, view);
   find_sweeps(properties);
-  if (!lengths.empty()) properties.samples_per_cycle = num::median(lengths);
-  properties.refusal = why_impossible(properties, view);
-  properties.is_false = !properties.refusal.empty();
-  if (!properties.is_false) properties.refusal = refusal_of(cut, properties);
-  if (auto const* reported = cycle_to_report(properties.blocks); reported != nullptr && properties.refusal.empty())
-    properties.reported = *reported;
+  find_failure(properties);
+  if (auto const* cycle = cycle_to_report(properties)) {
+    properties.viscous = viscous_law(view, *cycle);
+    properties.slider = slider(*cycle);
+  }
+  bool const none_is_sound = take_out_impossible(properties, view);
+  conclude(properties, cut.refusal, none_is_sound);
   return properties;
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  auto properties =
-      cyclic_properties(CycleView{record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts});
+  auto properties = cyclic_properties(view_of(record));
   properties.faults = record.faults;
   if (properties.faults.empty()) return properties;
-  properties.refusal.clear();
-  for (auto const& fault : properties.faults) properties.refusal.push_back(fault.finding);
-  properties.is_false = true;
-  properties.reported.reset();
-  properties.samples_per_cycle.reset();
-  for (auto& block : properties.blocks) {
-    block.frequency_Hz.reset();
-    block.sweep_Hz.reset();
-    block.v_max_mm_s.reset();
-    block.waveform.clear();
-    for (auto& cycle : block.cycles) {
-      cycle.number = 0;
-      cycle.not_counted =
-          fmt::format("the {} is {}", properties.faults.front().channel, said_of(properties.faults.front().kind));
-    }
+  std::optional<Finding> not_cut;
+  if (!properties.is_false && !properties.refusal.empty()) not_cut = properties.refusal.front();
+  std::vector<Finding> found;
+  for (auto& fault : properties.faults) {
+    auto const blocks = blocks_of(fault, properties);
+    if (properties.blocks.size() > 1) fault.finding.blocks = blocks;
+    for (int const number : blocks)
+      discount(properties.blocks[static_cast<std::size_t>(number) - 1],
+               fmt::format("the {} is {}", fault.channel, said_of(fault.kind)));
+    found.push_back(fault.finding);
   }
+  // What else cannot be true in a block follows from its faulty signal.
+  for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
+    if (std::ranges::none_of(found,
+                             [&](Finding const& fault) {
+                               return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+                             }) &&
+        properties.blocks.size() > 1)
+      found.push_back(std::move(finding));
+  if (properties.failure &&
+      !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
+    properties.failure.reset();
+  properties.faulty = std::move(found);
+  conclude(properties, not_cut, properties.is_false);
   return properties;
 }
 
@@ -407,18 +505,29 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 
 Stability stability(Block const& block, double Cycle::*property) {
   constexpr std::size_t third = 2;
-  constexpr std::size_t most = 10;
+  constexpr int most = 10;
   std::vector<double> values;
   for (auto const* cycle : block.counted()) values.push_back(cycle->*property);
   Stability found;
   found.cycles = static_cast<int>(values.size());
   if (values.size() <= third) return found;
+  // No quotient by nearly nothing: a device without stiffness has no course of stiffness or damping.
+  constexpr double nearly_nothing = 1e-3;  // times the largest value
+  auto const size = [](double value) { return std::abs(value); };
+  double const size_of_largest = size(*std::ranges::max_element(values, {}, size));
+  bool const of_stiffness = property != &Cycle::energy_kN_mm;
+  if (!(std::abs(values[third]) > nearly_nothing * size_of_largest) ||
+      (of_stiffness &&
+       std::ranges::any_of(block.counted(), [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
+    return found;
   for (double const value : values) found.ratio_to_third.push_back(value / values[third]);
   double const mean = (values[0] + values[1] + values[2]) / 3.0;
   found.first_to_third = found.ratio_to_third.front();
   found.first_to_mean_1_3 = values.front() / mean;
   found.last_to_mean_1_3 = values.back() / mean;
-  auto const upto = std::min(most, values.size());
+  auto const upto = static_cast<std::size_t>(
+      std::ranges::count_if(block.counted(), [](Cycle const* c) { return c->number <= most; }));
+  if (upto < 2) return found;  // a logger kept other cycles
   auto const ratios = std::span(found.ratio_to_third).first(upto);
   auto const [least, largest] = std::ranges::minmax(ratios);
   found.min_1_10 = least;

@@ -61,9 +61,24 @@ struct Block {
   std::optional<std::pair<double, double>> sweep_Hz;
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
+  std::string fault;          // why none of its cycles counts, if a signal or loop in it cannot be true
   std::vector<Cycle> cycles;  // in order, with the cycles that do not count
 
   std::vector<Cycle const*> counted() const;
+};
+
+// F = F_0 + C |v|^alpha in one direction of motion, F = F_0 - C |v|^alpha in the other, with C in kN (s/mm)^alpha. F_0
+// is the force at the turns of the motion, such as the preload of a gas spring.
+struct ViscousSide {
+  double C = 0.0, alpha = 0.0;
+};
+struct ViscousLaw {       // data/properties/device_kind.hpp
+  ViscousSide out, back;  // while displacement rises, and while it falls
+  double F_0_kN = 0.0, v_max_mm_s = 0.0;
+};
+struct Slider {  // data/properties/device_kind.hpp
+  double mu = 0.0, N_kN = 0.0;
+  std::optional<double> R_mm;
 };
 
 struct Properties {
@@ -73,8 +88,13 @@ struct Properties {
   std::optional<Cycle> reported;
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
-  bool is_false = false;                    // the refusal is about a signal or cycle that cannot be true
-  std::vector<SignalFault> faults;          // set only for a TestRecord; if there are any, no cycle counts
+  bool is_false = false;            // the refusal is about a signal or cycle that cannot be true
+  std::vector<SignalFault> faults;  // set only for a TestRecord
+  // What cannot be true in some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
+  std::vector<Finding> faulty;
+  std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
+  std::optional<Slider> slider;
+  std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 
@@ -84,17 +104,19 @@ struct Properties {
   bool is_reported(Cycle const& cycle) const;
 };
 
-// All channels have the same length, but time_s and load_kN may be empty.
+// All channels have the same length, but time_s, load_kN and logged_cycle may be empty.
 struct CycleView {
   std::span<double const> disp_mm;
   std::span<double const> force_kN;
   std::span<double const> time_s;
   std::span<double const> load_kN;
   std::span<std::size_t const> starts = {};  // as in TestRecord
+  std::span<double const> logged_cycle = {};
 };
+CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
-// Also takes over the faults of the record's signals. If there are any, no cycle counts.
+// Also takes over the faults of the record's signals. No cycle counts of a block in which one lies.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
@@ -103,7 +125,7 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if there is no cycle 3. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
+// empty if there is no cycle 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
 // least_to_largest is the smallest value over the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles

@@ -29,7 +29,9 @@ void note(TestRecord& record, FindingKind kind, std::string option, std::vector<
 }
 
 void repair_channel(TestRecord& record, std::vector<double>& values, std::string const& name, std::string_view unit) {
-  auto const found = spikes(values);
+  auto mended = record.disp_mm;
+  for (auto const& spike : spikes(mended)) mended[spike.at] = spike.expected;
+  auto const found = spikes_in(values, small_stages(mended, record.time_s));
   std::vector<std::size_t> samples;
   for (auto const& spike : found) samples.push_back(spike.at);
   auto finding = finding_at(FindingKind::spikes_repaired, name, unit, samples, record.time_s);
@@ -67,7 +69,7 @@ void remove_skew(TestRecord& record, double skew_s) {
                  "a skew much shorter than the record", "leave it out"});
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
-  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN})
+  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
     keep({.first = begin, .count = end - begin}, *channel);
   note(record, FindingKind::skew_removed, "--skew-ms",
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});

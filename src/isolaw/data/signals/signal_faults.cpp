@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "isolaw/data/cycles/cycles.hpp"
 #include "isolaw/data/signals/clipping.hpp"
 #include "isolaw/data/signals/signal_pair.hpp"
 #include "isolaw/data/signals/spikes.hpp"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr double one_signed = 0.02;  // fraction of the range; without its sign a channel hardly crosses zero
 constexpr double clear_force = 0.3;  // fraction of the largest force; a smaller force has no clear sign
+constexpr double small_stage =
+    0.5;  // times the half range of the record; only smaller stages are searched on their own
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
@@ -59,6 +62,20 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
       std::min(largest, -least) > 0.5 * pair.disp.half_range)
     return {without_sign("force", "kN", inner, pair)};
   return {};
+}
+
+// Counts the samples of a fault from the start of the record, where its stage was searched by itself.
+void shift(SignalFault& fault, std::size_t by) {
+  for (auto& sample : fault.samples) sample += by;
+  for (auto& number : fault.finding.numbers)
+    if (number.name.starts_with("sample")) number.value += static_cast<double>(by);
+}
+
+bool is_known(SignalFault const& fault, std::vector<SignalFault> const& known, TestRange const& stage) {
+  return std::ranges::any_of(known, [&](SignalFault const& other) {
+    return other.kind == fault.kind && other.channel == fault.channel &&
+           std::ranges::any_of(other.samples, [&](auto i) { return i >= stage.first && i < stage.end; });
+  });
 }
 
 }  // namespace
@@ -138,8 +155,41 @@ std::vector<SignalFault> dropout_faults(std::string const& channel, std::string_
       {.kind = FaultKind::dropout, .channel = channel, .samples = std::move(samples), .finding = std::move(finding)}};
 }
 
-std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
-                                       std::span<double const> time_s) {
+std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<double const> time_s) {
+  auto const cut = segment(disp_mm, time_s);
+  if (!cut.cyclic) return {};
+  std::vector<TestRange> stages;
+  for (int block = 0; auto const& cycle : cut.cycles) {
+    TestRange const samples{.first = static_cast<std::size_t>(cycle.first),
+                            .end = std::min(disp_mm.size(), static_cast<std::size_t>(cycle.last) + 1)};
+    if (std::exchange(block, cycle.block) == cycle.block)
+      stages.back().end = samples.end;
+    else
+      stages.push_back(samples);
+  }
+  double const whole = half_range(disp_mm);
+  std::erase_if(stages, [&](TestRange const& stage) { return half_range(stage.of(disp_mm)) > small_stage * whole; });
+  return stages;
+}
+
+std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange const> stages) {
+  auto found = spikes(values);
+  auto const known = found.size();
+  for (auto const& stage : stages)
+    for (auto spike : spikes(stage.of(values))) {
+      spike.at += stage.first;
+      auto const end = found.begin() + static_cast<std::ptrdiff_t>(known);
+      if (std::find_if(found.begin(), end, [&](Spike const& other) { return other.at == spike.at; }) == end)
+        found.push_back(spike);
+    }
+  std::ranges::sort(found, {}, &Spike::at);
+  return found;
+}
+
+namespace {
+
+std::vector<SignalFault> faults_within(std::span<double const> disp_mm, std::span<double const> force_kN,
+                                       std::span<double const> time_s, std::vector<double>* mended_disp) {
   std::size_t constexpr fewest = 16;
   if (disp_mm.size() < fewest) return {};
   auto const gone_disp = dropouts(disp_mm, force_kN, Other::may_stand),
@@ -150,6 +200,7 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
   auto const of_disp = spikes(disp_mm);
   auto const of_force = spikes(force_kN);
   SignalPair const pair(disp_mm, force_kN, time_s, of_disp, of_force);
+  if (mended_disp != nullptr) *mended_disp = pair.disp.x;
   if (!pair.moves()) return {};
   std::vector<SignalFault> found;
   auto const add = [&](std::vector<SignalFault> more) {
@@ -168,6 +219,24 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
   auto single = of_force;
   std::erase_if(single, [&](Spike const& spike) { return is_of_every_turn(spike, of_force, force_kN, pair.turns); });
   add(spike_faults("force", "kN", single, time_s));
+  return found;
+}
+
+}  // namespace
+
+std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,
+                                       std::span<double const> time_s) {
+  std::vector<double> mended;
+  auto found = faults_within(disp_mm, force_kN, time_s, &mended);
+  for (auto const& stage : small_stages(mended, time_s)) {
+    std::vector<SignalFault> more;
+    for (auto& fault : faults_within(stage.of(disp_mm), stage.of(force_kN), stage.of(time_s), nullptr)) {
+      shift(fault, stage.first);
+      // Whether a channel lacks its sign shows in the whole record.
+      if (fault.kind != FaultKind::rectified && !is_known(fault, found, stage)) more.push_back(std::move(fault));
+    }
+    found.insert(found.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
   return found;
 }
 

@@ -1,4 +1,6 @@
-// Finds signals that cannot be true. Whatever is computed from such a record is wrong, so it has no properties.
+// Finds signals that cannot be true. Whatever is computed from such a signal is wrong, so a block of cycles in which it
+// lies has no properties. Limits are shares of the motion in which a fault lies: a stage much smaller than the record is
+// also searched by itself.
 // docs/properties.md has the limits and rates of error. A plateau of displacement is a hold if the force only relaxes
 // during it, faster at first than later. It is clipping if the force goes on rising during it and then turns. A plateau
 // of force is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse
@@ -24,6 +26,12 @@ std::string_view said_of(
 // A finding with the count of `samples` (from 0) and the first five (from 1): "sample", "time_s", "sample_2", etc.
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
+
+// The stages of a test, as ranges of samples, that are much smaller than the whole motion. Spikes and dropouts must have
+// been taken out of the displacement. Empty if the record is not cyclic.
+std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<double const> time_s);
+// The spikes of a channel: those of the whole record, and those that only the scale of their own stage shows.
+std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange const> stages);
 
 // All channels have the same length, but time_s may be empty. O(n log n) in time, O(n) in memory.
 std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::span<double const> force_kN,

@@ -67,7 +67,7 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
   auto const counted = block.counted();
   add(text, "\nBlock {}: ", block.number);
   if (counted.empty())
-    text += "no complete cycle";
+    text += block.fault.empty() ? "no complete cycle" : "no cycle counts, " + block.fault;
   else
     add(text, "{} cycle{} of {:.4g} {}", counted.size(), counted.size() == 1 ? "" : "s",
         length.factor * block.amplitude_mm, length.unit);
@@ -209,7 +209,8 @@ void print_devices(std::string& text, Summary const& summary) {
     if (device.status != "ok")
       add(text, "refused: {}\n", on_one_line(device.message));
     else if (cycle == nullptr)
-      add(text, "no cyclic properties: {}\n", wording::reasons(device.properties.refusal, units));
+      add(text, "no cyclic properties: {}\n",
+          acceptance.withheld.empty() ? wording::reasons(device.properties.refusal, units) : acceptance.withheld);
     else
       add(text, "{:>5} {:>5} {:>9.{}f} {:>9.{}f} {:>10} {:>8}  {}\n", cycle->block, cycle->number,
           length.factor * cycle->amplitude_mm, length.decimals(2), stiff.factor * cycle->K_eff_kN_per_mm,

@@ -1,0 +1,94 @@
+#include "isolaw/data/properties/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace isolaw::data {
+namespace {
+
+constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
+constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
+constexpr double most_lost_first = 0.5;  // the same after the first cycle, in which virgin rubber is stiffer
+constexpr double clear_force = 0.3;      // times the size of the force; a peak force below it may have any change
+constexpr double same_amplitude = 1.05;  // ratio; the force of a cycle of this amplitude may be expected again
+constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
+
+// The size of a cycle's force: that of its stiffness or, for a device without stiffness, that of its loop.
+double size_of(Cycle const& cycle) {
+  return std::max(std::abs(cycle.F_plus_kN - cycle.F_minus_kN) / 2.0,
+                  std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));
+}
+
+bool comparable(Cycle const& earlier, Cycle const& cycle) {
+  bool const paced = !earlier.period_s || (*earlier.period_s <= same_pace * *cycle.period_s &&
+                                           *cycle.period_s <= same_pace * *earlier.period_s);
+  return earlier.amplitude_mm <= same_amplitude * cycle.amplitude_mm && paced;
+}
+
+// The smaller share of its two peak forces that the cycle keeps of those in the cycle before it.
+double share_kept(Cycle const& before, Cycle const& cycle) {
+  double least = 1.0;
+  for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})
+    if (std::abs(before.*peak) > clear_force * size_of(before)) least = std::min(least, cycle.*peak / (before.*peak));
+  return least;
+}
+
+}  // namespace
+
+void find_failure(Properties& properties) {
+  std::vector<Cycle*> cycles;  // the complete ones in order
+  for (auto& block : properties.blocks)
+    for (auto& cycle : block.cycles)
+      if (!cycle.partial && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
+  Cycle const* fails = nullptr;
+  Cycle const* before = nullptr;
+  double kept = 1.0;
+  std::vector<Cycle*> dead;
+  constexpr std::size_t most_blocks = 100;  // before a cycle with which it is compared
+  std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
+  for (auto* each : cycles) {
+    auto& cycle = *each;
+    auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
+    bool const is_dead = std::ranges::any_of(earlier, [&](Cycle const* other) {
+      return comparable(*other, cycle) && size_of(cycle) < nearly_gone * size_of(*other);
+    });
+    if (strongest.empty() || strongest.back()->block != cycle.block)
+      strongest.push_back(&cycle);
+    else if (size_of(cycle) > size_of(*strongest.back()))
+      strongest.back() = &cycle;
+    bool const follows = before != nullptr && before->block == cycle.block && cycle.counts();
+    double const share = follows ? share_kept(*before, cycle) : 1.0;
+    bool const loses = share < 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
+    if (is_dead || share < nearly_gone) dead.push_back(&cycle);
+    if (fails == nullptr && (is_dead || loses)) {
+      fails = &cycle;
+      kept = loses ? share : nearly_gone;
+    }
+    if (cycle.counts()) before = &cycle;
+  }
+  if (fails == nullptr) return;
+  int const block = fails->block, number = fails->number;
+  properties.failure =
+      Finding{.kind = FindingKind::force_lost,
+              .blocks = {block},
+              .numbers = {{"cycle", static_cast<double>(number)}, {"percent", 100.0 * std::max(0.0, kept)}},
+              .words = {{"gone", dead.empty() ? "no" : "yes"}}};
+  if (dead.empty()) return;
+  // The force stays away if it is gone in the last cycle. Then the cycles between the failure and the first dead one are
+  // those in which the device fails.
+  bool const for_good = dead.back() == cycles.back();
+  auto const why = fmt::format("the force is lost in cycle {} of block {}", number, block);
+  auto const end = [&](std::vector<Cycle*> const& lost, auto first) {
+    for (; first != lost.end(); ++first) {
+      if ((*first)->counts()) (*first)->not_counted = why;
+      (*first)->number = 0;
+    }
+  };
+  for_good ? end(cycles, std::ranges::find(cycles, fails)) : end(dead, dead.begin());
+}
+
+}  // namespace isolaw::data

@@ -1,0 +1,82 @@
+// Verdicts on a record of several blocks: which block they rest on, and that they do not rest on a faulty one or on a
+// device that lost its force.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "isolaw/data/read.hpp"
+#include "isolaw/study/acceptance.hpp"
+#include "isolaw/study/verdict.hpp"
+#include "motions.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using data::testing::Motion;
+using rules::Verdict;
+
+DeviceAcceptance assessed(data::Properties const& properties, std::string const& design) {
+  std::vector<DeviceAcceptance> devices;
+  AssessedTest const test{.device = "D01", .properties = &properties};
+  assess_lot(rules::find_rule_set("ntc-2018"), rules::parse_design(design), std::nullopt, {test}, devices);
+  return devices.front();
+}
+
+data::Properties read(Motion const& motion, std::vector<double> load_kN = {}) {
+  return data::cyclic_properties(
+      data::record_of_values("test", {motion.disp_mm, motion.force_kN, motion.time_s, std::move(load_kN)}));
+}
+
+TEST(Blocks, ADeviceThatLostFortyPercentOfItsForceDoesNotPass) {
+  auto motion = Motion().sine(150.0, 0.5, 4).end().loop();
+  auto const sound = read(motion);
+  auto const design = "K_eff=" + std::to_string(sound.reported->K_eff_kN_per_mm) +
+                      ",damping=" + std::to_string(sound.reported->damping_percent) + ",disp=150";
+  EXPECT_EQ(device_verdict(assessed(sound, design)).verdict, Verdict::pass);
+  for (std::size_t i = 600; i < motion.force_kN.size(); ++i) motion.force_kN[i] *= 0.601;
+  auto const acceptance = assessed(read(motion), design);
+  EXPECT_EQ(device_verdict(acceptance).verdict, Verdict::not_assessed);
+  EXPECT_EQ(acceptance.withheld, "cycle 4 of block 1 has lost 40 % of the force");
+  for (auto const& line : acceptance.assessments) EXPECT_NE(line.verdict, Verdict::pass) << line.quantity;
+}
+
+TEST(Blocks, AVerdictDoesNotRestOnAFaultyBlock) {
+  auto motion = Motion().sine(50.0, 0.5, 3).sine(100.0, 0.5, 3).end().loop();
+  for (std::size_t i = 840; i < 860; ++i) motion.force_kN[i] = 0.0;
+  auto const properties = read(motion);
+  ASSERT_TRUE(properties.reported);
+  EXPECT_EQ(properties.reported->block, 1);
+  auto const K = std::to_string(properties.reported->K_eff_kN_per_mm);
+  for (auto const& design : {"K_eff=" + K, "K_eff=" + K + ",disp=100"}) {
+    auto const acceptance = assessed(properties, design);
+    EXPECT_EQ(acceptance.block, 2) << design;
+    EXPECT_EQ(acceptance.withheld, "block 2 is faulty: the force is interrupted");
+    EXPECT_EQ(device_verdict(acceptance).verdict, Verdict::not_assessed);
+  }
+  auto const at_50 = assessed(properties, "K_eff=" + K + ",disp=50");
+  EXPECT_EQ(at_50.block, 1);
+  EXPECT_EQ(device_verdict(at_50).verdict, Verdict::pass);
+}
+
+TEST(Blocks, TheVariationOverLoadsIsAssessedAndTheDesignLoadChooses) {
+  Motion motion;
+  std::vector<double> load;
+  for (double const kN : {1000.0, 3000.0, 2000.0}) {
+    motion.sine(150.0, 0.5, 4).hold(0.0, 60.0);
+    load.resize(motion.disp_mm.size(), kN);
+  }
+  motion.end().loop();
+  load.push_back(2000.0);
+  auto const properties = read(motion, load);
+  auto const acceptance = assessed(properties, "K_eff=0.7,damping=16.7,disp=150,load=2000");
+  EXPECT_EQ(acceptance.block, 3);
+  auto const found =
+      std::ranges::find(acceptance.assessments, "K_eff over vertical load", &rules::Assessment::quantity);
+  ASSERT_NE(found, acceptance.assessments.end());
+  EXPECT_EQ(found->verdict, Verdict::pass) << found->reason;
+}
+
+}  // namespace
+}  // namespace isolaw::study
