@@ -207,8 +207,8 @@ std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& he
   return rows;
 }
 
-// The second cycle of the protocol has the amplitude D. A bilinear law with the strength Qd = (K1 - K2) xy there has
-// the stiffness K_eff = K2 + Qd / D.
+// The path swings from D to -D in the steps 60 to 100. A bilinear law with the strength Qd = (K1 - K2) xy there has the
+// stiffness K_eff = K2 + Qd / D.
 TEST(Tables, hold_the_protocol_and_the_force_in_every_unit_system) {
   auto const subject = subject_of("bilinear", bilinear_parameters);
   for (auto const& units : unit_systems) {
@@ -217,16 +217,21 @@ TEST(Tables, hold_the_protocol_and_the_force_in_every_unit_system) {
     auto const rows = rows_of(protocol_csv(subject, units), head);
     EXPECT_EQ(head, "time [s],displacement [" + std::string(units.length.symbol) + "],velocity [" +
                         std::string(units.length.symbol) + "/s],force [" + std::string(units.force.symbol) + "]");
-    ASSERT_EQ(rows.size(), 161u);
+    ASSERT_EQ(rows.size(), subject.protocol.disp_mm.size());
     double const D = 150.0 / units.length.in_record_units, omega = std::numbers::pi;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       ASSERT_EQ(rows[i].size(), 4u);
-      double const phase = std::numbers::pi / 40.0 * static_cast<double>(i), size = i <= 80 ? 0.5 * D : D;
-      EXPECT_NEAR(rows[i][0], phase / omega, 1e-9);
-      EXPECT_NEAR(rows[i][1], size * std::sin(phase), 1e-9 * D);
-      EXPECT_NEAR(rows[i][2], size * omega * std::cos(phase), 1e-8 * D);
+      EXPECT_NEAR(rows[i][0], 0.025 * static_cast<double>(i), 1e-9);
+      EXPECT_LE(std::abs(rows[i][1]), D * (1.0 + 1e-9));
+      EXPECT_LE(std::abs(rows[i][2]), omega * D * (1.0 + 1e-9));
+      if (i < 60 || i > 100) continue;
+      double const phase = std::numbers::pi / 40.0 * static_cast<double>(i - 60);
+      EXPECT_NEAR(rows[i][1], D * std::cos(phase), 1e-9 * D);
+      EXPECT_NEAR(rows[i][2], -D * omega * std::sin(phase), 1e-8 * D);
     }
-    double const K_eff = (rows[100][3] - rows[140][3]) / (rows[100][1] - rows[140][1]);
+    EXPECT_EQ(rows.front(), (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
+    EXPECT_EQ(rows.back()[1], 0.0);
+    double const K_eff = (rows[60][3] - rows[100][3]) / (rows[60][1] - rows[100][1]);
     EXPECT_NEAR(K_eff * units.force.in_record_units / units.length.in_record_units, 0.4 + 2.1 * 18.0 / 150.0, 1e-9);
   }
 }
@@ -238,7 +243,7 @@ TEST(Tables, say_in_their_head_what_they_hold) {
   auto const head = text.substr(0, text.find("\ntime "));
   EXPECT_TRUE(head.starts_with("# SPDX-License-Identifier: MIT-0\n# Licence: ")) << head;
   for (auto const* part : {"# Law: jankowski: ", "# Parameters: ", "# Fitted to the tests with: objective 0.0123",
-                           "# Units of this file: kip, in, s", "# Protocol: two sine cycles at 0.5 Hz",
+                           "# Units of this file: kip, in, s", "# Protocol: from rest at zero, which the first row is",
                            "with its velocity, on which the law depends", "# Upper bound: force x 1.15"})
     EXPECT_NE(head.find(part), std::string::npos) << part << " is missing in\n" << head;
   EXPECT_EQ(protocol_csv(subject_of("bilinear", bilinear_parameters), unit_systems[0]).find("with its velocity"),
@@ -247,17 +252,17 @@ TEST(Tables, say_in_their_head_what_they_hold) {
 
 // Materials of analysis programs start at rest. The first row must be at rest too, or a law that depends on the
 // velocity would begin with a force that no program can give.
-TEST(Tables, of_a_law_that_depends_on_velocity_begin_at_rest) {
-  auto subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35));
-  subject.protocol = two_cycles(75.0, 150.0, 0.5);
-  subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
-  auto const text = protocol_csv(subject, unit_systems[0]);
-  EXPECT_NE(text.find("from rest at zero"), std::string::npos) << text.substr(0, 3000);
-  std::string head;
-  auto const rows = rows_of(text, head);
-  EXPECT_EQ(rows[0], (std::vector<double>{0.0, 0.0, 0.0, 0.0}));
-  EXPECT_NEAR(rows[1][2], 75.0 * std::numbers::pi * std::cos(std::numbers::pi / 40.0), 1e-6);
-  EXPECT_NE(rows[1][3], 0.0);
+TEST(Tables, of_laws_that_depend_on_velocity_begin_at_rest) {
+  for (auto const& law : laws::catalogue()) {
+    if (law.info.traits.rate_independent) continue;
+    auto const text = protocol_csv(subject_of(law.info.id, inside_box(law, 0.35)), unit_systems[0]);
+    EXPECT_NE(text.find("from rest at zero, which the first row is"), std::string::npos) << text.substr(0, 3000);
+    std::string head;
+    auto const rows = rows_of(text, head);
+    EXPECT_EQ(rows[0], (std::vector<double>{0.0, 0.0, 0.0, 0.0})) << law.info.id;
+    EXPECT_GT(rows[1][2], 0.0);
+    EXPECT_NE(rows[1][3], 0.0);
+  }
 }
 
 TEST(Sheets, write_the_equations_as_they_are) {
@@ -271,15 +276,32 @@ TEST(Sheets, write_the_equations_as_they_are) {
 
 // A stiffness of 1e310 kN/mm is no number, so no link has a force.
 TEST(Sheets, without_a_link_refer_to_none) {
-  auto subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.35));
-  for (double& x : subject.histories[0].disp_mm) x *= 1e-160;
-  for (double& f : subject.histories[0].law_kN) f *= 1e150;
+  for (auto const& law : laws::catalogue()) {
+    if (law.info.traits.rate_independent) continue;
+    auto subject = subject_of(law.info.id, inside_box(law, 0.35));
+    for (double& x : subject.histories[0].disp_mm) x *= 1e-160;
+    for (double& f : subject.histories[0].law_kN) f *= 1e150;
+    Remarks remarks;
+    auto const text = value_sheet(subject, unit_systems[0], remarks);
+    ASSERT_EQ(remarks.objections.size(), 1u);
+    EXPECT_EQ(remarks.objections[0], "no link of these programs could be fitted in the law's place");
+    for (auto const* word : {"links above", "Errors below", "no model below"})
+      EXPECT_EQ(text.find(word), std::string::npos) << word << " in\n" << text;
+  }
+}
+
+// The CSI link has a control displacement and a control strength for each memory of the law: K, g, S, D, s, u.
+TEST(Sheets, give_the_loops_of_history_integral) {
   Remarks remarks;
-  auto const text = value_sheet(subject, unit_systems[0], remarks);
-  ASSERT_EQ(remarks.objections.size(), 1u);
-  EXPECT_EQ(remarks.objections[0], "no link of these programs could be fitted in the law's place");
-  for (auto const* word : {"links above", "Errors below", "no model below"})
-    EXPECT_EQ(text.find(word), std::string::npos) << word << " in\n" << text;
+  auto const text =
+      value_sheet(subject_of("history-integral", {60.0, 0.8, 20.0, 40.0, 0.25, 0.1}), unit_systems[1], remarks);
+  for (auto const* row : {"| Control strain D 1 | m | 0.04 |", "| Control strength S 1 | N | 15000 | 12000 | 19500 |",
+                          "| Control strain D 2 | m | 0.004 |", "| Control strength S 2 | N | 5000 |",
+                          "| Resistance | N/m | 553265 |", "that could not be read"})
+    EXPECT_NE(text.find(row), std::string::npos) << row << " is missing in\n" << text;
+  auto const other = value_sheet(subject_of("bilinear", bilinear_parameters), unit_systems[1], remarks);
+  EXPECT_EQ(other.find("Control strain"), std::string::npos);
+  EXPECT_NE(other.find("High Damping Rubber Isolator**: not available"), std::string::npos);
 }
 
 // The program also computes the path from zero to the first sample and the turning points between samples. These points

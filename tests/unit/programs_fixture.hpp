@@ -42,7 +42,7 @@ inline Subject subject_of(std::string_view law, std::vector<double> parameters, 
   subject.device = "D";
   subject.parameters = std::move(parameters);
   subject.histories.push_back(cycles({0.3 * amplitude_mm, amplitude_mm, amplitude_mm}, samples));
-  subject.protocol = cycles({0.5 * amplitude_mm, amplitude_mm}, 80);
+  subject.protocol = check_path(amplitude_mm, 0.5, 0.0);
   for (auto* history : {&subject.histories[0], &subject.protocol})
     history->law_kN = law_force(*subject.law, subject.parameters, *history);
   subject.histories[0].measured_kN = subject.histories[0].law_kN;

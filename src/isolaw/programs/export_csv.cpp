@@ -20,8 +20,8 @@ std::string protocol_csv(Subject const& subject, UnitSystem const& units) {
   all.push_back(
       {"Protocol",
        fmt::format(
-           "two sine cycles at {:.4g} Hz from rest at zero, which the first row is, at half and at the whole tested amplitude, {} steps a cycle",
-           subject.frequency_Hz, (path.disp_mm.size() - 1) / 2)});
+           "from rest at zero, which the first row is, swings up to half and to the whole tested amplitude, and smaller ones within them; {} steps to a cycle of {:.4g} Hz",
+           protocol_steps, subject.frequency_Hz)});
   all.push_back(
       {"To check",
        fmt::format("impose the displacement{} and compare the force",

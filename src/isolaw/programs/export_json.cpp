@@ -123,7 +123,7 @@ void write_forms(JsonWriter& out, Realisation const& realisation, SelfCheck cons
     else
       out.null();
     if (form.from_measured) write(out, "from_measured", *form.from_measured);
-    out.key("expected").begin_object().member("tolerance_of_peak", check.forms[i].tolerance);
+    out.key("expected").begin_object().member("tolerance_of_peak", check_tolerance);
     for (auto const& variant : check.forms[i].variants) write(out, variant.name, variant.force);
     out.end_object().end_object();
   }

@@ -7,40 +7,14 @@
 #include <ranges>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/laws/online/online.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/model_text.hpp"
 #include "isolaw/programs/self_check.hpp"
 #include "isolaw/programs/text.hpp"
 
 namespace isolaw::programs {
-namespace {
-
-// The force along the self-check's motion, as the library of isolaw.opensees computes it, in the units of the file.
-std::vector<double> online_force(Subject const& subject, std::vector<double> const& disp,
-                                 std::vector<double> const& velocity, UnitSystem const& units) {
-  auto const& law = subject.law->info;
-  double const to_law = units.length.in_record_units / law.length.in_record_units;
-  laws::Online device(law.id, subject.parameters, subject.dead_band_mm / law.length.in_record_units,
-                      subject.refinement);
-  std::vector<double> force;
-  for (std::size_t i = 0; i < disp.size(); ++i) {
-    force.push_back(
-        units.from_kN(device.trial(disp[i] * to_law, velocity[i] * to_law).force * law.force.in_record_units));
-    device.commit();
-  }
-  return force;
-}
-
-}  // namespace
-
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix) {
-  auto const written = [&](std::vector<double> const& values_mm) {
-    std::vector<double> values;
-    for (double const x : values_mm) values.push_back(std::stod(fmt::format("{:.10g}", units.from_mm(x))));
-    return values;
-  };
-  auto const disp = written(subject.protocol.disp_mm), velocity = written(subject.protocol.vel_mm_s);
+  auto const check = law_check(subject, units);
   std::string capitals(prefix);
   std::ranges::transform(capitals, capitals.begin(),
                          [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -94,7 +68,7 @@ def {prefix}material(tag, variant="nominal"):
 
 def {prefix}self_check():
     """Moves a material of each variant along the motion. What there was is wiped. True where all forces agree."""
-    allowed = 1e-8  # of the peak force
+    allowed = {tolerance}  # of the peak force
     everything = True
     for variant, factor in {capitals}BOUNDS.items():
         ops.wipe()
@@ -127,9 +101,9 @@ def {prefix}self_check():
              fmt::arg("bound", capitals + (drawn ? "BOUNDS.get(variant, 1.0)" : "BOUNDS[variant]")),
              fmt::arg("id", subject.law->info.id), fmt::arg("force", units.force.symbol),
              fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exactly(subject.dead_band_mm)),
-             fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(disp, ", ", "    ")),
-             fmt::arg("velocity", number_lines(velocity, ", ", "    ")),
-             fmt::arg("expected", number_lines(online_force(subject, disp, velocity, units), ", ", "    ")));
+             fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(check.disp, ", ", "    ")),
+             fmt::arg("velocity", number_lines(check.velocity, ", ", "    ")),
+             fmt::arg("expected", number_lines(check.force, ", ", "    ")), fmt::arg("tolerance", exactly(check_tolerance)));
 }
 
 std::string openseespy_law(Subject const& subject, UnitSystem const& units) {

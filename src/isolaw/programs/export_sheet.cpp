@@ -6,12 +6,16 @@
 //   MIDAS, Hysteretic System: Plastic (Wen) with free shares PA + PB = 1
 //   SeismoStruct: the bearing of OpenSees
 //   Abaqus: connector elasticity with linear kinematic hardening
+//   SAP2000 and ETABS, High Damping Rubber Isolator: by the vendor's public page, control strains and strengths of one or
+//     more hysteresis loops after Masaki et al. and Kasai et al., which is history-integral, and a degradable elastic
+//     stiffness. Its equations are in a technical note (S-TN-LNK-001) that could not be read.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <functional>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/laws/parts/reference.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
 #include "isolaw/wording/words.hpp"
@@ -104,6 +108,17 @@ constexpr std::string_view plastic_wen_link = "Plastic (Wen)";
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
+// The memories of history-integral in mm and kN, and its elastic stiffness after a peak of the tested displacement.
+struct Memories {
+  double slow_mm, slow_kN, quick_mm, quick_kN, elastic_kN_per_mm;
+};
+
+Memories scaled(Memories v, BoundFactors const& factors) {
+  for (double* const strength : {&v.slow_kN, &v.quick_kN}) *strength *= factors.strength;
+  v.elastic_kN_per_mm *= factors.stiffness;
+  return v;
+}
+
 // Bouc-Wen values with beta = gamma and an exponent from 1 to 20, which Plastic (Wen) requires.
 WenSet plastic_wen(Subject const& subject, BuildingOnLaw const& building) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
@@ -149,6 +164,19 @@ CornerSet bilinear(Subject const& subject, BuildingOnLaw const& building) {
   if (found.law == nullptr) return std::nullopt;
   auto const error = errors_of(subject, building, "the bilinear model", *found.law, found.parameters);
   return fitted_set(subject, *bilinear_values(*found.law, found.parameters), "re-fitted; from the law", error);
+}
+
+std::optional<Set<Memories>> memories(Subject const& subject) {
+  if (subject.law->info.id != "history-integral") return std::nullopt;
+  auto const value = [&](std::string_view name) { return subject.parameters[subject.law->index_of(name)]; };
+  double const peak = subject.tested.disp_mm / laws::reference_mm;
+  return with_bounds(subject,
+                     Memories{.slow_mm = value("D"),
+                              .slow_kN = value("S") * (1.0 - value("s")),
+                              .quick_mm = value("u") * value("D"),
+                              .quick_kN = value("S") * value("s"),
+                              .elastic_kN_per_mm = value("K") * std::pow(peak, value("g") - 1.0) / laws::reference_mm},
+                     "the law's own");
 }
 
 class Page {
@@ -241,9 +269,24 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
         "Displ 2", 0, 1, *corner, [&](auto const&) { return far; }, "twice the tested displacement");
     page.row("Force 2", 1, 0, *corner, [&](auto const& v) { return v.K1 * v.uy + v.K2 * (far - v.uy); });
   }
+  std::string_view const gap = wen || rubber || corner ? "\n" : "";
+  if (auto const own = memories(subject)) {
+    page.line(fmt::format(
+        "{}**High Damping Rubber Isolator**: the law's own two hysteresis loops, each with the force S q and dq = (dx - q |dx|)/D. How the program degrades its resistance is in a technical note that could not be read, so only the hysteresis is given in full; run one cycle before use. Where a strain is asked for, divide D by the height of the rubber.\n",
+        gap));
+    page.values_header();
+    page.row("Control strain D 1", 0, 1, *own, &Memories::slow_mm, "as a displacement");
+    page.row("Control strength S 1", 1, 0, *own, &Memories::slow_kN, "as a force");
+    page.row("Control strain D 2", 0, 1, *own, &Memories::quick_mm, "as a displacement");
+    page.row("Control strength S 2", 1, 0, *own, &Memories::quick_kN, "as a force");
+    page.row("Resistance", 1, -1, *own, &Memories::elastic_kN_per_mm,
+             fmt::format("elastic stiffness after a peak of the tested displacement; it grows with the peak to the power {:.4g}",
+                         subject.parameters[subject.law->index_of("g")] - 1.0));
+    return;
+  }
   page.line(fmt::format(
-      "{}**High Damping Rubber Isolator**: not available. Its control strains and strengths were not compared with this law{}.",
-      wen || rubber || corner ? "\n" : "", wen || rubber || corner ? "; use one of the links above" : ""));
+      "{}**High Damping Rubber Isolator**: not available, because its hysteresis is that of history-integral alone{}.", gap,
+      gap.empty() ? "" : "; use one of the links above"));
 }
 
 void others(Page& page, WenSet const& wen, CornerSet const& corner) {
@@ -356,7 +399,10 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   page.heading("To compare: one cycle of the law");
   page.line(fmt::format("Second cycle of two, the first at half the amplitude, {:.4g} Hz.\n", subject.frequency_Hz));
   page.line(fmt::format("| displacement, {} | force, {} |\n|---:|---:|", units.length.symbol, units.force.symbol));
-  auto const& cycle = subject.protocol;
+  auto cycle = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
+  cycle.refinement = subject.refinement;
+  cycle.dead_band_mm = subject.dead_band_mm;
+  cycle.law_kN = law_force(*subject.law, subject.parameters, cycle);
   auto const count = cycle.disp_mm.size();
   for (std::size_t i = (count - 1) / 2; i < count; i += 10)
     page.line(fmt::format("| {:.5g} | {:.5g} |", units.from_mm(cycle.disp_mm[i]), units.from_kN(cycle.law_kN[i])));

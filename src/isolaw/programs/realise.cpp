@@ -288,7 +288,7 @@ std::string failure_of(Form const& form, Subject const& subject, Realised& reali
   auto const& found = realised.from_law;
   if (!std::isfinite(found.largest) || !has_a_force(form, subject))
     return form.exactness == Exactness::small_steps
-               ? "the program's iteration for its force does not end on the calibration record, or on the check's cycles"
+               ? "the program's iteration for its force does not end on the calibration record, or on the path of the check"
                : "its force is no number (NaN) on the calibration record";
   if (breaks_beyond_the_test(form, subject, realised.longest_travel_mm))
     return fmt::format(

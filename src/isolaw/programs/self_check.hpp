@@ -1,4 +1,4 @@
-// Data of the self-check in every script: displacements, the law's forces and the forces that the program must give.
+// Data of the self-check in every exported file: the motion, the law's forces and the forces that the program must give.
 #pragma once
 
 #include <string>
@@ -8,6 +8,17 @@
 #include "isolaw/programs/realise.hpp"
 
 namespace isolaw::programs {
+
+// The largest difference from the expected force that a self-check allows, as a share of its peak. The numbers of a file
+// have ten digits; rounding in the program comes on top.
+inline constexpr double check_tolerance = 1e-8;
+
+// The motion of a check of the law itself, as the file has it, and the force that the law's exported code gives there.
+// Laws with an exact flow (laws/flows/) read their curve there from a table, as law_force() does not.
+struct LawCheck {
+  std::vector<double> disp, velocity, force;
+};
+LawCheck law_check(Subject const& subject, UnitSystem const& units);
 
 struct CheckedVariant {
   std::string name;  // "nominal", "lower", "upper", or the name of a draw
@@ -20,7 +31,6 @@ struct CheckedForm {
   Form const* form = nullptr;
   std::string function;  // name of the script's function: "material"
   bool is_element = false;
-  double tolerance = 1e-6;  // as a share of the peak force
   std::vector<CheckedVariant> variants;
 };
 

@@ -68,7 +68,7 @@ struct Subject {
   std::optional<std::vector<double>> springs;
   // One history for each test of the device, or of the lot's devices. The one of largest amplitude is first.
   std::vector<History> histories;
-  History protocol;           // two cycles, at half and at all of the tested amplitude
+  History protocol;           // check_path() of the tests, with the law's force
   double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
   Tested tested;
@@ -90,6 +90,12 @@ struct Subject {
 // where materials of analysis programs start at rest, and that of the sine at the others.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
+
+// Makes the path of every self-check, without forces: from rest through two growing cycles up to `tested_mm` and through
+// smaller loops within them, so that turning points, peaks, travel and the dead band act on the force. Each swing is half
+// a cosine, no faster than the sine of amplitude `tested_mm`, and samples are as far apart as in a cycle of it with
+// protocol_steps steps.
+History check_path(double tested_mm, double frequency_Hz, double dead_band_mm);
 
 // Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces runs of others.
 inline constexpr std::size_t longest_name = 40;
