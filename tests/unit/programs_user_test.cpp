@@ -120,8 +120,8 @@ TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
       write(fmt::format("{}.hpp", k), file);
       text += fmt::format("#include \"{}.hpp\"\n", k);
       calls += fmt::format(
-          "  for (changed = -1; changed < {1}; ++changed) std::printf(\"result {0} %d %d\\n\", changed, check_{0}());\n", k,
-          of_law.size());
+          "  for (changed = -1; changed < {1}; ++changed) std::printf(\"result {0} %d %d\\n\", changed, check_{0}());\n",
+          k, of_law.size());
     }
     write("all.cpp", text + "int main() {\n" + calls + "}\n");
     ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 all.cpp -o all"), 0) << read("printed").substr(0, 3000);

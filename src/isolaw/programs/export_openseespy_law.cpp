@@ -103,7 +103,8 @@ def {prefix}self_check():
              fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exactly(subject.dead_band_mm)),
              fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(check.disp, ", ", "    ")),
              fmt::arg("velocity", number_lines(check.velocity, ", ", "    ")),
-             fmt::arg("expected", number_lines(check.force, ", ", "    ")), fmt::arg("tolerance", exactly(check_tolerance)));
+             fmt::arg("expected", number_lines(check.force, ", ", "    ")),
+             fmt::arg("tolerance", exactly(check_tolerance)));
 }
 
 std::string openseespy_law(Subject const& subject, UnitSystem const& units) {

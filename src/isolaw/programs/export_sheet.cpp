@@ -279,14 +279,16 @@ void csi(Page& page, Subject const& subject, WenSet const& wen, WenSet const& ru
     page.row("Control strength S 1", 1, 0, *own, &Memories::slow_kN, "as a force");
     page.row("Control strain D 2", 0, 1, *own, &Memories::quick_mm, "as a displacement");
     page.row("Control strength S 2", 1, 0, *own, &Memories::quick_kN, "as a force");
-    page.row("Resistance", 1, -1, *own, &Memories::elastic_kN_per_mm,
-             fmt::format("elastic stiffness after a peak of the tested displacement; it grows with the peak to the power {:.4g}",
-                         subject.parameters[subject.law->index_of("g")] - 1.0));
+    page.row(
+        "Resistance", 1, -1, *own, &Memories::elastic_kN_per_mm,
+        fmt::format(
+            "elastic stiffness after a peak of the tested displacement; it grows with the peak to the power {:.4g}",
+            subject.parameters[subject.law->index_of("g")] - 1.0));
     return;
   }
   page.line(fmt::format(
-      "{}**High Damping Rubber Isolator**: not available, because its hysteresis is that of history-integral alone{}.", gap,
-      gap.empty() ? "" : "; use one of the links above"));
+      "{}**High Damping Rubber Isolator**: not available, because its hysteresis is that of history-integral alone{}.",
+      gap, gap.empty() ? "" : "; use one of the links above"));
 }
 
 void others(Page& page, WenSet const& wen, CornerSet const& corner) {
