@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/findings.hpp"
 
