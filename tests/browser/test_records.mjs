@@ -400,7 +400,7 @@ function lot_of(devices, nominal, verified, assessed, hostile) {
 
 // Returns the verdict on the whole lot.
 function result_of({ devices, assessment: { lot } }, verified, assessed) {
-  const none = { word: null, failing: [], not_assessed: [], requirements: [], mark_is_red: false };
+  const none = { word: null, as_corrected: false, failing: [], not_assessed: [], requirements: [], mark_is_red: false };
   if (!assessed) return { ...none, sentence: 'no verdict: no rule set', mark: null };
   if (!verified) return { ...none, sentence: 'no verdict, the limits of this set are not verified', mark: 'LIMITS NOT VERIFIED' };
   const failing = devices.filter(({ verdict }) => verdict === 'fail').map(({ name }) => ({ device: name, remark: 'K_eff +30.0 %' }));
@@ -409,6 +409,7 @@ function result_of({ devices, assessment: { lot } }, verified, assessed) {
   const word = failing.length > 0 ? 'FAIL' : 'INCOMPLETE';
   return {
     word,
+    as_corrected: false,
     sentence: failing.map(({ device, remark }) => (device ?? 'the lot') + ' ' + remark).join(', ') + '; not assessed: K_v',
     failing,
     not_assessed: devices.filter((device) => device.assessments.length === 0).map(({ name }) => ({ device: name, remark: 'refused' })),

@@ -56,6 +56,13 @@ TEST_F(Terminal, tests_under_different_conditions_give_the_lot_no_verdict) {
   EXPECT_FALSE(contains(said(21), "different conditions"));
 }
 
+TEST_F(Terminal, a_temperature_in_the_header_counts) {
+  write("lot/D1.csv", "Temperature: 40 °C\n" + csv(record()));
+  write("lot/D2.csv", "Temperature: 0 °C\n" + csv(record({.stiffness_kN_per_mm = 0.52})));
+  auto const o = isolaw(Words{"inspect", "lot"} + held_to("K_eff=0.7,disp=100") + Words{"--lot-size", "2"});
+  EXPECT_TRUE(contains(o.out, "different conditions; temperature 0 to 40 °C")) << o;
+}
+
 TEST_F(Terminal, calibrate_and_report_end_with_the_verdict) {
   Words const quick{"--laws", "bilinear", "--runs", "1", "--population", "4", "--generations", "1"};
   auto const o = isolaw(Words{"calibrate", "lot", "--out", "O"} + quick + held_to("K_eff=0.72,disp=100") +

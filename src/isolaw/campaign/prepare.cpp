@@ -11,6 +11,7 @@
 #include "isolaw/base/option.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/files/text.hpp"
 #include "isolaw/data/properties/properties.hpp"
@@ -113,10 +114,19 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   }
 }
 
+// Takes the temperature that the header of the record states, if the lot file gives none. The lot has a verdict only if
+// its devices were tested at one temperature, so it must not depend on how the lot was given.
+void take_temperature(Device& device) {
+  DeviceInfo stated;
+  take_device_facts(device.raw.device_facts, stated);
+  if (!device.info.temperature_C) device.info.temperature_C = stated.temperature_C;
+}
+
 Device prepare_device(DeviceInput const& input, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = input.name, .file = input.shown_file(), .info = input.info};
   try {
     device.raw = read_tests(input);
+    take_temperature(device);
     if (data::is_corrected(device.raw)) device.uncorrected = read_uncorrected(input);
     clean(device, cleaning, false_signals);
     show_files(device.raw.recognised, input.directory);
