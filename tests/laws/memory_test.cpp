@@ -20,7 +20,7 @@ template <class Law>
 class TurningPoints : public ::testing::Test {};
 TYPED_TEST_SUITE(TurningPoints, EveryLaw, LawName);
 
-constexpr int turns = 3000;
+constexpr int shrinking_turns = 3000;
 constexpr double amplitude = 200.0;
 
 // Paths of shrinking turns: by equal amounts about 0 and about 150 mm, by equal shares, and at random.
@@ -28,12 +28,12 @@ std::vector<std::vector<double>> shrinking() {
   std::vector<std::vector<double>> paths(4, {0.0});
   num::Draws draws(num::Stream(11), 0, 0);
   double top = amplitude, bottom = -amplitude;
-  for (int i = 0; i < turns; ++i) {
-    double const side = i % 2 == 0 ? 1.0 : -1.0, left = 1.0 - static_cast<double>(i) / turns;
+  for (int i = 0; i < shrinking_turns; ++i) {
+    double const side = i % 2 == 0 ? 1.0 : -1.0, left = 1.0 - static_cast<double>(i) / shrinking_turns;
     paths[0].push_back(side * amplitude * left);
     paths[1].push_back(150.0 + 50.0 * side * left);
     paths[2].push_back(side * amplitude * std::pow(0.999, i));
-    double const middle = 0.5 * (top + bottom), share = std::pow(draws.uniform(), 20.0 / turns);
+    double const middle = 0.5 * (top + bottom), share = std::pow(draws.uniform(), 20.0 / shrinking_turns);
     double& end = side > 0.0 ? top : bottom;
     end = middle + (end - middle) * share;
     paths[3].push_back(end);

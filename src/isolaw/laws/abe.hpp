@@ -118,7 +118,7 @@ struct Abe {
         if (value_of(x) * value_of(end) < 0.0) go(X(0.0));
         go(end);
       };
-      for (double way = piece; way < length; way += piece) go_through_zero(step.x0 + step.dx * (way / length));
+      for (int i = 1; i < 64 && i * piece < length; ++i) go_through_zero(step.x0 + step.dx * (i * piece / length));
       go_through_zero(step.x1);
     }
     return abe_parts::elastic_force(p, c.parts, state.softened, step) + state.F2;
@@ -155,8 +155,9 @@ struct Abe {
     // ends this is continuous where a piece ends at x = 0.
     N change = after - before;
     if (value_of(length) > 1e-3 * size) {
-      N const first_moment = (N(x1 * x1) * after - N(x0 * x0) * before) * c.per_p_plus_2 * N(1.0 / (x1 - x0));
-      change = N(12.0 / (x1 - x0)) * (first_moment - N(0.5 * (x0 + x1)) * mean);
+      X const begin = x0 / (x1 - x0), end = x1 / (x1 - x0);
+      N const first_moment = (N(end * end) * after - N(begin * begin) * before) * c.per_p_plus_2;
+      change = N(12.0) * (first_moment - N(0.5 * (begin + end)) * mean);
     }
     X const growth = peak1 - peak0;
     if (grows(growth)) mean = mean - N(growth / 12.0) * change / (p.Us + N(0.5 * (peak0 + peak1)));
