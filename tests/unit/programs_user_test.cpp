@@ -86,7 +86,7 @@ std::string points_of(History const& path) {
 }
 
 // The check of every file in C++ must fail if any parameter in the file is 0.1 % larger. All laws of a target are
-// compiled together, and the changes are made when the checks run.
+// compiled together, and the parameter to change is chosen when the program starts.
 TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
   // a5 of jankowski acts below a velocity of some mm/s, and no sample is as slow. The others belong to a term whose
   // coefficient is fixed at 0: a2 of gallardo, fT of ozdemir.
@@ -97,9 +97,10 @@ TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
        {std::pair{"cpp", &cpp_header}, {"opensees-cpp", &opensees_material}, {"abaqus", &abaqus_element}}) {
     SCOPED_TRACE(target);
     std::string text =
-        "#include <cstdio>\n#define ISOLAW_SELF_CHECK\n#define ISOLAW_NO_UEL\n"
-        "static int changed = -1;\nstatic double as(int i, double value) { return i == changed ? 1.001 * value : value; }\n";
+        "#include <cstdio>\n#include <cstdlib>\n#define ISOLAW_SELF_CHECK\n#define ISOLAW_NO_UEL\n"
+        "static int const changed = std::atoi(std::getenv(\"CHANGED\"));\nstatic double as(int i, double value) { return i == changed ? 1.001 * value : value; }\n";
     std::string calls;
+    std::size_t most = 0;
     std::vector<std::vector<std::string>> names;
     for (std::size_t k = 0; k < all.size(); ++k) {
       auto file = writes(all[k].subject, metres);
@@ -119,13 +120,13 @@ TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
           file.insert(file.find(',', at), fmt::format("_{}", k));
       write(fmt::format("{}.hpp", k), file);
       text += fmt::format("#include \"{}.hpp\"\n", k);
-      calls += fmt::format(
-          "  for (changed = -1; changed < {1}; ++changed) std::printf(\"result {0} %d %d\\n\", changed, check_{0}());\n",
-          k, of_law.size());
+      calls += fmt::format("  if (changed < {1}) std::printf(\"result {0} %d %d\\n\", changed, check_{0}());\n", k,
+                           of_law.size());
+      most = std::max(most, of_law.size());
     }
     write("all.cpp", text + "int main() {\n" + calls + "}\n");
     ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 all.cpp -o all"), 0) << read("printed").substr(0, 3000);
-    ASSERT_EQ(run("./all"), 0);
+    ASSERT_EQ(run(fmt::format("for i in $(seq -1 {}); do CHANGED=$i ./all || exit 1; done", most - 1)), 0);
     std::istringstream printed(read("printed"));
     std::size_t results = 0;
     std::string said;
@@ -516,8 +517,8 @@ int main() {
   EXPECT_EQ(read("printed"), "1 1 1 1 1 1 ");
 }
 
-// In a free vibration each turning point lies within the previous ones. The element has room for as many as the law
-// keeps. With a quarter of its variables it must stop with a message that says what to raise.
+// In a free vibration each turning point lies within the previous ones, and the element has to remember all of them.
+// It must have room for at least 200. When its variables are full, it must stop with a message that says what to raise.
 TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_no_room) {
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);
@@ -525,16 +526,16 @@ TEST_F(AbaqusElement, remembers_a_long_free_vibration_and_stops_where_there_is_n
     write("calls.cpp",
           std::string(calls_of_one) + fmt::format(R"text(
 int main() {{
-  for (int const share : {{1, 4}}) {{
-    Call c;
-    c.svars.assign({}::variables / share, 0.0);
-    int turns = 0;
-    for (auto before = c.svars; turns < 2000; ++turns, before = c.svars) {{
-      c.moved((turns % 2 == 0 ? 150.0 : -150.0) * std::pow(0.99, turns));
-      c.call(1, 1);
-      if (c.svars == before) break;
+  Call c;
+  c.svars.assign({}::variables, 0.0);
+  for (int turns = 0; turns < 2000; ++turns) {{
+    auto const before = c.svars;
+    c.moved((turns % 2 == 0 ? 150.0 : -150.0) * std::pow(0.99, turns));
+    c.call(1, 1);
+    if (c.svars == before) {{
+      std::printf("%d\n", turns);
+      return 0;
     }}
-    std::printf("%d\n", turns);
   }}
 }}
 )text",
@@ -545,9 +546,10 @@ int main() {{
     std::istringstream said(read("printed"));
     std::string line;
     ASSERT_TRUE(std::getline(said, line));
-    EXPECT_EQ(line, "2000") << id;
-    ASSERT_TRUE(std::getline(said, line));
     EXPECT_NE(line.find("raise VARIABLES="), std::string::npos) << line;
+    int turns = 0;
+    ASSERT_TRUE(said >> turns);
+    EXPECT_GE(turns, 200) << id;
   }
 }
 

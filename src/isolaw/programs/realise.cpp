@@ -88,9 +88,11 @@ double longest_step(History const& history) {
 // True if the form gives a finite force in every unit system. BoucWen starts Newton's rule at z = 0.01 whatever the
 // unit of length, so it may fail in some unit systems only.
 bool has_a_force(Form const& form, Subject const& subject) {
+  auto const cycles = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
-    return std::ranges::all_of(replay_kN(form, units, subject.protocol.disp_mm),
-                               [](double f) { return std::isfinite(f); });
+    return std::ranges::all_of(std::array{&subject.protocol, &cycles}, [&](History const* path) {
+      return std::ranges::all_of(replay_kN(form, units, path->disp_mm), [](double f) { return std::isfinite(f); });
+    });
   });
 }
 
