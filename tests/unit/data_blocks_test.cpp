@@ -36,8 +36,7 @@ TEST(Blocks, EndWhereTheVerticalLoadChanges) {
     std::vector<double> load;
     for (double const kN : {1000.0, 3000.0, 2000.0}) {
       motion.sine(150.0, 0.5, 4).hold(0.0, rest_s);
-      while (load.size() < motion.disp_mm.size())
-        load.push_back(kN + 20.0 * std::sin(pi * motion.time_s[load.size()]));
+      while (load.size() < motion.disp_mm.size()) load.push_back(kN + 20.0 * std::sin(pi * motion.time_s[load.size()]));
     }
     motion.end().loop();
     load.push_back(2000.0);
@@ -64,7 +63,8 @@ TEST(Blocks, DoNotEndWhereOneCycleHasAnotherLoadOrNone) {
 TEST(Blocks, EndAtARestBetweenSetsOfCycles) {
   EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 3).hold(0.0, 30.0).sine(100.0, 0.5, 4).end().cut()),
             (std::vector<int>{3, 4}));
-  EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 3).hold(0.0, 1.5).sine(100.0, 0.5, 4).end().cut()), std::vector<int>{7});
+  EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 3).hold(0.0, 1.5).sine(100.0, 0.5, 4).end().cut()),
+            std::vector<int>{7});
   Motion each;  // a rest after every cycle belongs to the protocol
   for (int k = 0; k < 8; ++k) each.sine(100.0, 0.5, 1).hold(0.0, 10.0);
   EXPECT_EQ(counted_per_block(each.end().cut()), std::vector<int>{8});
@@ -76,7 +76,8 @@ TEST(Blocks, SpikesAreFoundInASmallStageBeforeALargeOne) {
   for (std::size_t const at : {230u, 430u}) motion.force_kN[at] += 1.6;  // less than a twentieth of the largest force
   auto const record = record_of_motion(motion);
   auto const properties = cyclic_properties(record);
-  EXPECT_TRUE(contains(said_in(record.warnings), "the force has 2 single-sample spikes at 2.3 s (sample 231) and 4.3 s"))
+  EXPECT_TRUE(
+      contains(said_in(record.warnings), "the force has 2 single-sample spikes at 2.3 s (sample 231) and 4.3 s"))
       << said_in(record.warnings);
   EXPECT_TRUE(contains(said_in(record.warnings), "here block 1;"));
   EXPECT_EQ(properties.find(1, 3), nullptr);
@@ -163,7 +164,8 @@ TEST(Blocks, AFailureIsNamedAndADeadCycleIsNeverReported) {
 TEST(Blocks, HeatingAndScraggingAreNoFailure) {
   auto motion = Motion().sine(100.0, 0.5, 30).end().loop();
   for (std::size_t i = 0; i < motion.force_kN.size(); ++i)
-    motion.force_kN[i] *= 0.5 + 0.35 * std::exp(-0.003 * static_cast<double>(i)) + 0.3 * std::exp(-0.02 * static_cast<double>(i));
+    motion.force_kN[i] *=
+        0.5 + 0.35 * std::exp(-0.003 * static_cast<double>(i)) + 0.3 * std::exp(-0.02 * static_cast<double>(i));
   EXPECT_FALSE(cyclic_properties(motion.view()).failure);
   auto damaged = Motion().sine(100.0, 0.5, 4).end().loop();
   for (std::size_t i = 600; i < damaged.force_kN.size(); ++i) damaged.force_kN[i] *= 0.6;
@@ -238,8 +240,10 @@ TEST(Cuts, NoLoopIsClosedAcrossAJumpOfTimeAndTheLoggersNumbersCount) {
 TEST(Cuts, ACounterThatGoesOnFromBlockToBlockStartsAnewInEach) {
   auto const motion = Motion().sine(50.0, 1.0, 3).sine(100.0, 1.0, 3).end();
   std::vector<double> counter;
-  for (std::size_t i = 0; i < motion.disp_mm.size(); ++i) counter.push_back(1.0 + std::floor(static_cast<double>(i) / 100.0));
-  EXPECT_EQ(counted_per_block(segment(motion.disp_mm, motion.time_s, {}, {.logged_cycle = counter})), (std::vector<int>{3, 3}));
+  for (std::size_t i = 0; i < motion.disp_mm.size(); ++i)
+    counter.push_back(1.0 + std::floor(static_cast<double>(i) / 100.0));
+  EXPECT_EQ(counted_per_block(segment(motion.disp_mm, motion.time_s, {}, {.logged_cycle = counter})),
+            (std::vector<int>{3, 3}));
 }
 
 // --- devices without stiffness ---

@@ -25,9 +25,10 @@ void require_device(Device const& d) {
   auto const& raw = d.raw;
   auto const& fit = d.record;
   bool const fits = same(raw.time_s, raw.size()) && raw.force_kN.size() == raw.size() &&
-                    same(raw.load_kN, raw.size()) && same(raw.logged_cycle, raw.size()) && fit.time_s.size() == fit.size() &&
-                    same(fit.vel_mm_s, fit.size()) && fit.force_kN.size() == fit.size() &&
-                    same(fit.scored, fit.size()) && same(fit.weights, fit.size()) && same(fit.block, fit.size());
+                    same(raw.load_kN, raw.size()) && same(raw.logged_cycle, raw.size()) &&
+                    fit.time_s.size() == fit.size() && same(fit.vel_mm_s, fit.size()) &&
+                    fit.force_kN.size() == fit.size() && same(fit.scored, fit.size()) &&
+                    same(fit.weights, fit.size()) && same(fit.block, fit.size());
   auto const& vertical = d.vertical;
   if (vertical.load_kN.size() != vertical.disp_mm.size() || !all_finite(vertical.load_kN) ||
       !all_finite(vertical.disp_mm) || (vertical.stated_kN_per_mm && !(*vertical.stated_kN_per_mm > 0.0)))

@@ -90,8 +90,8 @@ struct Chosen {  // which samples of the raw record the objective counts, and th
 
 Chosen chosen_by(Selection const& selection, TestRecord const& raw) {
   if (selection.all()) return {};
-  auto const segmentation = segment(raw.disp_mm, raw.time_s, raw.starts,
-                                    {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle});
+  auto const segmentation =
+      segment(raw.disp_mm, raw.time_s, raw.starts, {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle});
   return {.scored = scored_samples(selection, segmentation, raw.size()),
           .block = block_numbers(selection, segmentation, raw.size())};
 }

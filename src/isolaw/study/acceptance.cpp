@@ -76,7 +76,8 @@ DeviceAcceptance choose_block(data::Properties const& properties, rules::Design 
   for (auto const& block : properties.blocks) {
     if (block.counted().empty() && (block.fault.empty() || !has_rules)) continue;
     double const farther = nearest == nullptr ? 0.0 : off(block) - off(*nearest);
-    bool const same = nearest != nullptr && std::abs(farther) <= alike * *design.disp_mm && load_off(block) != load_off(*nearest);
+    bool const same =
+        nearest != nullptr && std::abs(farther) <= alike * *design.disp_mm && load_off(block) != load_off(*nearest);
     if (nearest == nullptr || (same ? load_off(block) < load_off(*nearest) : farther < 0.0)) nearest = &block;
   }
   chosen.block = nearest->number;

@@ -75,8 +75,8 @@ class Resolver {
   void take_option(Channel channel) {
     auto const wanted = options_.columns.find(channel);
     if (wanted == options_.columns.end()) return;
-    bool const optional_channel = channel == Channel::time || channel == Channel::cycle ||
-                                  (channel == Channel::load && !wanted_.vertical);
+    bool const optional_channel =
+        channel == Channel::time || channel == Channel::cycle || (channel == Channel::load && !wanted_.vertical);
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
       result_.recognised.push_back(decision(
           FindingKind::column_taken,

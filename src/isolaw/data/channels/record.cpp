@@ -37,8 +37,10 @@ std::vector<TestRecord> tests_of(TestRecord const& record) {
   std::vector<TestRecord> tests;
   for (auto const& range : test_ranges(record.starts, record.size())) {
     auto& test = tests.emplace_back(record);
-    keep_only(range, {&TestRecord::time_s, &TestRecord::disp_mm, &TestRecord::force_kN, &TestRecord::load_kN,
-                      &TestRecord::logged_cycle}, test);
+    keep_only(range,
+              {&TestRecord::time_s, &TestRecord::disp_mm, &TestRecord::force_kN, &TestRecord::load_kN,
+               &TestRecord::logged_cycle},
+              test);
     test.tests.clear();
   }
   return tests;

@@ -146,8 +146,7 @@ void join_channels(RecordPart& main, RecordPart other) {
                                             ? "--from and --to in place of --rows, which counts in each file"
                                             : "--columns time=none, where the rows belong together"});
       require_without_gaps(more, first, last);
-      for (auto* values :
-           {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
+      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
         keep(*span, *values);
       for (auto const channel : measured_channels)
         if (auto& values = values_of(more, channel); !values.empty())

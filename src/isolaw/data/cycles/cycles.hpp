@@ -44,7 +44,7 @@ struct Segmentation {
 // If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
 // itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in
 // time and memory.
-struct FurtherChannels {  // each may be empty
+struct FurtherChannels {                      // each may be empty
   std::span<double const> load_kN = {};       // vertical load; where it changes, a new block begins
   std::span<double const> logged_cycle = {};  // the logger's number of the cycle; cycles are numbered by it
 };

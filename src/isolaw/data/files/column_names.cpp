@@ -180,8 +180,7 @@ Words words_of(std::string_view name) {
 // "Cycle", "cycle no", "cycle_count": nothing else beside it but a word for a number.
 bool is_cycle_number(Words const& words) {
   constexpr std::string_view cycle_words[]{"cycle", "cycles", "zyklus", "zyklen", "ciclo", "cicli", "ciclos", "cyc"};
-  return words.size() <= 2 && any_in(cycle_words, words) &&
-         (words.size() == 1 || any_in(counter_words, words));
+  return words.size() <= 2 && any_in(cycle_words, words) && (words.size() == 1 || any_in(counter_words, words));
 }
 
 Meaning meaning_of_words(Words const& words) {

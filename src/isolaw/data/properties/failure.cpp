@@ -12,10 +12,10 @@ namespace {
 
 constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
 constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
-constexpr double most_lost_first = 0.5;   // the same after the first cycle, in which virgin rubber is stiffer
-constexpr double clear_force = 0.3;       // times the size of the force; a peak force below it may have any change
-constexpr double same_amplitude = 1.05;   // ratio; the force of a cycle of this amplitude may be expected again
-constexpr double same_pace = 2.0;         // ratio of periods; the force of a viscous device depends on its pace
+constexpr double most_lost_first = 0.5;  // the same after the first cycle, in which virgin rubber is stiffer
+constexpr double clear_force = 0.3;      // times the size of the force; a peak force below it may have any change
+constexpr double same_amplitude = 1.05;  // ratio; the force of a cycle of this amplitude may be expected again
+constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
 
 // The size of a cycle's force: that of its stiffness or, for a device without stiffness, that of its loop.
 double size_of(Cycle const& cycle) {
@@ -24,8 +24,8 @@ double size_of(Cycle const& cycle) {
 }
 
 bool comparable(Cycle const& earlier, Cycle const& cycle) {
-  bool const paced =
-      !earlier.period_s || (*earlier.period_s <= same_pace * *cycle.period_s && *cycle.period_s <= same_pace * *earlier.period_s);
+  bool const paced = !earlier.period_s || (*earlier.period_s <= same_pace * *cycle.period_s &&
+                                           *cycle.period_s <= same_pace * *earlier.period_s);
   return earlier.amplitude_mm <= same_amplitude * cycle.amplitude_mm && paced;
 }
 
@@ -35,6 +35,13 @@ double share_kept(Cycle const& before, Cycle const& cycle) {
   for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})
     if (std::abs(before.*peak) > clear_force * size_of(before)) least = std::min(least, cycle.*peak / (before.*peak));
   return least;
+}
+
+// Samples that drop out at a peak hardly change the energy of the loop. An elastic device shows nothing in its energy.
+bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
+  constexpr double elastic = 0.05;  // times the size of the force: mean half height of the loop
+  bool const dissipates = std::abs(before.energy_kN_mm) > elastic * 4.0 * before.amplitude_mm * size_of(before);
+  return dissipates && cycle.energy_kN_mm >= share * before.energy_kN_mm;
 }
 
 }  // namespace
@@ -62,8 +69,9 @@ void find_failure(Properties& properties) {
       strongest.back() = &cycle;
     bool const follows = before != nullptr && before->block == cycle.block && cycle.counts();
     double const share = follows ? share_kept(*before, cycle) : 1.0;
-    bool const loses = share < 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
-    if (is_dead || share < nearly_gone) dead.push_back(&cycle);
+    double const least = 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
+    bool const loses = share < least && !keeps_energy(*before, cycle, least);
+    if (is_dead || (loses && share < nearly_gone)) dead.push_back(&cycle);
     if (fails == nullptr && (is_dead || loses)) {
       fails = &cycle;
       kept = loses ? share : nearly_gone;
@@ -72,10 +80,11 @@ void find_failure(Properties& properties) {
   }
   if (fails == nullptr) return;
   int const block = fails->block, number = fails->number;
-  properties.failure = Finding{.kind = FindingKind::force_lost,
-                               .blocks = {block},
-                               .numbers = {{"cycle", static_cast<double>(number)}, {"percent", 100.0 * std::max(0.0, kept)}},
-                               .words = {{"gone", dead.empty() ? "no" : "yes"}}};
+  properties.failure =
+      Finding{.kind = FindingKind::force_lost,
+              .blocks = {block},
+              .numbers = {{"cycle", static_cast<double>(number)}, {"percent", 100.0 * std::max(0.0, kept)}},
+              .words = {{"gone", dead.empty() ? "no" : "yes"}}};
   if (dead.empty()) return;
   // The force stays away if it is gone in the last cycle. Then the cycles between the failure and the first dead one are
   // those in which the device fails.

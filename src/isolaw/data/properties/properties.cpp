@@ -193,7 +193,7 @@ std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   if (cycle.one_sided)  // the way out, from the turn at which it is cut
     (value_at(view.disp_mm, cycle.first) < (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0 ? peaks.smallest
-                                                                                     : peaks.largest) = cycle.first;
+                                                                                      : peaks.largest) = cycle.first;
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
@@ -278,8 +278,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether none
-// is.
+// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether
+// none is.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -411,8 +411,8 @@ Properties cyclic_properties(CycleView const& given) {
   Properties properties;
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
-  auto const cut = segment(view.disp_mm, view.time_s, view.starts,
-                           {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
+  auto const cut =
+      segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
   properties.centre_mm = cut.centre_mm;
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
@@ -449,11 +449,14 @@ Properties cyclic_properties(TestRecord const& record) {
   }
   // What else cannot be true in a block follows from its faulty signal.
   for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
-    if (std::ranges::none_of(found, [&](Finding const& fault) {
-          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
-        }) && properties.blocks.size() > 1)
+    if (std::ranges::none_of(found,
+                             [&](Finding const& fault) {
+                               return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+                             }) &&
+        properties.blocks.size() > 1)
       found.push_back(std::move(finding));
-  if (properties.failure && !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
+  if (properties.failure &&
+      !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
     properties.failure.reset();
   properties.faulty = std::move(found);
   conclude(properties, not_cut, properties.is_false);
@@ -478,7 +481,8 @@ Stability stability(Block const& block, double Cycle::*property) {
   double const size_of_largest = size(*std::ranges::max_element(values, {}, size));
   bool const of_stiffness = property != &Cycle::energy_kN_mm;
   if (!(std::abs(values[third]) > nearly_nothing * size_of_largest) ||
-      (of_stiffness && std::ranges::any_of(block.counted(), [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
+      (of_stiffness &&
+       std::ranges::any_of(block.counted(), [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
     return found;
   for (double const value : values) found.ratio_to_third.push_back(value / values[third]);
   double const mean = (values[0] + values[1] + values[2]) / 3.0;

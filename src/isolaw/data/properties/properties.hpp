@@ -69,7 +69,7 @@ struct Block {
 struct ViscousSide {
   double C = 0.0, alpha = 0.0;
 };
-struct ViscousLaw {  // data/properties/device_kind.hpp
+struct ViscousLaw {       // data/properties/device_kind.hpp
   ViscousSide out, back;  // while displacement rises, and while it falls
   double F_0_kN = 0.0, v_max_mm_s = 0.0;
 };
@@ -85,11 +85,11 @@ struct Properties {
   std::optional<Cycle> reported;
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
-  bool is_false = false;                    // the refusal is about a signal or cycle that cannot be true
-  std::vector<SignalFault> faults;          // set only for a TestRecord
+  bool is_false = false;            // the refusal is about a signal or cycle that cannot be true
+  std::vector<SignalFault> faults;  // set only for a TestRecord
   // What cannot be true in some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
   std::vector<Finding> faulty;
-  std::optional<ViscousLaw> viscous;        // of a device without stiffness; its K_eff and damping judge nothing
+  std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
   std::optional<Slider> slider;
   std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
@@ -122,8 +122,8 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if there is no cycle 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to 10 and 1 to 10, or over fewer if the block has fewer.
-// least_to_largest is the smallest value over the largest.
+// empty if there is no cycle 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to 10 and 1 to
+// 10, or over fewer if the block has fewer. least_to_largest is the smallest value over the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles
   std::vector<double> ratio_to_third;

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double one_signed = 0.02;  // fraction of the range; without its sign a channel hardly crosses zero
 constexpr double clear_force = 0.3;  // fraction of the largest force; a smaller force has no clear sign
-constexpr double small_stage = 0.5;  // times the half range of the record; only smaller stages are searched on their own
+constexpr double small_stage =
+    0.5;  // times the half range of the record; only smaller stages are searched on their own
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
