@@ -24,7 +24,6 @@ struct DeviceAcceptance {
   std::optional<int> block;   // the block that is assessed; empty if the record has no cyclic properties
   std::string choice;         // why this block was chosen
   std::string copy_of;        // the device that is assessed instead: AssessedTest::copy_of
-  bool as_corrected = false;  // the device passes, and would not without the corrections by hand
   std::string withheld = {};  // why its test cannot pass it: a force that is lost, or a faulty block; empty otherwise
   std::vector<rules::Assessment> assessments;
 };

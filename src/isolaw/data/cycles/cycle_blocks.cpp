@@ -335,7 +335,7 @@ std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view
       else if (period > 0.0 && !same_pace(shape.period, period, far_period))
         cut.not_counted = of_period(shape, period, unit);
       else if (shape.jumps)
-        cut.not_counted = "the time jumps within it, and no loop is closed across a jump";
+        cut.not_counted = "the logger left out cycles within it, and no loop is closed across them";
       else
         cut.number = ++number;
       cuts.push_back(std::move(cut));

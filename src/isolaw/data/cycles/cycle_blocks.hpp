@@ -17,7 +17,7 @@ struct Shape : CycleCut {
   double unevenness = 0.0;     // |middle - centre of the motion| over the amplitude
   double load_kN = 0.0;        // mean vertical load between the two tips; 0 if it is not known
   int logged = 0;              // the logger's number of the cycle; 0 if it has none
-  bool jumps = false;          // the time jumps within it by so much that its loop is not closed
+  bool jumps = false;          // cycles were left out within it, so its loop is not closed
   double rest_before = 0.0;    // time near the centre before the cycle, in the unit of period
   bool regular = false;        // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
   bool has_gap = false;        // the time jumps within the cycle

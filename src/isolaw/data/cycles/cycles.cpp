@@ -34,7 +34,6 @@ constexpr std::size_t fewest_growing = 6;
 constexpr double least_growth = 1.02, largest_growth = 1.5;
 constexpr double at_start = 0.05;  // times the smallest peak; one-sided tests come back to their start within it
 constexpr double one_stage = 1.1;  // ratio of peaks; a one-sided test in stages has more
-constexpr double jump = 0.1;       // times the period; if time jumps by more within a cycle, its loop is not closed
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
 // The first sample, then the turning points between swings of `least` mm or more.
@@ -169,6 +168,11 @@ struct Motion {
   double at(double index) const { return time.empty() ? index : value_at(time, index); }
   Shape shape(Group const& group) const;
   Shape shape(double first, double last) const;
+  // Whether the logger left out cycles in the gap, so that a loop across it would be made of two.
+  bool skips_cycles(Gap const& gap) const {
+    auto const& logged = further.logged_cycle;
+    return !logged.empty() && logged[gap.after + 1] - logged[gap.after] > 1.0;
+  }
 };
 
 // What does not depend on where within the cycle the motion turns.
@@ -196,9 +200,8 @@ Shape Motion::shape(double first, double last) const {
   shape.period = at(shape.last) - at(shape.first) - shape.still_time;
   shape.rise_and_fall = shape.period + shape.still_time;
   shape.has_gap = has_gap(gaps, shape.first, shape.last);
-  shape.jumps = std::ranges::any_of(gaps, [&](Gap const& gap) {
-    return is_within(gap, shape.first, shape.last) && gap.length_s - gap.taken_s > jump * shape.period;
-  });
+  shape.jumps = std::ranges::any_of(
+      gaps, [&](Gap const& gap) { return is_within(gap, shape.first, shape.last) && skips_cycles(gap); });
   if (!further.logged_cycle.empty())
     shape.logged = static_cast<int>(further.logged_cycle[static_cast<std::size_t>((first + last) / 2.0)]);
   return shape;

@@ -1,5 +1,5 @@
-// Finds the cycle in which a specimen, or the channel of its force, fails: the force falls suddenly to a part of what it
-// was in the cycle before. A force that falls slowly over many cycles is heating or scragging and no failure.
+// Finds the cycle in which a specimen, or the channel of its force, fails: the force falls suddenly to a part of what
+// it was in the cycle before. A force that falls slowly over many cycles is heating or scragging and no failure.
 #pragma once
 
 #include "isolaw/data/properties/properties.hpp"

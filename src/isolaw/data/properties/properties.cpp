@@ -313,8 +313,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether none
-// is.
+// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether
+// none is.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -447,7 +447,7 @@ Properties cyclic_properties(CycleView const& given) {
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
   auto const cut =
-      segment(view.disp_mm, view.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
+      segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
   properties.centre_mm = cut.centre_mm;
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
@@ -485,10 +485,11 @@ Properties cyclic_properties(TestRecord const& record) {
   }
   // What else cannot be true in a block follows from its faulty signal.
   for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
-    if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
-        std::ranges::none_of(found, [&](Finding const& fault) {
-          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
-        }))
+    if (std::ranges::none_of(found,
+                             [&](Finding const& fault) {
+                               return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+                             }) &&
+        properties.blocks.size() > 1)
       found.push_back(std::move(finding));
   if (properties.failure &&
       !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())

@@ -1,6 +1,5 @@
-// Finds signals that cannot be true. Whatever is computed from such a signal is wrong, so a block of cycles in which it
-// lies has no properties. Limits are shares of the motion in which a fault lies: a stage much smaller than the record is
-// also searched by itself.
+// Finds signals that cannot be true. Whatever is computed from such a signal is wrong, so a block of cycles in which
+// it lies has no properties. A stage that is much smaller than the record is also searched by itself, on its own scale.
 // docs/properties.md has the limits and rates of error. A plateau of displacement is a hold if the force only relaxes
 // during it, faster at first than later. It is clipping if the force goes on rising during it and then turns. A plateau
 // of force is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse
@@ -27,8 +26,8 @@ std::string_view said_of(
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 
-// The stages of a test, as ranges of samples, that are much smaller than the whole motion. Spikes and dropouts must have
-// been taken out of the displacement. Empty if the record is not cyclic.
+// The stages of a test, as ranges of samples, that are much smaller than the whole motion. Spikes and dropouts must
+// have been taken out of the displacement. Empty if the record is not cyclic.
 std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<double const> time_s);
 // The spikes of a channel: those of the whole record, and those that only the scale of their own stage shows.
 std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange const> stages);
