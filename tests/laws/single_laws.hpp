@@ -22,7 +22,7 @@ inline std::vector<std::pair<std::string_view, double>> overflowing_values(laws:
       {"bilinear", {{"K2", 1e307}}}, {"jankowski", {{"a1", 1.7e308}, {"a6", 1.7e308}}},
       {"vaiana", {{"beta2+", 1e5}}}, {"bouc-wen", {{"Ke", 1e308}}},
       {"abe", {{"K2", 1e308}}},      {"abe-y0", {{"K2", 1e308}}},
-      {"hwang-wu", {{"a1", 1e308}}}};
+      {"hwang-wu", {{"a1", 1e308}}}, {"kikuchi-aiken", {{"G1", 1e308}, {"s1", 1e308}, {"xn", 0.0}}}};
   if (auto const found = known.find(law.info.id); found != known.end()) return found->second;
   std::vector<std::pair<std::string_view, double>> values;
   for (auto const& p : law.parameters)

@@ -375,14 +375,17 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     properties.reported = *reported;
 }
 
-// The blocks in which a fault lies. A channel without its sign is so everywhere.
+// The blocks in which a fault lies, or from which it is less than a cycle away: it may move the cuts between cycles. A
+// channel without its sign is so everywhere.
 std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
   std::vector<int> blocks;
   auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
   auto const touches = [&](Block const& block) {
+    auto const &first = block.cycles.front(), &last = block.cycles.back();
+    double const before = first.last - first.first, behind = last.last - last.first;
     return std::ranges::any_of(fault.samples, [&](std::size_t sample) {
-      return static_cast<double>(sample) <= block.cycles.back().last &&
-             static_cast<double>(sample + longest - 1) >= block.cycles.front().first;
+      return static_cast<double>(sample) <= last.last + behind &&
+             static_cast<double>(sample + longest - 1) >= first.first - before;
     });
   };
   for (auto const& block : properties.blocks)
