@@ -488,11 +488,10 @@ Properties cyclic_properties(TestRecord const& record) {
   }
   // What else cannot be true in a block follows from its faulty signal.
   for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
-    if (std::ranges::none_of(found,
-                             [&](Finding const& fault) {
-                               return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
-                             }) &&
-        properties.blocks.size() > 1)
+    if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
+        std::ranges::none_of(found, [&](Finding const& fault) {
+          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+        }))
       found.push_back(std::move(finding));
   if (properties.failure &&
       !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
