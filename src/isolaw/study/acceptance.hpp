@@ -25,6 +25,7 @@ struct DeviceAcceptance {
   std::string choice;         // why this block was chosen
   std::string copy_of;        // the device that is assessed instead: AssessedTest::copy_of
   std::string withheld = {};  // why its test cannot pass it: a force that is lost, or a faulty block; empty otherwise
+  bool as_corrected = false;  // the device passes, and would not without the corrections by hand
   std::vector<rules::Assessment> assessments;
 };
 
