@@ -375,21 +375,30 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     properties.reported = *reported;
 }
 
-// The blocks in which a fault lies, or from which it is less than a cycle away: it may move the cuts between cycles. A
-// channel without its sign is so everywhere.
+// The blocks in which a fault lies. A fault may also cut one stage in two, so a block of the same amplitude is taken
+// too if the fault is less than a cycle away from it. A channel without its sign is so everywhere.
 std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
-  std::vector<int> blocks;
+  constexpr double same_amplitude = 1.1;
   auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
-  auto const touches = [&](Block const& block) {
+  auto const lies_in = [&](Block const& block, bool with_a_cycle_beside) {
     auto const &first = block.cycles.front(), &last = block.cycles.back();
-    double const before = first.last - first.first, behind = last.last - last.first;
+    double const before = with_a_cycle_beside ? first.last - first.first : 0.0;
+    double const behind = with_a_cycle_beside ? last.last - last.first : 0.0;
     return std::ranges::any_of(fault.samples, [&](std::size_t sample) {
       return static_cast<double>(sample) <= last.last + behind &&
              static_cast<double>(sample + longest - 1) >= first.first - before;
     });
   };
+  auto const is_cut_off_from = [&](Block const& faulty, Block const& block) {
+    auto const [less, more] = std::minmax(faulty.amplitude_mm, block.amplitude_mm);
+    return lies_in(faulty, false) && more <= same_amplitude * less;
+  };
+  std::vector<int> blocks;
   for (auto const& block : properties.blocks)
-    if (fault.kind == FaultKind::rectified || touches(block)) blocks.push_back(block.number);
+    if (fault.kind == FaultKind::rectified || lies_in(block, false) ||
+        (lies_in(block, true) &&
+         std::ranges::any_of(properties.blocks, [&](Block const& faulty) { return is_cut_off_from(faulty, block); })))
+      blocks.push_back(block.number);
   return blocks;
 }
 
