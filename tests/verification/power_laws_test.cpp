@@ -118,8 +118,8 @@ TEST(PowerLaws, MasingLoopsClose) {
   EXPECT_NEAR(looped[15], plain[4], 1e-12);
 }
 
-// No loop closes if each peak is smaller than the one before, and the law remembers as many of the 3287 turning points as
-// it may.
+// No loop closes if each peak is smaller than the one before, and the law remembers as many of the 3287 turning points
+// as it may.
 TEST(PowerLaws, TheOutermostTurningPointIsKept) {
   constexpr int turns = 3287;
   std::vector<double> x{0.0};
