@@ -1,5 +1,5 @@
-// Tests the reading of records in MATLAB files of level 4 and of versions 5, 7 and 7.3: arrays, structs, how a variable is chosen, and
-// what is refused.
+// Tests the reading of records in MATLAB files of level 4 and of versions 5, 7 and 7.3: arrays, structs, how a
+// variable is chosen, and what is refused.
 #include <hdf5.h>
 #include <zlib.h>
 

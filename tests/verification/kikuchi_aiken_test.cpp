@@ -221,10 +221,10 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Full cycles at 10 to 100 % of the tested amplitude, for parameters anywhere in the search box and, in every other draw,
-// in its corners. b is at most e (1/U - 1) min(c, 5), U the hysteretic share of the force Fm at the peak. Its term
-// therefore rises by at most (1 - U) Fm, which the elastic part lacks while it is below zero, so the largest force is Fm.
-// For c at least 2 the term that closes the branches makes up for what is left of it on the other side.
+// Full cycles at 10 to 100 % of the tested amplitude, for parameters anywhere in the search box and, in every other
+// draw, in its corners. b is at most e (1/U - 1) min(c, 5), U the hysteretic share of the force Fm at the peak. Its
+// term therefore rises by at most (1 - U) Fm, which the elastic part lacks while it is below zero, so the largest
+// force is Fm. For c at least 2 the term that closes the branches makes up for what is left of it on the other side.
 TEST(KikuchiAiken, CyclesDoNotExceedTheForceAtTheirPeaks) {
   constexpr int per_cycle = 400;
   for (std::uint32_t i = 0; i < 3000; ++i) {

@@ -48,8 +48,9 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_law(Subject const& subject, UnitSystem const& units);
-// Python code that has the law itself by isolaw.opensees: its parameters and bounds, and the functions arguments(), material()
-// and self_check(). `prefix` ("" or "law_") begins the names, in capitals those of constants. Needs `ops` and `isolaw`.
+// Python code that has the law itself by isolaw.opensees: its parameters and bounds, and the functions arguments(),
+// material() and self_check(). `prefix` ("" or "law_") begins the names, in capitals those of constants. Needs `ops`
+// and `isolaw`.
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);

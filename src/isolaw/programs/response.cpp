@@ -79,9 +79,12 @@ data::GroundMotion scaled_to(data::GroundMotion const& motion, MassOnBearing con
   return chosen;
 }
 
-// K_eff of the law in the second cycle of the protocol, which has the tested amplitude.
+// K_eff of the law in the second of two cycles, which has the tested amplitude.
 double stiffness_of(Subject const& subject) {
-  auto const& force = subject.protocol.law_kN;
+  auto cycles = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
+  cycles.refinement = subject.refinement;
+  cycles.dead_band_mm = subject.dead_band_mm;
+  auto const force = law_force(*subject.law, subject.parameters, cycles);
   auto const [low, high] =
       std::minmax_element(force.begin() + static_cast<std::ptrdiff_t>(force.size() / 2), force.end());
   return (*high - *low) / (2.0 * subject.tested.disp_mm);

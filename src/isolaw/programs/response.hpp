@@ -15,8 +15,8 @@
 
 namespace isolaw::programs {
 
-// Beyond this difference of the peak displacement or base shear, in percent of the law's, the user is warned: of the mean
-// over building::motions_for_a_mean motions or more, else under any motion.
+// Beyond this difference of the peak displacement or base shear, in percent of the law's, the user is warned: of the
+// mean over building::motions_for_a_mean motions or more, else under any motion.
 inline constexpr double response_off_percent = 10.0;
 // Period of the mass with the law's K_eff at the tested amplitude, if no vertical load is known.
 inline constexpr double usual_period_s = 2.5;
@@ -28,18 +28,18 @@ struct UnderMotion {
 
 struct RefitResponse {
   std::vector<UnderMotion> motions;
-  // refit_response, or refit_response_off: how far the means of the re-fit's peaks over the motions are off those of the
-  // law, and the least and the most under one motion. Empty if a motion has no result.
+  // refit_response, or refit_response_off: how far the means of the re-fit's peaks over the motions are off those of
+  // the law, and the least and the most under one motion. Empty if a motion has no result.
   std::optional<Finding> finding;
   double mass_Mg = 0.0, period_s = 0.0;
   std::string mass_from, motions_from;
   std::string why_not;  // why a motion has no result; "" if all have one
 };
 
-// The building on the law. The motions are Subject::motions, else the one of Subject::model along x. Without either they
-// are building::example_motion, each scaled so that the law moves to the tested displacement, or up to 2 % less far. The
-// mass is that which the model puts on a bearing, else that of the mean vertical load of the tests, else the one of
-// usual_period_s.
+// The building on the law. The motions are Subject::motions, else the one of Subject::model along x. Without either
+// they are building::example_motion, each scaled so that the law moves to the tested displacement, or up to 2 % less
+// far. The mass is that which the model puts on a bearing, else that of the mean vertical load of the tests, else the
+// one of usual_period_s.
 class BuildingOnLaw {
  public:
   explicit BuildingOnLaw(Subject const& subject);

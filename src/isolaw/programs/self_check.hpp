@@ -1,4 +1,5 @@
-// Data of the self-check in every exported file: the motion, the law's forces and the forces that the program must give.
+// Data of the self-check in every exported file: the motion, the law's forces and the forces that the program must
+// give.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace isolaw::programs {
 
-// The largest difference from the expected force that a self-check allows, as a share of its peak. The numbers of a file
-// have ten digits; rounding in the program comes on top.
+// The largest difference from the expected force that a self-check allows, as a share of its peak. The numbers of a
+// file have ten digits; rounding in the program comes on top.
 inline constexpr double check_tolerance = 1e-8;
 
 // The motion of a check of the law itself, as the file has it, and the force that the law's exported code gives there.

@@ -21,8 +21,8 @@ struct DeviceVerdict {
   std::string copy_of;        // the device with the same record that is assessed instead of this one; else empty
   bool as_corrected = false;  // DeviceAcceptance::as_corrected
 
-  // "pass on 1 of 2 (K_eff; not assessed: damping)", "pass as corrected", "fail: K_eff +23.0 %, damping -16.2 %", "not assessed: the same
-  // record as D01"
+  // "pass on 1 of 2 (K_eff; not assessed: damping)", "pass as corrected", "fail: K_eff +23.0 %, damping -16.2 %",
+  // "not assessed: the same record as D01"
   std::string text() const;
   // text() shortened for the cell of a table: "pass on 1 of 2", "fail", or "pass" if everything was compared.
   std::string brief() const;

@@ -52,8 +52,8 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
-// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time or number of the cycle, and rows
-// before a channel's first value or behind its last, are always left out.
+// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time or
+// number of the cycle, and rows before a channel's first value or behind its last, are always left out.
 void settle_missing(Rows& rows, MissingValues missing) {
   if (missing == MissingValues::refused) return;
   auto const count = rows.numbers.size();

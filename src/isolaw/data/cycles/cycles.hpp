@@ -1,11 +1,11 @@
-// Cuts a cyclic test into cycles, from displacement alone. A swing from one extreme to the next is taken as motion only
-// if it is at least twice as large as a band, which is one hundredth of the half range, or five standard deviations of
-// the noise if that is more (at most 5 % of the half range). A small interruption of a large swing is ignored. Cycles
-// are cut where displacement crosses its centre in the direction in which the test, or a part of it after a rest,
-// starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its start. A motion that starts, turns or rests near the centre is cut at that sample. The
-// centre is zero unless the record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and
-// decides which of them count, that is, enter the results. A period leaves out the time in which the device stands
-// still (data/cycles/holds.hpp).
+// Cuts a cyclic test into cycles, from displacement alone. A swing from one extreme to the next is taken as motion
+// only if it is at least twice as large as a band, which is one hundredth of the half range, or five standard
+// deviations of the noise if that is more (at most 5 % of the half range). A small interruption of a large swing is
+// ignored. Cycles are cut where displacement crosses its centre in the direction in which the test, or a part of it
+// after a rest, starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its
+// start. A motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the
+// record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count,
+// that is, enter the results. A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>

@@ -274,8 +274,8 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   return {};
 }
 
-// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm". Prefers brackets that
-// hold a plain unit to those that hold a unit with a factor.
+// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm". Prefers brackets
+// that hold a plain unit to those that hold a unit with a factor.
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
   std::optional<ColumnName> scaled, unknown;

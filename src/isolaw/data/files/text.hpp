@@ -31,7 +31,8 @@ struct Lines {
 // Lines may end with LF, CRLF or CR in the same file.
 Lines split_lines(std::string_view bytes);
 
-// Text converted from a Japanese, Chinese, Korean, Russian or Turkish encoding, if `names_channels` then finds a channel's name in it.
+// Text converted from a Japanese, Chinese, Korean, Russian or Turkish encoding, if `names_channels` then finds a
+// channel's name in it.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;

@@ -442,7 +442,8 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Whether a cell names a channel in Turkish or in a language without Latin letters, which shows that the text was decoded correctly.
+// Whether a cell names a channel in Turkish or in a language without Latin letters, which shows that the text was
+// decoded correctly.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };
