@@ -7,8 +7,8 @@
 //   SeismoStruct: the bearing of OpenSees
 //   Abaqus: connector elasticity with linear kinematic hardening
 //   SAP2000 and ETABS, High Damping Rubber Isolator: by the vendor's public page, control strains and strengths of one
-//     or more hysteresis loops after Masaki et al. and Kasai et al., which is history-integral, and a degradable elastic
-//     stiffness. Its equations are in a technical note (S-TN-LNK-001) that could not be read.
+//     or more hysteresis loops after Masaki et al. and Kasai et al., which is history-integral, and a degradable
+//     elastic stiffness. Its equations are in a technical note (S-TN-LNK-001) that could not be read.
 #include <fmt/format.h>
 
 #include <cmath>
