@@ -31,7 +31,9 @@ namespace {
 
 bool refused(study::Summary const& summary) {
   return std::ranges::any_of(summary.devices, [](auto const& device) {
-    return device.status != "ok" || device.properties.is_false || !device.vertical_test.refusal.empty();
+    auto const& properties = device.properties;
+    return device.status != "ok" || properties.is_false || !properties.faulty.empty() ||
+           !device.vertical_test.refusal.empty();
   });
 }
 

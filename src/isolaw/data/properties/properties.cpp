@@ -375,30 +375,21 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     properties.reported = *reported;
 }
 
-// The blocks in which a fault lies. A fault may also cut one stage in two, so a block of the same amplitude is taken
-// too if the fault is less than a cycle away from it. A channel without its sign is so everywhere.
+// The blocks that a fault takes: those in which it lies. A channel without its sign is so everywhere, and a
+// displacement with wrong values may be cut into blocks that are not those of the test.
 std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
-  constexpr double same_amplitude = 1.1;
+  std::vector<int> blocks;
   auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
-  auto const lies_in = [&](Block const& block, bool with_a_cycle_beside) {
-    auto const &first = block.cycles.front(), &last = block.cycles.back();
-    double const before = with_a_cycle_beside ? first.last - first.first : 0.0;
-    double const behind = with_a_cycle_beside ? last.last - last.first : 0.0;
+  bool const everywhere =
+      fault.kind == FaultKind::rectified || (fault.channel == "displacement" && fault.kind != FaultKind::clipped);
+  auto const touches = [&](Block const& block) {
     return std::ranges::any_of(fault.samples, [&](std::size_t sample) {
-      return static_cast<double>(sample) <= last.last + behind &&
-             static_cast<double>(sample + longest - 1) >= first.first - before;
+      return static_cast<double>(sample) <= block.cycles.back().last &&
+             static_cast<double>(sample + longest - 1) >= block.cycles.front().first;
     });
   };
-  auto const is_cut_off_from = [&](Block const& faulty, Block const& block) {
-    auto const [less, more] = std::minmax(faulty.amplitude_mm, block.amplitude_mm);
-    return lies_in(faulty, false) && more <= same_amplitude * less;
-  };
-  std::vector<int> blocks;
   for (auto const& block : properties.blocks)
-    if (fault.kind == FaultKind::rectified || lies_in(block, false) ||
-        (lies_in(block, true) &&
-         std::ranges::any_of(properties.blocks, [&](Block const& faulty) { return is_cut_off_from(faulty, block); })))
-      blocks.push_back(block.number);
+    if (everywhere || touches(block)) blocks.push_back(block.number);
   return blocks;
 }
 
