@@ -124,7 +124,7 @@ void expect(bool holds, std::string_view what) {
   if (!holds) differ(std::string(what));
 }
 
-// What std::type_info of a class points to, for a class with one base and for one with several.
+// The tables to which std::type_info of a class points, for a class with one base and for one with several.
 struct OneBaseType {
   void* table;
   char const* name;

@@ -30,7 +30,7 @@ inline constexpr std::size_t movable_object_at = 16;  // bytes from an object to
 
 struct Vector;
 
-// What isolaw calls of the program once it is proved, and the program's variables that it reads.
+// The functions of the program that isolaw calls once it is proved, and the variables that it reads.
 struct Calls {
   void (*begin_material)(void* object, int tag, int class_tag);  // constructors and destructors of the base classes
   void (*begin_section)(void* object, int tag, int class_tag);

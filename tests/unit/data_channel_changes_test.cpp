@@ -123,7 +123,7 @@ TEST(ChannelChanges, a_gain_of_one_side_is_told_from_an_offset) {
   EXPECT_NE(find(offset, FindingKind::off_centre), nullptr);
 }
 
-// Of a hum of 50 Hz, 60 samples a second show 10 Hz.
+// A hum of 50 Hz appears at 10 Hz in 60 samples a second.
 TEST(ChannelChanges, hum_is_said_with_amplitude_and_frequency) {
   for (double const rate : {60.0, 101.0, 200.0, 500.0})
     for (bool const in_force : {true, false}) {

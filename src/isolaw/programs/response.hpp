@@ -1,6 +1,6 @@
-// What a re-fit changes in the response of a building: a rigid mass on one bearing under a ground motion, integrated
-// (building/integrate.hpp) once with the law and once with the law that was fitted in its place. Every export of a
-// re-fit states it.
+// Computes how a re-fit changes the response of a building: a rigid mass on one bearing under a ground motion,
+// integrated (building/integrate.hpp) once with the law and once with the law that was fitted in its place. Every
+// export of a re-fit states it.
 #pragma once
 
 #include <optional>
@@ -51,7 +51,7 @@ class BuildingOnLaw {
   std::vector<data::GroundMotion> motions_;
   RefitResponse on_law_;
 };
-// What was computed, for the head of a file.
+// Lists the computed response for the head of a file.
 std::string building_text(Subject const& subject, RefitResponse const& response, UnitSystem const& units);
 
 }  // namespace isolaw::programs

@@ -13,7 +13,7 @@
 namespace isolaw::wording {
 namespace {
 
-// What a fault means for the properties. It takes the blocks in which it lies, and leaves the others.
+// Says how a fault affects the properties. It takes the blocks in which it lies, and leaves the others.
 std::string of_no_use(Group group) {
   auto const& blocks = group.front().blocks;
   std::string const taken =

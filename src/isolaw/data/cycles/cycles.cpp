@@ -175,7 +175,7 @@ struct Motion {
   }
 };
 
-// What does not depend on where within the cycle the motion turns.
+// Measures of a cycle that do not depend on where within it the motion turns.
 Shape Motion::shape(double first, double last) const {
   Shape shape;
   shape.first = first;

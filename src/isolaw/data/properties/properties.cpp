@@ -486,7 +486,7 @@ Properties cyclic_properties(TestRecord const& record) {
                fmt::format("the {} is {}", fault.channel, said_of(fault.kind)));
     found.push_back(fault.finding);
   }
-  // What else cannot be true in a block follows from its faulty signal.
+  // If a signal is faulty in a block, other impossible values there follow from it and are not said.
   for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
     if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
         std::ranges::none_of(found, [&](Finding const& fault) {

@@ -90,7 +90,7 @@ struct Properties {
   std::vector<Finding> refusal;
   bool is_false = false;            // the refusal is about a signal or cycle that cannot be true
   std::vector<SignalFault> faults;  // set only for a TestRecord
-  // What cannot be true in some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
+  // Faults that take some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
   std::vector<Finding> faulty;
   std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
   std::optional<Slider> slider;
