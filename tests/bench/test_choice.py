@@ -136,9 +136,9 @@ class Choice(unittest.TestCase):
         """The paper's laws, one amplitude: samples count by time, and no swing is larger than the others."""
         self.isolaw("example", "lot")
         summary = self.calibrate("out", "lot", "--laws", "paper")
-        wanted = {"jankowski": 0.0419, "hwang-wu": 0.0421, "abe-y0": 0.0441, "abe": 0.0441, "bouc-wen": 0.0461, "vaiana": 0.0476, "bilinear": 0.0657}
+        wanted = {"jankowski": 0.0419, "hwang-wu": 0.0421, "abe-y0": 0.0441, "abe": 0.0441, "bouc-wen": 0.0461, "vaiana": 0.0440, "bilinear": 0.0657}
         for law in summary["laws"]:
-            # Only one run in ten finds vaiana's best fit. The lot's law therefore depends on the random starts, and the
+            # Only one run in ten finds vaiana's best fit. The lot's law may therefore depend on the random starts, and the
             # tolerance is wider.
             tolerance = 0.06 if law["id"] == "vaiana" else 0.01
             self.assertAlmostEqual(law["loo_objective"], wanted[law["id"]], delta=tolerance * wanted[law["id"]], msg=law["id"])

@@ -11,7 +11,7 @@ namespace {
 // A hash of 128 objectives of every law with Integration::converged and 128 with Integration::paper, each rounded to
 // seven digits. It changes with the numbers of a law, its published box or the random draws. Whoever changes one of
 // these on purpose replaces the hash.
-constexpr char const* signature = "24a88ca8388e7756";
+constexpr char const* signature = "46c6fa670866d88b";
 
 Words with(std::string const& set) {
   return {"ISOLAW_SIMD=" + set};
