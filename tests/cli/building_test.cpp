@@ -259,7 +259,11 @@ TEST_F(BuildingParts, that_were_cut_off_or_changed_are_found_out) {
   ASSERT_EQ(isolaw({"merge", "O", "T"}).code, 1);
   change("T/building.sqlite", "UPDATE runs SET measured = zeroblob(length(measured))");
   expect_refused(isolaw({"merge", "O", "P1", "T"}),
-                 {"T/building.sqlite: run ", "another one than that which is there"});
+                 {"T/building.sqlite: run ", "has other numbers than when it was computed"});
+  auto const checked = isolaw({"check", "T"});
+  EXPECT_EQ(checked.code, 1) << checked;
+  EXPECT_TRUE(contains(checked.out, "has other numbers than when it was computed")) << checked;
+  EXPECT_EQ(isolaw({"check", "P1"}).code, 0);
   change("T/building.sqlite", "UPDATE runs SET place = place + 1000");
   expect_refused(isolaw({"merge", "O", "T"}), {"T/building.sqlite: run ", "does not belong to this study"});
   change("T/building.sqlite", "UPDATE runs SET place = place - 1000, measured = x'0000000000000000'");

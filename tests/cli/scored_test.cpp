@@ -186,6 +186,37 @@ TEST_F(Scored, a_motion_without_swings_is_weighed_by_time) {
 // Every swing is 1.15 times as wide as the one before. No two cycles have the same amplitude, so isolaw must judge the
 // record by its largest swings instead of cycles. The force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with
 // w = 2 pi / s: the stiffness is 2 kN/mm, and the loops are nearly ellipses with a damping of 10 %.
+// Eight samples of the first block lose their force. The law is fitted to the second block alone, and the certificate of
+// the campaign says which block is faulty.
+TEST_F(Scored, a_faulty_block_is_left_out_of_the_fit) {
+  auto samples = two_blocks(0);
+  for (std::size_t i = 230; i < 238; ++i) samples[i].force_kN = 0.0;
+  write("one.csv", csv(samples));
+  auto const summary = calibrated({});
+  EXPECT_EQ(summary["devices"][0]["status"], "ok");
+  EXPECT_LT(objective(summary), exact);
+  auto const page = read(fs::path("O") / "report.html");
+  EXPECT_TRUE(contains(page, "laws are not fitted to block 1, in which a signal or a loop cannot be true"));
+  EXPECT_TRUE(contains(page, "the force drops out"));
+  EXPECT_LT(objective(calibrated({"--fit-blocks", "2"})), exact);
+  auto const refused = isolaw({"calibrate", "one.csv", "--out", "P", "--laws", "bilinear", "--fit-blocks", "1"});
+  EXPECT_EQ(refused.code, 2) << refused;
+  EXPECT_TRUE(contains(refused.err, "nothing is left to fit a law to")) << refused;
+}
+
+// In the second cycle of the second block the device keeps a twentieth of its force. Laws are fitted to the time before.
+TEST_F(Scored, a_device_that_fails_is_judged_by_the_time_before) {
+  auto samples = two_blocks(0);
+  for (std::size_t i = block_samples + samples_of_cycle; i < samples.size(); ++i) samples[i].force_kN *= 0.05;
+  write("one.csv", csv(samples));
+  auto const summary = calibrated({});
+  EXPECT_EQ(summary["devices"][0]["status"], "ok");
+  EXPECT_LT(objective(summary), exact);
+  auto const page = read(fs::path("O") / "report.html");
+  EXPECT_TRUE(contains(page, "laws are fitted to what the device did before cycle 2 of block 2")) << page.size();
+  EXPECT_TRUE(contains(page, "the force is suddenly lost"));
+}
+
 TEST_F(Scored, a_motion_without_cycles_is_judged_by_its_largest_swings) {
   // Half cycles that grow until 9 s and shrink afterwards, as in an earthquake. No amplitude comes twice.
   std::vector<Sample> samples;

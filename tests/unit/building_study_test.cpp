@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "contains.hpp"
@@ -16,8 +18,10 @@
 #include "isolaw/building/arrangement.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/building/linear_oscillator.hpp"
+#include "isolaw/building/plausibility.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/laws/online/online.hpp"
+#include "isolaw/num/random.hpp"
 #include "isolaw/render/figures/building_figures.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "refusal.hpp"
@@ -87,8 +91,10 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   EXPECT_TRUE(contains(laws, "bilinaer") && contains(laws, "bilinear")) << laws;
 
   motion("motion-1-y.csv", 19);
-  auto const lengths = refusal_of([&] { read(building_template()); });
-  EXPECT_TRUE(contains(lengths, "19 samples") && contains(lengths, "two components of one length")) << lengths;
+  auto const notes =
+      read(building_template()).motions.front().notes;  // a zero takes the place of the sample that lacks
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes.front().kind, FindingKind::ground_padded);
   motion("motion-1-y.csv", 20, "NaN");
   auto const nan = refusal_of([&] { read(building_template()); });
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
@@ -156,13 +162,13 @@ TEST(BuildingStudy, forces_of_every_law_scale) {
 
 TEST(BuildingStudy, without_scatter_a_draw_is_the_nominal_run) {
   auto const study = usual_study(0.0, 3);
-  Devices const devices(study.laws[0], study.file);
+  Devices const devices(study.laws[0], study.file, study.file.motions[0]);
   EXPECT_EQ(devices.of({.kind = CaseKind::draw, .draw = 2}), devices.of({}));
 }
 
 TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   auto const few = usual_study(0.07, 3), many = usual_study(0.07, 300);
-  Devices const a(few.laws[0], few.file), b(many.laws[0], many.file);
+  Devices const a(few.laws[0], few.file, few.file.motions[0]), b(many.laws[0], many.file, many.file.motions[0]);
   Case const second{.kind = CaseKind::draw, .draw = 1};
   EXPECT_EQ(a.of(second), b.of(second));
   EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
@@ -171,11 +177,9 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   EXPECT_EQ(values[2], values[5]);  // xy does not scatter in this population, so all bearings share its value
 }
 
-// power-masing has no two-dimensional form, and its tangent is undefined at zero along a direction without motion.
-// Under motion along x alone, the bearing must follow the one-dimensional law.
-TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
+// A study of bearings with power-masing, which has no two-dimensional form. The first number of `law` scales the force.
+Study power_masing_study(Values const& law) {
   auto study = usual_study(0.0, 3);
-  Values const law{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
   study.laws = {{.law = "power-masing",
                  .lot = law,
                  .devices = {},
@@ -183,11 +187,20 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
                  .place = std::vector<std::optional<std::size_t>>(law.size()),
                  .median = law,
                  .limits = {},
-                 .tested_mm = 0.0}};
+                 .tested_mm = 0.0,
+                 .springs = {}}};
   for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
-  EXPECT_EQ(Devices(study.laws[0], study.file).coupling(), Coupling::springs);
+  return study;
+}
+
+// power-masing has no two-dimensional form, and its tangent is undefined at zero along a direction without motion.
+// Under motion along x alone, the bearing must follow the one-dimensional law.
+TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
+  Values const law{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
+  auto study = power_masing_study(law);
+  EXPECT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).coupling(), Coupling::springs);
   for (auto& motion : study.file.motions) motion.y_mm_s2.clear();
-  ASSERT_EQ(Devices(study.laws[0], study.file).coupling(), Coupling::separate);
+  ASSERT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).coupling(), Coupling::separate);
   auto const run = nominal_run(study, study.laws[0], study.file.motions[0]);
   ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
   laws::Online online("power-masing", law);
@@ -209,9 +222,38 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), run.history.time_s.size() + 1);
 }
 
+// Beside a motion with two components, a motion along x alone gives the same response as alone.
+TEST(BuildingStudy, a_motion_gives_the_same_response_alone_and_beside_others) {
+  auto beside = power_masing_study({60.0, 0.6, 10.0, 0.0, 20.0, 0.05});
+  beside.laws[0].springs = beside.laws;
+  beside.laws[0].springs[0].lot[0] = beside.laws[0].springs[0].median[0] = 66.0;
+  beside.file.motions.resize(2);
+  beside.file.motions[0].y_mm_s2.clear();
+  auto alone = beside;
+  alone.file.motions.resize(1);
+  Runs const runs_alone(alone), runs_beside(beside);
+  auto const first = [](Runs const& runs, std::size_t motion) {
+    return runs.of({.law = 0, .motion = motion, .from = 0, .to = 1}).front().measured;
+  };
+  EXPECT_EQ(first(runs_alone, 0), first(runs_beside, 0));
+  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[0]).of({})[0], 60.0);
+  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[1]).of({})[0], 66.0);
+}
+
+// With this mass the first step would have to be so short that a run would not end.
+TEST(BuildingStudy, steps_without_number_are_refused_with_their_cause) {
+  auto study = usual_study(0.0, 3);
+  study.file.frame.base.mass_Mg = 1e-6;
+  EXPECT_TRUE(contains(refusal_of([&] { Runs{study}; }), "the base has a mass of 1e-06 t"))
+      << refusal_of([&] { Runs{study}; });
+  study = usual_study(0.0, 3);
+  study.file.frame.base.gyration_mm = 1e-6;
+  EXPECT_TRUE(contains(refusal_of([&] { Runs{study}; }), "a radius of gyration of 1e-06 mm"));
+}
+
 TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
   auto study = usual_study(0.07, 3);
-  auto const said = [&] { return refusal_of([&] { Devices(study.laws[0], study.file); }); };
+  auto const said = [&] { return refusal_of([&] { Devices(study.laws[0], study.file, study.file.motions[0]); }); };
   study.file.bearings[0] = {.at = {}, .stands = Stands::device, .device = "D07"};
   EXPECT_TRUE(contains(said(), "no device 'D07'"));
   study.file.bearings[0] = {};
@@ -494,8 +536,8 @@ TEST_F(BuildingRuns, says_what_is_known_against_a_law) {
 // A study with springs, whose runs are computed one by one, reports progress after each run. If it is interrupted, the
 // finished runs are kept.
 TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
-  auto study = usual_study(0.07, 2);
-  study.laws[0].as_springs = true;
+  auto study = power_masing_study({60.0, 0.6, 10.0, 0.0, 20.0, 0.05});
+  study.laws[0].springs = study.laws;
   study.file.motions.resize(1);
   study.file.motions[0].x_mm_s2.resize(60);
   study.file.motions[0].y_mm_s2.resize(60);
@@ -529,7 +571,7 @@ TEST(BuildingAnswers, binomial_interval) {
 // On a closed loop of a bilinear device K = K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
 TEST(BuildingAnswers, effective_stiffness_and_damping) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
-  auto const properties = effective("bilinear", Values{K1, K2, Dy}, D, Coupling::coupled);
+  auto const properties = effective("bilinear", Values{K1, K2, Dy}, D, 1.0, Coupling::coupled);
   EXPECT_NEAR(properties.stiffness_kN_mm, K2 + Qd / D, 1e-12);
   EXPECT_NEAR(properties.damping, 4.0 * Qd * (D - Dy) / (2.0 * std::numbers::pi * (K2 + Qd / D) * D * D), 2e-3);
 }
@@ -557,6 +599,41 @@ TEST(BuildingAnswers, arrangement) {
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
 
+// The oracle tries every order of the devices.
+TEST(BuildingAnswers, an_arrangement_of_few_devices_is_the_best_one) {
+  num::Draws draws(num::Stream(7), 0, 0);
+  for (int count = 3; count <= 7; ++count) {
+    std::vector<Point> places;
+    Values stiffness;
+    for (int i = 0; i < count; ++i) {
+      places.push_back({10'000.0 * draws.uniform(), 8'000.0 * draws.uniform()});
+      stiffness.push_back(0.8 + 0.4 * draws.uniform());
+    }
+    Point const centre{5'000.0, 4'000.0};
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    double least = 1e9;
+    do {
+      double k = 0.0, x = 0.0, y = 0.0;
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        double const one = stiffness[order[i]];
+        k += one, x += one * (places[i].x_mm - centre.x_mm), y += one * (places[i].y_mm - centre.y_mm);
+      }
+      least = std::min(least, std::hypot(x, y) / k);
+    } while (std::ranges::next_permutation(order).found);
+    EXPECT_NEAR(arrange(places, centre, stiffness).eccentricity_mm, least, 1e-9 * least) << count;
+  }
+}
+
+// Of more devices than can all be tried, the search from many starts comes near a centre that pairs of devices reach.
+TEST(BuildingAnswers, an_arrangement_of_many_devices_is_near_the_best_one) {
+  auto const places = grid(5, 4, 5000.0).bearings;
+  num::Draws draws(num::Stream(8), 0, 0);
+  Values stiffness;
+  for (std::size_t i = 0; i < places.size(); ++i) stiffness.push_back(0.8 + 0.4 * draws.uniform());
+  EXPECT_LT(arrange(places, {}, stiffness).eccentricity_mm, 1.0);
+}
+
 // Beyond its yield displacement this law pushes the building away, and no analysis with it reaches the end of the
 // motion. A study of this law alone must be refused. A study that also has a sound law must answer for the sound law.
 TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered) {
@@ -582,6 +659,87 @@ TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered)
   EXPECT_FALSE(answers.laws[1].by_first_bounds.has_value());
   for (auto const& figure : render::building_figures(answers, record_units))
     EXPECT_FALSE(contains(figure.script, "nan")) << figure.script;
+}
+
+// Draws whose softening law pushes the building away have no finite numbers. They count as outside of the bounds.
+TEST_F(BuildingRuns, draws_that_collapse_are_outside_of_the_bounds) {
+  auto study = usual_study(0.001, 40);
+  study.file.motions.resize(1);
+  RunStore store(file_, properties_of(study), false);
+  run_all(study, store, 1);
+  auto const sound = answer(study, store);
+  EXPECT_EQ(sound.laws[0].collapsed, 0u);
+  EXPECT_EQ(sound.laws[0].coverage.front().inside, 1.0);
+  RunStore broken(file_.string() + "-2", properties_of(study), true);
+  CasePlaces const places(study.file.settings);
+  std::vector<RunStore::Row> rows;
+  store.each(0, 0, [&](std::size_t place, std::vector<double> measured) {
+    if (place >= places.first_draw && place < places.first_draw + 10) measured[0] = std::nan("");
+    rows.push_back({.law = 0, .motion = 0, .place = place, .measured = measured});
+  });
+  broken.add(rows);
+  auto const answers = answer(study, broken);
+  EXPECT_EQ(answers.laws[0].collapsed, 10u);
+  EXPECT_NEAR(answers.laws[0].coverage.front().inside, 0.75, 1e-12);
+  EXPECT_EQ(answers.bounds_are_enough, false);
+  EXPECT_EQ(std::ranges::count(answers.warnings, FindingKind::draws_collapsed, &Finding::kind), 1);
+}
+
+// A changed bit of a run's numbers is found when the answers are computed, and by check_runs().
+TEST_F(BuildingRuns, with_other_numbers_than_were_computed_are_found_out) {
+  auto study = usual_study(0.001, 3);
+  study.file.motions.resize(1);
+  {
+    RunStore store(file_, properties_of(study), false);
+    run_all(study, store, 1);
+  }
+  auto const sound = check_runs(file_);
+  EXPECT_EQ(sound.runs, sound.expected);
+  EXPECT_TRUE(sound.faults.empty());
+  campaign::sqlite::Connection::to_write(file_).execute(
+      "UPDATE runs SET measured = substr(measured, 1, 7) || x'41' || substr(measured, 9) WHERE place = 2");
+  EXPECT_EQ(check_runs(file_).faults,
+            (std::vector<std::string>{"run 3 of law 1 under motion 1 has other numbers than when it was computed"}));
+  RunStore const store(file_, properties_of(study), false);
+  EXPECT_TRUE(contains(refusal_of([&] { answer(study, store); }), "has other numbers than when it was computed"));
+}
+
+// Effective stiffness and damping of every law in a cycle of a given velocity, against a cycle of laws::Online.
+TEST(BuildingAnswers, effective_properties_have_the_velocity_of_the_cycle) {
+  double const period_s = 1.5, amplitude = 60.0;
+  Values const viscous{60.0, 0.6, 10.0, 0.0, 20.0, 0.05, 0.3};
+  auto const& law = laws::find_law("power-masing-viscous");
+  ASSERT_EQ(law.parameters.size(), viscous.size());
+  laws::Online online(law.info.id, viscous);
+  double energy = 0.0, before = 0.0, x_before = 0.0;
+  for (int i = 1; i <= 600; ++i) {
+    double const angle = 2.0 * std::numbers::pi * i / 200.0, x = amplitude * std::sin(angle);
+    double const force = online.trial(x, amplitude * 2.0 * std::numbers::pi / period_s * std::cos(angle)).force;
+    online.commit();
+    if (i > 400) energy += 0.5 * (force + before) * (x - x_before);
+    before = force, x_before = x;
+  }
+  auto const found = effective(law.info.id, viscous, amplitude, period_s, Coupling::separate);
+  EXPECT_NEAR(found.damping * 2.0 * std::numbers::pi * found.stiffness_kN_mm * amplitude * amplitude, energy,
+              1e-3 * energy);
+  EXPECT_GT(effective(law.info.id, viscous, amplitude, 0.5, Coupling::separate).damping, 1.05 * found.damping);
+}
+
+TEST(BuildingAnswers, motions_that_no_earthquake_makes_are_doubted) {
+  auto const kinds = [](Motion const& motion) {
+    std::vector<FindingKind> found;
+    for (auto const& doubt : motion_doubts(motion)) found.push_back(doubt.kind);
+    return found;
+  };
+  auto const usual = example_motion(0);
+  EXPECT_TRUE(kinds(usual).empty());
+  auto strong = usual, off_zero = usual;
+  for (double& a : strong.x_mm_s2) a *= 9.81;
+  EXPECT_EQ(kinds(strong).front(), FindingKind::ground_too_strong);
+  for (double& a : off_zero.x_mm_s2) a += 200.0;
+  EXPECT_EQ(kinds(off_zero).front(), FindingKind::ground_off_zero);
+  Motion const pulse{.name = "pulse", .step_s = 0.01, .x_mm_s2 = {0.0, 10.0, 20.0, 10.0, 0.0, -1.0, -30.0, 0.0, 0.0}};
+  EXPECT_FALSE(kinds(pulse).empty());
 }
 
 TEST_F(BuildingRuns, the_share_that_bounds_cover_has_both_its_ends_in_percent) {

@@ -47,6 +47,98 @@ TEST(GroundMotion, peer_files_are_read_with_their_step_and_unit) {
               1e-12);
 }
 
+std::string values_of_width(int width, std::vector<double> const& values, int decimals) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += fmt::format("{:{}.{}f}", values[i], width, decimals) + ((i + 1) % 8 == 0 ? "\n" : "");
+  return text + "\n";
+}
+
+// Twelve values, some of which touch the one before, as a format of fixed width allows.
+std::vector<double> const twelve{1.5, -1234.567, -2345.678, 3.0, 4.25, -5.0, 6.0, 7.0, 8.0, -9.5, 10.0, -11.0};
+
+TEST(GroundMotion, files_of_esm_state_their_step_and_unit) {
+  std::string esm =
+      "EVENT_NAME: X\nSAMPLING_INTERVAL_S: 0.005000\nNDATA: 12\nUNITS: cm/s^2\nDATA_TYPE: ACCELERATION\nUSER5: \n";
+  for (double const a : twelve) esm += fmt::format("{:.6f}\n", a);
+  auto const motion = read_ground_motion_text(esm, "g.asc");
+  EXPECT_EQ(motion.step_s, 0.005);
+  ASSERT_EQ(motion.acceleration_mm_s2.size(), 12u);
+  EXPECT_NEAR(motion.acceleration_mm_s2[1], -12345.67, 1e-9);
+  EXPECT_TRUE(contains(motion.recognised, "ESM, 12 samples every 0.005 s"));
+  EXPECT_TRUE(contains(complaint(esm + "1.0\n"), "13 values; allowed: 12 values, as the head of the file says"));
+}
+
+// 3920 gal are 6182761 counts. The mean of the counts is the zero of the instrument.
+TEST(GroundMotion, files_of_k_net_are_counts_about_the_zero_of_an_instrument) {
+  std::string const head =
+      "Origin Time       2000/01/01 00:00:00\nSampling Freq(Hz) 100Hz\nDir.              E-W\n"
+      "Scale Factor      3920(gal)/6182761\nMemo.             \n";
+  auto const motion = read_ground_motion_text(
+      head +
+          "   -9000    -8000    -7000    -6000    -9000    -8000    -7000    -6000 \n   -9000    -8000    -7000    -6000 \n",
+      "g.EW");
+  EXPECT_EQ(motion.step_s, 0.01);
+  ASSERT_EQ(motion.acceleration_mm_s2.size(), 12u);
+  double const count = 10.0 * 3920.0 / 6182761.0;
+  EXPECT_NEAR(motion.acceleration_mm_s2[0], -1500.0 * count, 1e-9);
+  ASSERT_TRUE(motion.zero_mm_s2);
+  EXPECT_NEAR(*motion.zero_mm_s2, -7500.0 * count, 1e-9);
+}
+
+TEST(GroundMotion, files_of_csmip_hold_velocity_behind_the_acceleration) {
+  auto const text =
+      "Corrected accelerogram\nof a station\n    12 points of accel data equally spaced at   .020 sec, in cm/sec2.  (8f10.3)\n" +
+      values_of_width(10, twelve, 3) + "    12 points of veloc data equally spaced at .020 sec, in cm/sec. (8f10.3)\n" +
+      values_of_width(10, twelve, 3);
+  auto const motion = read_ground_motion_text(text, "g.v2");
+  EXPECT_EQ(motion.step_s, 0.02);
+  ASSERT_EQ(motion.acceleration_mm_s2.size(), 12u);
+  EXPECT_NEAR(motion.acceleration_mm_s2[2], -23456.78, 1e-9);
+  EXPECT_TRUE(
+      contains(complaint(text + text), "2 components of acceleration; allowed: one component; try: the number"));
+  EXPECT_EQ(read_ground_motion_text(text + text, "g.v2", {}, 2).acceleration_mm_s2, motion.acceleration_mm_s2);
+}
+
+// The peaks are those that the heads of the files state.
+TEST(GroundMotion, files_of_agencies_as_they_were_recorded) {
+  auto const folder = std::filesystem::path(ISOLAW_DATA_DIR) / "ground-motions";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "measured data are not here: " << folder;
+  struct {
+    char const* file;
+    std::size_t count;
+    double step_s, peak_cm_s2;
+  } const files[]{{"dmg/nc1091100/ce36456p_CE36456.V2#1", 3251, 0.02, 267.957},
+                  {"dmg/ci15481673/CIWLT.V2#2", 15029, 0.02, 0.0},
+                  {"smc/nc216859/0111a.smc", 6001, 0.005, 104.408}};
+  for (auto const& [file, count, step_s, peak] : files) {
+    auto const motion = read_ground_motion(folder / file);
+    EXPECT_NEAR(motion.step_s, step_s, 1e-12) << file;
+    if (count > 0) EXPECT_EQ(motion.acceleration_mm_s2.size(), count) << file;
+    double most = 0.0;
+    for (double const a : motion.acceleration_mm_s2) most = std::max(most, std::abs(a) / 10.0);
+    if (peak > 0.0) EXPECT_NEAR(most, peak, 0.01) << file;
+    EXPECT_LT(most, 1000.0) << file;
+  }
+  EXPECT_THROW(read_ground_motion(folder / "dmg/nc1091100/ce36456p_CE36456.V2"), Error);
+  EXPECT_THROW(read_ground_motion(folder / "usc/ci3144585/017m30lw.e0a"), Error);
+}
+
+TEST(GroundMotion, files_of_smc_state_their_rate_among_fifty_numbers) {
+  std::string text = "2 CORRECTED ACCELEROGRAM\n";
+  for (int i = 1; i < 11; ++i) text += "*\n";
+  for (int i = 0; i < 48; ++i)
+    text += fmt::format("{:10}", i == 15 ? 2 : i == 16 ? 12 : -32768) + ((i + 1) % 8 == 0 ? "\n" : "");
+  for (int i = 0; i < 50; ++i)
+    text += fmt::format("{:15.7E}", i == 1 ? 200.0 : 1.7e38) + ((i + 1) % 5 == 0 ? "\n" : "");
+  text += "|\n| a comment of 12.5\n" + values_of_width(10, twelve, 3);
+  auto const motion = read_ground_motion_text(text, "g.smc");
+  EXPECT_EQ(motion.step_s, 0.005);
+  ASSERT_EQ(motion.acceleration_mm_s2.size(), 12u);
+  EXPECT_NEAR(motion.acceleration_mm_s2[1], -12345.67, 1e-9);
+  EXPECT_FALSE(motion.zero_mm_s2);
+}
+
 TEST(GroundMotion, of_the_measured_databases) {
   auto const file = std::filesystem::path(ISOLAW_DATA_DIR) / "ground-motion-elcentro1940/IELC180.AT2";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "measured data are not here: " << file;
@@ -82,7 +174,7 @@ TEST(GroundMotion, what_is_wrong_is_refused_with_its_place) {
   auto const says = [](std::string const& bytes, std::string const& words, std::optional<double> step_s = {}) {
     EXPECT_TRUE(contains(complaint(bytes, step_s), words)) << complaint(bytes, step_s);
   };
-  says(at2("NPTS=     13, DT=   .0050 SEC"), "g.txt: 12 values; allowed: NPTS = 13, as line 4 says");
+  says(at2("NPTS=     13, DT=   .0050 SEC"), "g.txt: 12 values; allowed: 13 values, as the head of the file says");
   says(at2("NPTS= 12, DT= .005 SEC", "FURLONGS"), "no unit of the acceleration");
   says(at2() + " nan\n", "g.txt:8: 'nan' is no number");
   says(at2() + " 1.0 broken\n", "'broken' is no number");

@@ -526,8 +526,7 @@ TEST_F(AbaqusElement, remembers_any_free_vibration_and_stops_where_there_are_too
     auto const& law = laws::find_law(id);
     auto const subject = subject_of(id, inside_box(law, 0.5));
     write("one.cpp", abaqus_element(subject, unit_systems[0]));
-    write("calls.cpp",
-          std::string(calls_of_one) + fmt::format(R"text(
+    write("calls.cpp", std::string(calls_of_one) + fmt::format(R"text(
 int turns_with_room_for(int variables) {{
   Call c;
   c.svars.assign(variables, 0.0);
@@ -544,7 +543,7 @@ int main() {{
   std::printf("%d\n", turns_with_room_for({0}::variables / 4));
 }}
 )text",
-                                                  identifier(subject, unit_systems[0])));
+                                                               identifier(subject, unit_systems[0])));
     ASSERT_EQ(run(ISOLAW_COMPILER " -std=c++17 -Wall -Wextra -Werror calls.cpp -o calls"), 0)
         << read("printed").substr(0, 3000);
     ASSERT_EQ(run("./calls"), 0) << read("printed");

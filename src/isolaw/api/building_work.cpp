@@ -81,8 +81,11 @@ building::Study building_study(building::BuildingFile file, campaign::Contents c
 
 building::Model possible(building::Study const& study) {
   for (auto const& motion : study.file.motions) building::require_sound(motion);
-  for (auto const& law : study.laws) building::Devices(law, study.file);
-  return {building::Structure(study.file.frame), study.file.plan()};
+  building::Model model(building::Structure(study.file.frame), study.file.plan());
+  for (auto const& law : study.laws)
+    for (auto const& motion : study.file.motions)
+      building::options_of(study, model, building::Devices(law, study.file, motion), motion);
+  return model;
 }
 
 StudiedBuilding study_building(building::Study study, BuildingWork const& options) {
@@ -113,11 +116,13 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
   studied.complete = building::run_all(
       studied.study, *store, threads, {.progress = options.progress, .part = part, .interrupted = options.interrupted});
   studied.runs = store->runs_there();
-  if (studied.complete && !part) {
-    studied.answers = building::answer(studied.study, *store);
-    require_results(*studied.answers);
-    studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
-  }
+  if (studied.complete && !part) try {
+      studied.answers = building::answer(studied.study, *store, options.interrupted);
+      require_results(*studied.answers);
+      studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
+    } catch (building::Interrupted const&) {
+      studied.complete = false;
+    }
   store.reset();
   building::building_store().put_in_order(file);
   if (studied.answers && options.directory) render::write_building_outputs(studied.study, *studied.answers, directory);

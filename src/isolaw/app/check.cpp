@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "isolaw/api/building_work.hpp"
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/report.hpp"
@@ -82,9 +83,22 @@ Outputs compare_outputs(std::filesystem::path const& directory, study::Summary c
   return found;
 }
 
+int check_building(std::filesystem::path const& file) {
+  auto const checked = building::check_runs(file);
+  fmt::print("{}: {}\n  {} of {} analyses of a building, compared with the hashes that were stored with them\n",
+             shown(file), checked.faults.empty() ? "sound" : fmt::format("{} fault(s)", checked.faults.size()),
+             checked.runs, checked.expected);
+  for (auto const& fault : checked.faults) fmt::print("  fault: {}\n", fault);
+  return checked.faults.empty() ? exit_done : exit_with_refusals;
+}
+
 }  // namespace
 
 int check(std::filesystem::path const& directory) {
+  std::error_code unknown;
+  if (auto const building = directory / building_store_name;
+      std::filesystem::exists(building, unknown) && !std::filesystem::exists(directory / store_name, unknown))
+    return check_building(building);
   auto const file = directory / store_name;
   auto result = campaign::check(file);
   auto contents = campaign::Store::read(file);

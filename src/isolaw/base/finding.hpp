@@ -38,7 +38,8 @@ enum class FindingKind {
   // [building]
   building_bounds_cover, covering_factors, building_bounds_cover_with, building_law_or_lot, building_no_draws,
   displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, building_runs_failed,
-  draws_too_few, motions_too_few,
+  draws_collapsed, draws_too_few, motions_too_few,
+  ground_zero_removed, ground_padded, ground_too_strong, ground_off_zero, ground_keeps_moving, energy_error_large, draws_off_reference, rotation_large,
   // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
   refit_response_off, refit_response,
   // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
@@ -61,8 +62,8 @@ enum class FindingKind {
   test_chosen, file_joined, force_flipped,
   // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
-  not_smoothed, scored_in_part, all_samples_kept, velocity_computed, no_velocity, samples_thinned,
-  samples_weighed,
+  not_smoothed, scored_in_part, faulty_not_scored, failed_not_scored, all_samples_kept, velocity_computed, no_velocity,
+  samples_thinned, samples_weighed,
   // Conditions under which a device's damping would have another value (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
 };

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/building/linear_oscillator.hpp"
+#include "isolaw/building/plausibility.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::building {
@@ -79,6 +81,10 @@ std::string_view form_sentence(LawAnswer const& law) {
     case Coupling::springs:
       break;
   }
+  if (law.mixed)
+    return law.fitted_as_springs
+               ? "as sixteen springs around the circle, with parameters fitted as such to the tests, and once along each axis under motions along x alone"
+               : "as sixteen springs around the circle, with the parameters of the law along one direction, so that they dissipate less, and once along each axis under motions along x alone";
   return law.fitted_as_springs
              ? "as sixteen springs around the circle, with parameters fitted as such to the tests"
              : "as sixteen springs around the circle, with the parameters of the law along one direction, so that they dissipate less";
@@ -171,11 +177,18 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     auto const responses = responses_of(kept, q);
-    auto const draws = finite_part(responses.mean, places.first_draw, places.draws);
+    auto const part = [&](std::size_t first, std::size_t count) {
+      auto const begin = responses.mean.begin() + static_cast<std::ptrdiff_t>(first);
+      return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
+    };
+    auto const draws = part(places.first_draw, places.draws);
     auto const& d = out.distributions.emplace_back(distribution_of(responses, places, settings));
     if (quantities()[q].uncovered.empty())
-      out.coverage.push_back(covered(quantities()[q], draws, d, settings,
-                                     finite_part(responses.mean, places.first_factor, 2 * grid_half + 1)));
+      out.coverage.push_back(
+          covered(quantities()[q], draws, d, settings, part(places.first_factor, 2 * grid_half + 1)));
+    if (q == 0)
+      out.collapsed =
+          static_cast<std::size_t>(std::ranges::count_if(draws, [](double v) { return !std::isfinite(v); }));
     if (q != 0 || !first || draws.empty()) continue;
     auto const& bounds = first->distributions.front();
     auto const range = std::minmax(bounds.lower, bounds.upper);
@@ -187,18 +200,25 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
 // Integrates the nominal building implicitly under every motion. Compares the results with those of two other methods,
 // the integrator of the draws and the equivalent linear analysis.
 void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& source, Model const& model,
-                          Kept const& kept) {
+                          Kept const& kept, std::function<bool()> const& interrupted) {
   auto const& motions = study.file.motions;
-  Devices const devices(source, study.file);
-  auto const nominal = devices.of({});
-  auto options = options_of(study, model, devices);
-  options.histories = true;
-  out.coupling = devices.coupling();
-  out.fitted_as_springs = source.as_springs;
+  out.fitted_as_springs = !source.springs.empty();
   double farthest = -1.0;
   std::size_t strongest = 0;
+  auto const options_under = [&](Devices const& devices, std::size_t motion) {
+    auto options = options_of(study, model, devices, motions[motion]);
+    options.histories = true;
+    options.interrupted = interrupted;
+    return options;
+  };
   for (std::size_t motion = 0; motion < motions.size(); ++motion) {
+    Devices const devices(source, study.file, motions[motion]);
+    auto const nominal = devices.of({});
+    auto const options = options_under(devices, motion);
+    if (out.checked.empty() || devices.coupling() == Coupling::springs) out.coupling = devices.coupling();
+    out.mixed = out.mixed || (!out.checked.empty() && devices.coupling() != out.checked.back().coupling);
     auto& checked = out.checked.emplace_back();
+    checked.coupling = devices.coupling();
     auto half = options;
     half.histories = false;
     half.longest_step_s = 0.5 * steps_of(motions[motion], options.longest_step_s, 0.0).dt;
@@ -218,22 +238,41 @@ void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& s
     checked.equivalent_period_s = linear.period_s;
     checked.equivalent_damping = linear.damping;
     checked.equivalent_error_percent = 100.0 * (linear.displacement_mm / run.of(Measure::centre) - 1.0);
+    // The verdict and its warnings say how far draws go beyond the tests, so this is asked of the accuracy alone.
+    if (run.outcome != Outcome::completed) continue;
+    std::ranges::move(run_doubts(run, source.law, motions[motion].name, 0.0), std::back_inserter(checked.doubts));
+    if (std::abs(checked.draws_error_percent) > largest_difference_percent)
+      checked.doubts.push_back(
+          {.kind = FindingKind::draws_off_reference,
+           .law = source.law,
+           .numbers = {{"percent", checked.draws_error_percent}, {"limit_percent", largest_difference_percent}},
+           .words = {{"motion", motions[motion].name}}});
   }
-  out.loops = loops_of(model, devices, study, strongest, has_draws(study), options);
+  Devices const devices(source, study.file, motions[strongest]);
+  out.loops = loops_of(model, devices, study, strongest, has_draws(study), options_under(devices, strongest));
 }
 
 void add_warnings(Answers& answers, Study const& study) {
   auto const warn = [&](FindingKind kind, std::string const& law, std::vector<FindingNumber> numbers = {}) {
     answers.warnings.push_back({.kind = kind, .law = law, .numbers = std::move(numbers)});
   };
+  for (auto const& motion : study.file.motions)
+    std::ranges::move(motion_doubts(motion), std::back_inserter(answers.warnings));
   for (std::size_t i = 0; i < answers.laws.size(); ++i) {
     auto const& law = answers.laws[i];
+    for (auto const& checked : law.checked) std::ranges::copy(checked.doubts, std::back_inserter(answers.warnings));
     double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
     if (tested > 0.0 && most > tested)
-      warn(FindingKind::displacement_beyond_tests, law.law, {{"most_mm", most}, {"tested_mm", tested}});
+      answers.warnings.push_back({.kind = FindingKind::displacement_beyond_tests,
+                                  .law = law.law,
+                                  .numbers = {{"most_mm", most}, {"tested_mm", tested}},
+                                  .words = {{"of", "draws"}}});
     if (has_draws(study) && has_result(law)) warn_of_coverage(law, answers.warnings);
     if (law.coupling == Coupling::springs && !law.fitted_as_springs) warn(FindingKind::springs_as_given, law.law);
     if (law.failed > 0) warn(FindingKind::building_runs_failed, law.law, {{"failed", static_cast<double>(law.failed)}});
+    if (law.collapsed > 0)
+      warn(FindingKind::draws_collapsed, law.law,
+           {{"collapsed", static_cast<double>(law.collapsed)}, {"draws", static_cast<double>(law.draws)}});
   }
   if (has_draws(study) && !answers.laws.empty() && !answers.bounds_are_enough)
     warn(FindingKind::draws_too_few, {},
@@ -245,10 +284,12 @@ void add_warnings(Answers& answers, Study const& study) {
 
 }  // namespace
 
+std::string_view name(Coupling coupling) {
+  return coupling == Coupling::coupled ? "coupled" : coupling == Coupling::separate ? "separate" : "springs";
+}
+
 std::string_view form(LawAnswer const& law) {
-  if (law.coupling == Coupling::coupled) return "coupled";
-  if (law.coupling == Coupling::separate) return "separate";
-  return law.fitted_as_springs ? "springs" : "springs as given";
+  return law.coupling == Coupling::springs && !law.fitted_as_springs ? "springs as given" : name(law.coupling);
 }
 
 bool has_result(LawAnswer const& law) {
@@ -263,7 +304,7 @@ std::string why_without_result(LawAnswer const& law) {
       stopped == law.checked.end() ? std::string() : ". The nominal building stops with: " + stopped->outcome);
 }
 
-Answers answer(Study const& study, RunStore const& store) {
+Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted) {
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const& settings = study.file.settings;
   CasePlaces const places(settings);
@@ -282,7 +323,7 @@ Answers answer(Study const& study, RunStore const& store) {
     auto const kept = take_runs(store, law, study.file.motions.size(), places, model.layout(), answers.weight_kN, out);
     auto const first = std::ranges::find_if(answers.laws, has_result);
     add_distributions(out, kept, places, settings, first == answers.laws.end() || &*first == &out ? nullptr : &*first);
-    add_nominal_building(out, study, source, model, kept);
+    add_nominal_building(out, study, source, model, kept, interrupted);
     for (auto const& doubt : out.doubts)
       if (std::ranges::find(answers.calibration, doubt) == answers.calibration.end())
         answers.calibration.push_back(doubt);

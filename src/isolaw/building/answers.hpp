@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,19 +26,23 @@ inline constexpr std::size_t motions_for_a_mean = 7;
 // it: the integrator that is used for the draws, and equivalent linear analysis.
 struct Checked {
   std::string outcome;
+  Coupling coupling = Coupling::coupled;
   double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
   double missed_mm = 0.0;                                      // step error of isolator_mm, by richardson()
   double draws_error_percent = 0.0;                            // error of isolator_mm by the integrator of the draws
   double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis: displacement of the centre
   double equivalent_period_s = 0.0, equivalent_damping = 0.0;
+  std::vector<Finding> doubts = {};  // about the accuracy of the analysis
 };
 
 struct LawAnswer {
   std::string law;
-  Coupling coupling = Coupling::coupled;
-  bool fitted_as_springs = false;  // parameters fitted as springs around the circle
+  Coupling coupling = Coupling::coupled;  // if it differs between motions, springs
+  bool mixed = false;                     // it differs between motions: separate under those along x alone
+  bool fitted_as_springs = false;         // the springs have parameters fitted as springs around the circle
   std::size_t draws = 0;
   std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
+  std::size_t collapsed = 0;                // draws with such a run; they count as outside of all bounds
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
@@ -53,8 +58,9 @@ struct LawAnswer {
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
 };
 
-// Names how the law acts in the plane: "coupled", "separate", "springs" or "springs as given". In the last case no
-// parameters were fitted for the springs, and they have the parameters of the law in one direction.
+std::string_view name(Coupling coupling);  // "coupled", "separate" or "springs"
+// Names how the law acts in the plane: as name(), or "springs as given" if no parameters were fitted for the springs,
+// which then have the parameters of the law in one direction.
 std::string_view form(LawAnswer const& law);
 // Whether any run of the law gave finite numbers, and the clause that says so if none did: "none of its 364 analysis
 // runs gave finite numbers".
@@ -74,6 +80,7 @@ struct Answers {
   std::vector<std::string> assumed;       // the assumptions, a sentence each
   std::vector<Point> corners;             // of the slab, where displacements are measured
 };
-Answers answer(Study const& study, RunStore const& store);
+// Integrates the nominal building of each law. Throws Interrupted once `interrupted` returns true.
+Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});
 
 }  // namespace isolaw::building

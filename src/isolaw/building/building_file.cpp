@@ -225,14 +225,30 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   auto const x = data::read_ground_motion(in(row.x), row.step_s);
   Motion motion{
       .name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
+  auto const note_zero = [&](data::GroundMotion const& component, std::string axis) {
+    if (component.zero_mm_s2)
+      motion.notes.push_back({.kind = FindingKind::ground_zero_removed,
+                              .numbers = {{"mean_g", *component.zero_mm_s2 / data::gravity_mm_s2}},
+                              .words = {{"motion", motion.name}, {"axis", std::move(axis)}}});
+  };
+  note_zero(x, "x");
   if (!row.y.empty()) {
     auto const y = data::read_ground_motion(in(row.y), row.step_s);
-    if (y.acceleration_mm_s2.size() != motion.x_mm_s2.size() || std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
-      throw Error({.where = y.file,
-                   .found = fmt::format("{} samples every {:.6g} s, and {} has {} every {:.6g} s",
-                                        y.acceleration_mm_s2.size(), y.step_s, x.file, motion.x_mm_s2.size(), x.step_s),
-                   .allowed = "two components of one length and step"});
+    note_zero(y, "y");
+    if (std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
+      throw Error(
+          {.where = y.file,
+           .found = fmt::format("samples every {:.6g} s, and {} has them every {:.6g} s", y.step_s, x.file, x.step_s),
+           .allowed = "two components of one step"});
     motion.y_mm_s2 = y.acceleration_mm_s2;
+    auto const most = std::max(motion.x_mm_s2.size(), motion.y_mm_s2.size());
+    bool const x_is_shorter = motion.x_mm_s2.size() < most;
+    auto& shorter = x_is_shorter ? motion.x_mm_s2 : motion.y_mm_s2;
+    if (shorter.size() < most)
+      motion.notes.push_back({.kind = FindingKind::ground_padded,
+                              .numbers = {{"samples", static_cast<double>(most - shorter.size())}},
+                              .words = {{"motion", motion.name}, {"axis", x_is_shorter ? "x" : "y"}}});
+    shorter.resize(most, 0.0);
   }
   for (double& a : motion.x_mm_s2) a *= row.scale;
   for (double& a : motion.y_mm_s2) a *= row.scale;
@@ -325,10 +341,6 @@ Plan BuildingFile::plan() const {
     places.corners = {{left, front}, {left, back}, {right, front}, {right, back}};
   }
   return places;
-}
-
-bool BuildingFile::along_x_alone() const {
-  return std::ranges::all_of(motions, [](Motion const& motion) { return motion.y_mm_s2.empty(); });
 }
 
 std::string building_template(int motions) {

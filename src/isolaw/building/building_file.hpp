@@ -48,7 +48,6 @@ struct BuildingFile {
   std::vector<double> replaced_scales = {};  // scales of the file's motions, if ReplacedKeys::motions replaced these
 
   Plan plan() const;
-  bool along_x_alone() const;
 };
 
 // The tables of a building file, in the file's units. For a list such as [[floor]] they hold the table being read or

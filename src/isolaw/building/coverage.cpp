@@ -34,7 +34,7 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
   if (draws.empty()) return coverage;
   coverage.inside = static_cast<double>(inside) / n;
   coverage.below = static_cast<double>(below) / n;
-  coverage.above = 1.0 - coverage.inside - coverage.below;
+  coverage.above = static_cast<double>(draws.size() - inside - below) / n;
   auto const interval = binomial_interval(inside, draws.size());
   coverage.interval_low = interval[0], coverage.interval_high = interval[1];
   double low = grid[grid_half], high = low;

@@ -21,7 +21,7 @@ struct Coverage {
   std::string_view quantity;                       // Quantity::key
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;                 // shares of the draws below and above both bound analyses
+  double below = 0.0, above = 0.0;  // shares of the draws below and above both bound analyses; above if not finite
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
@@ -31,7 +31,8 @@ struct Coverage {
 };
 Finding covering_factors(Coverage const& coverage);
 
-// `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i).
+// `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i). A
+// response that is not a number is that of a building that collapsed in the model: it lies outside of all bounds.
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
                  Settings const& settings, std::vector<double> const& grid);
 

@@ -42,6 +42,7 @@ class ImplicitRun {
     double g0[2], g1[2];
     ground_.at(0, g0);
     for (std::size_t n = 0; n < steps_.count && out_.outcome == Outcome::completed; ++n) {
+      if (options_.interrupted && options_.interrupted()) throw Interrupted();
       ground_.at(n + 1, g1);
       advance(static_cast<double>(n) * steps_.dt, steps_.dt, g0, g1, 0);
       keep_history(static_cast<double>(n + 1) * steps_.dt);
@@ -375,6 +376,10 @@ Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const>
   return ImplicitRun(model, bearings, motion, options)();
 }
 
+bool asks(void const* interrupted) {
+  return (*static_cast<std::function<bool()> const*>(interrupted))();
+}
+
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options) {
   auto const arrays = model.arrays();
@@ -390,13 +395,16 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
                       .y = motion.y_mm_s2.empty() ? nullptr : motion.y_mm_s2.data(),
                       .samples = motion.x_mm_s2.size(),
                       .parts = steps.parts,
-                      .steps = steps.count};
+                      .steps = steps.count,
+                      .asked = options.interrupted ? asks : nullptr,
+                      .interruption = &options.interrupted};
   explicit_run(run, arrays, {.dt = steps.dt, .share = share.data()}, rows, ground,
                [&](std::size_t j, double x, double y, double vx, double vy, double& fx, double& fy) {
                  auto const trial = bearings[j]->trial({x, y}, {vx, vy}, steps.dt);
                  bearings[j]->commit();
                  fx = trial.force.x, fy = trial.force.y;
                });
+  if (options.interrupted && options.interrupted()) throw Interrupted();
   Response out;
   out.step_s = steps.dt;
   out.steps = steps.count;
@@ -411,7 +419,7 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
 std::vector<double> richardson(Response const& coarse, Response const& fine) {
   std::vector<double> error;
   for (std::size_t i = 0; i < std::min(coarse.measured.size(), fine.measured.size()); ++i)
-    error.push_back(std::abs(coarse.measured[i] - fine.measured[i]) / 3.0);
+    error.push_back(std::abs(coarse.measured[i] - fine.measured[i]) * 4.0 / 3.0);
   return error;
 }
 

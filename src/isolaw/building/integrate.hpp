@@ -6,12 +6,14 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/bearing.hpp"
 #include "isolaw/building/stepping.hpp"
 #include "isolaw/building/structure.hpp"
@@ -25,6 +27,7 @@ struct Motion {
   double step_s = 0.0;
   std::vector<double> x_mm_s2;
   std::vector<double> y_mm_s2 = {};  // empty: no motion along y
+  std::vector<Finding> notes = {};   // what was done to it when it was read
 };
 
 struct Options {
@@ -33,7 +36,9 @@ struct Options {
   bool histories = false, bearing_forces = false;  // bearing_forces needs histories
   Vector pulled_to = {0.0, 0.0};                   // the base is pulled straight to this place and released
   int most_halvings = 10;                          // how often one step may be halved
+  std::function<bool()> interrupted = {};          // asked during a run; if it returns true, the run throws Interrupted
 };
+struct Interrupted {};
 
 enum class Outcome { completed, not_converged, not_finite };
 std::string_view name(Outcome outcome);
@@ -92,11 +97,12 @@ Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 // The bearings start in their present state and keep the state at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
+bool asks(void const* interrupted);  // Ground::asked, for an Options::interrupted
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
-// Estimates the step error of each measure of `coarse`. `fine` is the same run with half the step; the error is a third
-// of their difference, since the method is of second order.
+// Estimates the step error of each measure of `coarse`. `fine` is the same run with half the step. The method is of
+// second order, so the error of `fine` is a third of their difference, and that of `coarse` four thirds.
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 
 }  // namespace isolaw::building

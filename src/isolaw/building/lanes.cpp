@@ -75,7 +75,9 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
                          .y = motion.y_mm_s2.empty() ? nullptr : motion.y_mm_s2.data(),
                          .samples = motion.x_mm_s2.size(),
                          .parts = steps.parts,
-                         .steps = steps.count},
+                         .steps = steps.count,
+                         .asked = options.interrupted ? asks : nullptr,
+                         .interruption = &options.interrupted},
               .parameters = values.data(),
               .length = entry.info.length.in_record_units,
               .force = entry.info.force.in_record_units,
@@ -88,6 +90,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
       for (std::size_t i = 0; i < each; ++i) values[i * lane_width + lane] = draw[i];
     }
     kernel->run(run);
+    if (options.interrupted && options.interrupted()) throw Interrupted();
     for (std::size_t lane = 0; lane < lane_width && first + lane < count; ++lane)
       for (std::size_t i = 0; i < layout.count(); ++i)
         out[(first + lane) * layout.count() + i] = measured[i * lane_width + lane];

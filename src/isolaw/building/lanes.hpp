@@ -19,7 +19,7 @@ LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 // Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], with parameters in the law's order and
 // units. A draw that failed has measures that are not finite. If `coupling` is not `coupled`, each draw is integrated
 // implicitly, since its law may depend on the velocity too steeply for an explicit step. The explicit integration uses
-// only longest_step_s and rest_s of the options.
+// only longest_step_s, rest_s and interrupted of the options.
 std::vector<double> respond(Model const& model, std::string_view law, std::span<double const> draws,
                             Motion const& motion, Options const& options, Coupling coupling = Coupling::coupled,
                             num::InstructionSet set = num::instruction_set());

@@ -38,13 +38,15 @@ double linear_peak(Motion const& motion, double period_s, double damping) {
 
 }  // namespace
 
-Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling) {
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, double period_s,
+                    Coupling coupling) {
   auto const bearing = make_bearing(law, parameters, coupling);
   constexpr int steps = 200, cycles = 3;
   double before = 0.0, force_before = 0.0, energy = 0.0, forward = 0.0, backward = 0.0;
   for (int i = 1; i <= steps * cycles; ++i) {
-    double const x = amplitude_mm * std::sin(2.0 * pi * i / steps);
-    double const force = bearing->trial({x, 0.0}, {0.0, 0.0}, 1.0 / steps).force.x;
+    double const angle = 2.0 * pi * i / steps, x = amplitude_mm * std::sin(angle);
+    double const velocity = amplitude_mm * 2.0 * pi / period_s * std::cos(angle);
+    double const force = bearing->trial({x, 0.0}, {velocity, 0.0}, period_s / steps).force.x;
     bearing->commit();
     if (i > steps * (cycles - 1)) energy += 0.5 * (force + force_before) * (x - before);
     if (i == steps * (cycles - 1) + steps / 4) forward = force;
@@ -55,21 +57,22 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
   return {k, energy / (2.0 * pi * k * amplitude_mm * amplitude_mm)};
 }
 
-// Iterates to the displacement D for which a linear oscillator with the bearings' effective stiffness and damping at D
-// has the peak displacement D.
+// Iterates to the displacement D and the period T for which a linear oscillator with the bearings' effective stiffness
+// and damping at D and T has the peak displacement D and the period T.
 EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
                                    double mass) {
   EquivalentLinear linear;
   auto const& source = devices.source();
   std::size_t const each = source.lot.size(), count = bearings.size() / each;
   double amplitude_mm = 100.0;
+  linear.period_s = 2.0;
   for (int i = 0; i < 60; ++i) {
     double k = 0.0, weighted = 0.0;
     Effective bearing;
     for (std::size_t j = 0; j < count; ++j) {
       auto const values = std::span(bearings).subspan(j * each, each);
       if (j == 0 || !std::ranges::equal(values, std::span(bearings).subspan((j - 1) * each, each)))
-        bearing = effective(source.law, values, amplitude_mm, devices.coupling());
+        bearing = effective(source.law, values, amplitude_mm, linear.period_s, devices.coupling());
       k += bearing.stiffness_kN_mm;
       weighted += bearing.stiffness_kN_mm * bearing.damping;
     }

@@ -8,12 +8,12 @@
 
 namespace isolaw::building {
 
-// Effective stiffness and damping ratio of a bearing in its third sine cycle of this amplitude along x, at 1 Hz. A law
-// that is not used in its coupled form is given zero velocity, so its viscous forces do not count.
+// Effective stiffness and damping ratio of a bearing in its third sine cycle of this amplitude and period along x.
 struct Effective {
   double stiffness_kN_mm = 0.0, damping = 0.0;
 };
-Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, Coupling coupling);
+Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, double period_s,
+                    Coupling coupling);
 
 // The linear oscillator whose stiffness and damping are the bearings' effective ones at its own peak displacement.
 struct EquivalentLinear {

@@ -50,8 +50,8 @@ NominalHistory thinned(History const& history, double step_s) {
 
 Response nominal_run(Study const& study, LawSource const& source, Motion const& motion) {
   Model const model(Structure(study.file.frame), study.file.plan());
-  Devices const devices(source, study.file);
-  auto options = options_of(study, model, devices);
+  Devices const devices(source, study.file, motion);
+  auto options = options_of(study, model, devices, motion);
   options.histories = true;
   return integrate(model, devices.bearings(devices.of({})), motion, options);
 }

@@ -153,6 +153,19 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   return db;
 }
 
+// Shows whether the stored numbers of a run are those that were computed.
+std::string hash_of(RunStore::Row const& run) {
+  auto const* const bytes = reinterpret_cast<char const*>(run.measured.data());
+  return sha256(fmt::format("{};{};{};", run.law, run.motion, run.place) +
+                std::string(bytes, run.measured.size() * sizeof(double)))
+      .substr(0, 16);
+}
+
+std::string number_of(RunStore::Row const& run) {
+  return fmt::format("run {} of law {} under motion {}", run.place + 1, run.law + 1, run.motion + 1);
+}
+constexpr std::string_view has_changed = "has other numbers than when it was computed";
+
 // The runs that a complete store holds, and how many measures each run has.
 struct Expected {
   std::vector<StudyProperty> laws, motions;
@@ -187,11 +200,27 @@ StoreKind const& building_store() {
                                .input = "BUILDING.toml",
                                .once_more = "compute it again",
                                .advice = "--fresh, which starts over a study of an older isolaw"},
-                              1, R"sql(
+                              2, R"sql(
 CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL);
-CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, PRIMARY KEY (law, motion, place)) WITHOUT ROWID;
+CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, hash TEXT, PRIMARY KEY (law, motion, place)) WITHOUT ROWID;
 )sql");
   return kind;
+}
+
+CheckedRuns check_runs(Path const& file) {
+  return building_store().read(file, [](Connection const& db) {
+    auto const expected = expected_runs(db);
+    CheckedRuns checked{.expected = expected.blocks().runs(), .faults = {}};
+    Statement select(db, "SELECT law, motion, place, measured, hash FROM runs ORDER BY law, motion, place");
+    while (select.row()) {
+      RunStore::Row row;
+      std::string hash;
+      select.read(row.law, row.motion, row.place, row.measured, hash);
+      ++checked.runs;
+      if (hash != hash_of(row)) checked.faults.push_back(fmt::format("{} {}", number_of(row), has_changed));
+    }
+    return checked;
+  });
 }
 
 Blocks::Block Blocks::at(std::size_t number) const {
@@ -209,7 +238,7 @@ std::size_t Blocks::blocks_per_motion() const {
 }
 
 RunStore::RunStore(Path const& file, std::vector<StudyProperty> const& properties, bool fresh, StudyPart const& part)
-    : db_(opened(file, properties, fresh, part)) {}
+    : file_(file), db_(opened(file, properties, fresh, part)) {}
 
 std::size_t RunStore::runs_there() const {
   return runs_in(db_);
@@ -227,21 +256,26 @@ void RunStore::add(std::vector<Row> const& rows) {
   Transaction transaction(db_);
   {
     // A merge in another program may have stored some of these rows already. The rows in the store stay.
-    Statement insert(db_, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
-    for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured).insert();
+    Statement insert(db_, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?, ?)");
+    for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured, hash_of(row)).insert();
   }
   transaction.commit();
 }
 
 void RunStore::each(std::size_t law, std::size_t motion,
                     std::function<void(std::size_t, std::vector<double> const&)> const& take) const {
-  Statement select(db_, "SELECT place, measured FROM runs WHERE law = ? AND motion = ? ORDER BY place");
+  Statement select(db_, "SELECT place, measured, hash FROM runs WHERE law = ? AND motion = ? ORDER BY place");
   select.bind(law, motion);
   while (select.row()) {
-    std::size_t place = 0;
-    std::vector<double> measured;
-    select.read(place, measured);
-    take(place, measured);
+    Row row{.law = law, .motion = motion};
+    std::string hash;
+    select.read(row.place, row.measured, hash);
+    if (hash != hash_of(row))
+      throw Error({.where = file_.string(),
+                   .found = fmt::format("{} {}", number_of(row), has_changed),
+                   .allowed = "runs as isolaw building stored them",
+                   .advice = "--fresh, which computes them again"});
+    take(row.place, row.measured);
   }
 }
 
@@ -281,7 +315,7 @@ std::vector<StudyProperty> properties_of(Study const& study) {
     add_all(m.y_mm_s2);
     hashed("motion", m.name);
   }
-  for (auto const& law : study.laws) {
+  auto const add_law = [&](LawSource const& law) {
     auto const& p = law.population;
     add_all(law.lot);
     add_all(law.median);
@@ -292,18 +326,21 @@ std::vector<StudyProperty> properties_of(Study const& study) {
     add_matrix(p.covariance);
     for (auto const transform : p.transforms) add(static_cast<int>(transform));
     for (auto const& place : law.place) add(place ? *place + 1 : 0);
-    add(law.as_springs);
     for (auto const& limits : law.limits) add(limits.lower, limits.upper);
     for (auto const& [name, values] : law.devices) {
       add(name);
       add_all(values);
     }
+  };
+  for (auto const& law : study.laws) {
+    add_law(law);
+    for (auto const& springs : law.springs) add_law(springs);
     hashed("law", law.law);
   }
   return properties;
 }
 
-Options options_of(Study const& study, Model const& model, Devices const& devices) {
+Options options_of(Study const& study, Model const& model, Devices const& devices, Motion const& motion) {
   auto const stiffest = devices.bearings(devices.of({.kind = CaseKind::upper}));
   std::vector<std::array<double, 4>> first;
   for (auto const& bearing : stiffest) {
@@ -311,30 +348,49 @@ Options options_of(Study const& study, Model const& model, Devices const& device
     auto const& k = force.by_displacement;
     first.push_back({k[0][0], k[0][1], k[1][0], k[1][1]});
   }
-  return {.longest_step_s = std::min(study.file.settings.step_s, longest_explicit_step(model, first)),
-          .rest_s = study.file.settings.rest_s};
+  double const stable_s = longest_explicit_step(model, first);
+  Options const options{.longest_step_s = std::min(study.file.settings.step_s, stable_s),
+                        .rest_s = study.file.settings.rest_s};
+  auto const steps = steps_of(motion, options.longest_step_s, options.rest_s);
+  if (steps.count <= most_steps) return options;
+  bool const stiff = stable_s < study.file.settings.step_s;
+  auto const& base = study.file.frame.base;
+  throw Error(
+      {.where = stiff ? "base" : "step_s",
+       .found = fmt::format(
+           "{} steps of {:.3g} s under {}{}", steps.count, steps.dt, printable(motion.name),
+           stiff
+               ? fmt::format(": the base has a mass of {:.3g} t and a radius of gyration of {:.3g} mm, too little for "
+                             "bearings so stiff",
+                             base.mass_Mg, base.gyration_mm)
+               : std::string()),
+       .allowed = fmt::format("at most {} steps in a run", most_steps),
+       .advice =
+           stiff ? "the mass and the radius of gyration of the real slab" : "a longer step, or a shorter motion"});
 }
 
-Runs::Runs(Study const& study)
+Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
     : study_(study),
       model_(Structure(study.file.frame), study.file.plan()),
       cases_(cases_of(study.file.settings)),
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
-  for (auto const& law : study.laws) {
-    devices_.emplace_back(law, study.file);
-    options_.push_back(options_of(study, model_, devices_.back()));
-  }
+  for (auto const& law : study.laws)
+    for (auto const& motion : study.file.motions) {
+      devices_.emplace_back(law, study.file, motion);
+      options_.push_back(options_of(study, model_, devices_.back(), motion));
+      options_.back().interrupted = interrupted;
+    }
 }
 
 std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
-  auto const& devices = devices_[block.law];
+  auto const& devices = devices_[place(block)];
   std::vector<double> values;
   for (auto place = block.from; place < block.to; ++place) {
     auto const parameters = devices.of(cases_[place]);
     values.insert(values.end(), parameters.begin(), parameters.end());
   }
   auto const out = respond(model_, study_.laws[block.law].law, values, study_.file.motions[block.motion],
-                           options_[block.law], devices.coupling());
+                           options_[place(block)], devices.coupling());
   auto const count = static_cast<std::ptrdiff_t>(model_.layout().count());
   std::vector<RunStore::Row> rows;
   auto row = out.begin();
@@ -371,7 +427,12 @@ class Rows {
 }  // namespace
 
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options) {
-  Runs const runs(study);
+  std::atomic<bool> stopped = false;
+  auto const stop = [&] {
+    if (!stopped && options.interrupted && options.interrupted()) stopped = true;
+    return stopped.load();
+  };
+  Runs const runs(study, stop);
   auto const& blocks = runs.blocks();
   std::vector<Blocks::Block> left;
   RunProgress progress;
@@ -386,11 +447,6 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   }
   std::mutex one_at_a_time;
   Rows rows(store);
-  std::atomic<bool> stopped = false;
-  auto const stop = [&] {
-    if (!stopped && options.interrupted && options.interrupted()) stopped = true;
-    return stopped.load();
-  };
   auto const take = [&](std::vector<RunStore::Row> finished) {
     std::scoped_lock const lock(one_at_a_time);
     progress.done += finished.size();
@@ -398,12 +454,12 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     if (options.progress) options.progress(progress);
   };
   auto const perform = [&](Blocks::Block const& block) {
-    if (!runs.one_by_one(block)) {
-      if (!stop()) take(runs.of(block));
-      return;
-    }
-    for (auto place = block.from; place < block.to && !stop(); ++place)
-      take(runs.of({.law = block.law, .motion = block.motion, .from = place, .to = place + 1}));
+    auto const step = runs.one_by_one(block) ? 1 : block.to - block.from;
+    for (auto place = block.from; place < block.to && !stop(); place += step) try {
+        take(runs.of({.law = block.law, .motion = block.motion, .from = place, .to = place + step}));
+      } catch (Interrupted const&) {
+        // The numbers of these runs are not kept, and stop() ends all others.
+      }
   };
   try {
     campaign::for_each_in_parallel(left.size(), threads, [&](std::size_t i) { perform(left[i]); });
@@ -450,22 +506,23 @@ class StudyMerge : public campaign::Merge {
                         campaign::Merged& merged) {
     auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
       throw Error({.where = file.string(),
-                   .found = fmt::format("run {} of law {} under motion {} {}", row.place + 1, row.law + 1,
-                                        row.motion + 1, what),
+                   .found = fmt::format("{} {}", number_of(row), what),
                    .allowed = std::string(allowed),
                    .advice = "the part that is not sound again: isolaw building ... --part K/N --fresh"});
     };
     Transaction transaction(db);
-    Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?)");
+    Statement insert(db, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?, ?)");
     Statement same(db, "SELECT 1 FROM runs WHERE law = ? AND motion = ? AND place = ? AND measured = ?");
-    Statement select(theirs, "SELECT law, motion, place, measured FROM runs ORDER BY law, motion, place");
+    Statement select(theirs, "SELECT law, motion, place, measured, hash FROM runs ORDER BY law, motion, place");
     while (select.row()) {
       RunStore::Row row;
-      select.read(row.law, row.motion, row.place, row.measured);
+      std::string hash;
+      select.read(row.law, row.motion, row.place, row.measured, hash);
       if (row.law >= expected.laws.size() || row.motion >= expected.motions.size() ||
           row.place >= expected.cases.size() || row.measured.size() != expected.measures)
         refuse(row, "does not belong to this study", "runs as isolaw building makes them");
-      if (insert.bind(row.law, row.motion, row.place, row.measured).insert()) {
+      if (hash != hash_of(row)) refuse(row, has_changed, "runs as isolaw building stored them");
+      if (insert.bind(row.law, row.motion, row.place, row.measured, hash).insert()) {
         ++merged.added;
         continue;
       }

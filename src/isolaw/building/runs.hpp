@@ -76,13 +76,22 @@ class RunStore {
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;
   void add(std::vector<Row> const& rows);
+  // Throws Error for a run whose numbers have changed since it was stored.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
 
  private:
+  std::filesystem::path file_;
   campaign::sqlite::Connection db_;
 };
 campaign::StoreKind const& building_store();
+
+struct CheckedRuns {
+  std::size_t runs = 0, expected = 0;
+  std::vector<std::string> faults;  // a clause for each run whose stored numbers are not those that were computed
+};
+// Compares each run in the store with the hash that was stored with it. Throws Error like StoreKind::read().
+CheckedRuns check_runs(std::filesystem::path const& file);
 
 struct MissingRun {
   std::string law, motion, analysis;
@@ -103,18 +112,20 @@ MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem:
 // Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
 class Runs {
  public:
-  explicit Runs(Study const& study);  // the study must outlive it
+  // The study must outlive it. A run throws Interrupted once `interrupted` returns true.
+  explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
-  // Whether the block's runs are integrated implicitly, one by one, as for all laws not used in their coupled form.
-  bool one_by_one(Blocks::Block const& block) const { return devices_[block.law].coupling() != Coupling::coupled; }
+  // Whether the block's runs are integrated implicitly, one by one, as all those of a law not in its coupled form.
+  bool one_by_one(Blocks::Block const& block) const { return devices_[place(block)].coupling() != Coupling::coupled; }
 
  private:
   Study const& study_;
   Model model_;
   std::vector<Case> cases_;
-  std::vector<Devices> devices_;  // [law]
-  std::vector<Options> options_;  // [law]
+  std::size_t place(Blocks::Block const& block) const { return block.law * study_.file.motions.size() + block.motion; }
+  std::vector<Devices> devices_;  // [law][motion]
+  std::vector<Options> options_;
   Blocks blocks_;
 };
 
@@ -124,13 +135,14 @@ struct RunProgress {
 struct RunAllOptions {
   std::function<void(RunProgress const&)> progress = {};  // by one thread at a time; an exception ends the runs
   std::optional<campaign::Part> part = {};                // compute this part only
-  std::function<bool()> interrupted = {};                 // asked between runs, from any thread
+  std::function<bool()> interrupted = {};                 // asked between and during runs, from any thread
 };
 // Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
 // constructor of Runs. If a run throws, the runs that have finished are stored first.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-// The options of a law's runs. The step is the smaller of the settings' step and longest_explicit_step() for the
-// bearings of the upper bound analysis at rest.
-Options options_of(Study const& study, Model const& model, Devices const& devices);
+// The options of a law's runs under a motion. The step is the smaller of the settings' step and longest_explicit_step() for the
+// bearings of the upper bound analysis at rest. Throws Error if a run would take more than most_steps.
+inline constexpr std::size_t most_steps = 2'000'000;
+Options options_of(Study const& study, Model const& model, Devices const& devices, Motion const& motion);
 
 }  // namespace isolaw::building

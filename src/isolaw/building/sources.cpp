@@ -85,18 +85,19 @@ lot::Population population_again(lot::Population const& population, num::Stream 
   return lot::estimate_population(population.names, estimates, without);
 }
 
-Coupling coupling_in(BuildingFile const& file, LawSource const& source) {
-  bool springs = source.as_springs;
+Coupling coupling_under(Motion const& motion, LawSource const& source) {
+  bool springs = false;
   for (auto const* values : {&source.lot, &source.median})
     springs = springs || coupling_of(source.law, *values) == Coupling::springs;
   for (auto const& [name, values] : source.devices)
     springs = springs || coupling_of(source.law, values) == Coupling::springs;
   if (!springs) return Coupling::coupled;
-  return file.along_x_alone() ? Coupling::separate : Coupling::springs;
+  return motion.y_mm_s2.empty() ? Coupling::separate : Coupling::springs;
 }
 
-Devices::Devices(LawSource source, BuildingFile const& file)
-    : source_(std::move(source)),
+Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const& motion)
+    : coupling_(coupling_under(motion, source)),
+      source_(coupling_ == Coupling::springs && !source.springs.empty() ? source.springs.front() : source),
       places_(file.bearings),
       settings_(file.settings),
       stream_(num::Stream(static_cast<std::uint64_t>(settings_.seed))
@@ -116,7 +117,6 @@ Devices::Devices(LawSource source, BuildingFile const& file)
       for (auto const& [name, values] : source_.devices) names.push_back(name);
       throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
     }
-  coupling_ = coupling_in(file, source_);
   if (drawn)
     for (int p = 0; p < settings_.populations; ++p)
       uncertain_.push_back(population_again(

@@ -27,7 +27,7 @@ struct LawSource {
   std::vector<double> median;
   std::vector<lot::Limits> limits;   // [parameter of the population]
   double tested_mm = 0.0;            // largest displacement in the tests; 0: not known
-  bool as_springs = false;           // the parameters were fitted as springs around the circle
+  std::vector<LawSource> springs;    // the law with the parameters fitted as springs around the circle; none or one
   std::vector<Finding> doubts = {};  // about the law's calibration; no number depends on them
 };
 
@@ -48,24 +48,24 @@ struct Case {
   std::uint32_t population = 0, draw = 0;
   bool operator==(Case const&) const = default;
 };
-inline constexpr double grid_step = 0.02;
-inline constexpr std::uint32_t grid_half = 20;
+inline constexpr std::uint32_t grid_steps_to_1 = 50, grid_half = 20;
+inline constexpr double grid_step = 1.0 / grid_steps_to_1;
 inline double grid_factor(std::uint32_t i) {
-  return 1.0 + grid_step * (static_cast<double>(i) - static_cast<double>(grid_half));
+  return static_cast<double>(grid_steps_to_1 - grid_half + i) / grid_steps_to_1;
 }
 
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
-// Coupling::coupled if the parameters were not fitted as springs and all parameter sets have a coupled form. Otherwise
-// springs, or separate if all motions go along x alone.
-Coupling coupling_in(BuildingFile const& file, LawSource const& source);
+// Coupling::coupled if all parameter sets of the law have a coupled form. Otherwise springs, or separate under a motion
+// along x alone. A motion therefore gives the same response alone and beside others.
+Coupling coupling_under(Motion const& motion, LawSource const& source);
 
-// The bearings of one law. A random number depends on (seed, law, population, draw, bearing) only.
+// The bearings of one law under one motion. A random number depends on (seed, law, population, draw, bearing) only.
 class Devices {
  public:
   // Throws Error if a bearing is a draw but the law has no population with a covariance, or if a device is unknown.
-  Devices(LawSource source, BuildingFile const& file);
+  Devices(LawSource const& source, BuildingFile const& file, Motion const& motion);
 
   LawSource const& source() const { return source_; }
   Coupling coupling() const { return coupling_; }  // the same for all bearings
@@ -75,11 +75,11 @@ class Devices {
  private:
   std::vector<double> full(std::vector<double> const& of_population) const;
 
+  Coupling coupling_;
   LawSource source_;
   std::vector<BearingPlace> places_;
   Settings settings_;
   num::Stream stream_;
-  Coupling coupling_ = Coupling::coupled;
   std::vector<lot::Population> uncertain_;
 };
 

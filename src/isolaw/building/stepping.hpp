@@ -290,6 +290,9 @@ struct Ground {
   std::size_t samples = 0;
   std::size_t parts = 1;  // integration steps between two samples
   std::size_t steps = 0;  // integration steps of the run
+  // If `asked` is set, it is called now and then with `interruption`. The run ends early if it returns true.
+  bool (*asked)(void const*) = nullptr;
+  void const* interruption = nullptr;
 
   ISOLAW_AWAY void at(std::size_t step, double (&out)[2]) const {
     std::size_t const i = step / parts, part = step % parts;
@@ -318,6 +321,8 @@ inline void explicit_run(Run<T>& run, StructureArrays const& s, ModeStep const& 
   // The building starts at rest and without forces in its bearings, so momentum and absolute accelerations are zero.
   T p0x(0.0), p0y(0.0);
   for (std::size_t n = 0; n < ground.steps; ++n) {
+    constexpr std::size_t now_and_then = 4096;
+    if (n % now_and_then == now_and_then - 1 && ground.asked != nullptr && ground.asked(ground.interruption)) return;
     ground.at(n + 1, g1);
     T u0[3], v0[3], a0[3], on_base[3];
     for (std::size_t i = 0; i < 3; ++i) {

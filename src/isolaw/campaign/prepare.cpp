@@ -76,8 +76,8 @@ enum class FalseSignals { shown, refused };
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   auto const properties = data::cyclic_properties(device.raw);
   device.record = data::clean(device.raw, properties, cleaning);
-  auto const& why = properties.is_false ? properties.refusal : properties.faulty;
-  if (!why.empty() && false_signals == FalseSignals::refused) refuse_device(device, wording::reasons(why));
+  if (properties.is_false && false_signals == FalseSignals::refused)
+    refuse_device(device, wording::reasons(properties.refusal));
 }
 
 // Notes the options that the record was read with, so that a report can state a command that reads it again. They are

@@ -251,6 +251,13 @@ void remove_unfinished(std::filesystem::path const& file) {
   for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have been interrupted too
     for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
       std::filesystem::remove(name + suffix, ignored);
+  // put_in_order() works on two files in one transaction. While it commits, SQLite keeps a list of both beside them.
+  auto const list = std::filesystem::path(aside).filename().string() + "-mj";
+  std::vector<std::filesystem::path> lists;
+  for (std::filesystem::directory_iterator at(std::filesystem::absolute(file).parent_path(), ignored), end; at != end;
+       at.increment(ignored))
+    if (at->path().filename().string().starts_with(list)) lists.push_back(at->path());
+  for (auto const& left : lists) std::filesystem::remove(left, ignored);
 }
 
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {

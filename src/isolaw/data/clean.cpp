@@ -88,19 +88,57 @@ struct Chosen {  // which samples of the raw record the objective counts, and th
   std::vector<double> scored, block;
 };
 
-Chosen chosen_by(Selection const& selection, TestRecord const& raw) {
-  if (selection.all()) return {};
-  auto const segmentation =
-      segment(raw.disp_mm, raw.time_s, raw.starts, {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle});
-  return {.scored = scored_samples(selection, segmentation, raw.size()),
-          .block = block_numbers(selection, segmentation, raw.size())};
+// Takes the samples in [first, last] out of what the objective counts and predicts.
+void take_out(Chosen& chosen, double first, double last) {
+  auto const begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first)));
+  auto const end = std::min(chosen.scored.size(), static_cast<std::size_t>(std::max(0.0, std::floor(last))) + 1);
+  for (auto* values : {&chosen.scored, &chosen.block})
+    if (!values->empty() && begin < end)
+      std::fill(values->begin() + static_cast<std::ptrdiff_t>(begin),
+                values->begin() + static_cast<std::ptrdiff_t>(end), 0.0);
+}
+
+// A law is not fitted to blocks with a signal or loop that cannot be true, nor to what a device did after it failed.
+Chosen chosen_by(Selection const& selection, TestRecord const& raw, Properties const& properties) {
+  Chosen chosen;
+  if (!selection.all()) {
+    auto const segmentation =
+        segment(raw.disp_mm, raw.time_s, raw.starts, {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle});
+    chosen = {.scored = scored_samples(selection, segmentation, raw.size()),
+              .block = block_numbers(selection, segmentation, raw.size())};
+  }
+  bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); });
+  if (!any_faulty && !properties.failure) return chosen;
+  if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
+  for (auto const& block : properties.blocks)
+    if (!block.fault.empty() && !block.cycles.empty())
+      take_out(chosen, block.cycles.front().first, block.cycles.back().last);
+  if (properties.failure) take_out(chosen, properties.failed_from, static_cast<double>(raw.size()));
+  if (std::ranges::count(chosen.scored, 1.0) < 2)
+    throw Error({.where = raw.file,
+                 .found = "its blocks are faulty, or the device fails in them, so nothing is left to fit a law to",
+                 .allowed = "a block that is sound before the device fails",
+                 .advice = "isolaw inspect FILE, which says what is wrong in each block"});
+  return chosen;
+}
+
+void note_unsound(FitRecord& record, Properties const& properties) {
+  for (auto const& block : properties.blocks)
+    if (!block.fault.empty())
+      record.cleaning.push_back({.kind = FindingKind::faulty_not_scored, .blocks = {block.number}});
+  if (properties.failure)
+    record.cleaning.push_back({.kind = FindingKind::failed_not_scored,
+                               .blocks = properties.failure->blocks,
+                               .numbers = {{"cycle", properties.failure->number("cycle")}}});
 }
 
 void choose_scored(FitRecord& record, std::span<double const> scored, std::span<double const> block,
-                   Selection const& selection) {
+                   Selection const& selection, Properties const& properties) {
   if (scored.empty()) return;
   record.scored.assign(scored.begin(), scored.end());
   record.block.assign(block.begin(), block.end());
+  note_unsound(record, properties);
+  if (selection.all()) return;
   record.cleaning.push_back({.kind = FindingKind::scored_in_part,
                              .numbers = {{"samples", static_cast<double>(std::ranges::count(record.scored, 1.0))},
                                          {"of", static_cast<double>(scored.size())}},
@@ -171,7 +209,7 @@ FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::s
   } else {
     record.cleaning.push_back({.kind = FindingKind::not_smoothed});
   }
-  choose_scored(record, scored, block, options.scored);
+  choose_scored(record, scored, block, options.scored, properties);
   auto const step = thinning_step(record, properties, options.samples_per_cycle);
   int const window = static_cast<int>(step % 2 == 0 ? step + 1 : step);
   if (step >= 2) average(record, window);
@@ -224,7 +262,7 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options) {
   if (raw.size() == 0)
     throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
-  auto const chosen = chosen_by(options.scored, raw);
+  auto const chosen = chosen_by(options.scored, raw, properties);
   FitRecord record;
   if (raw.starts.empty()) {
     record = clean_test(raw, properties, chosen.scored, chosen.block, options);

@@ -97,11 +97,12 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file) {
   auto source = source_of(contents, summary, law, where);
-  if (building::coupling_in(file, source) == building::Coupling::springs)
-    if (auto const springs = with_springs_of(contents, law)) {
-      source = source_of(*springs, build_summary(*springs), law, where);
-      source.as_springs = true;
-    }
+  bool const any_springs = std::ranges::any_of(file.motions, [&](building::Motion const& motion) {
+    return building::coupling_under(motion, source) == building::Coupling::springs;
+  });
+  if (any_springs)
+    if (auto const springs = with_springs_of(contents, law))
+      source.springs = {source_of(*springs, build_summary(*springs), law, where)};
   source.doubts = doubts_of(summary, law, file.bearings);
   return source;
 }

@@ -85,6 +85,7 @@ constexpr Phrase phrases[]{
     {"than_any", "longer", "no isolator goes that far"},
     {"than_any", "stiffer", "{stiffness_kN_per_mm:4} is stiffer than any isolator"},
     {"than_any", "softer", "{stiffness_kN_per_mm:4} is softer than any isolator"},
+    {"of", "draws", "95 % of the draws, under the strongest motion"},
     {"whole", "yes", "the whole record, which has no cycle to report"},
 };
 

@@ -293,7 +293,7 @@ std::span<Row const> rows() {
       campaign(
           displacement_beyond_tests, "displacement-beyond-tests", "extrapolation", serious, "Test to that displacement",
           each_alone, with_building, law,
-          "bearings move up to {most_mm:.0f} (95 % of the draws, under the strongest motion), but the tests went to {tested_mm:.0f}. Beyond that the law is extrapolated."),
+          "bearings move up to {most_mm:.0f} ([{of}][under {motion}]), but the tests went to {tested_mm:.0f}. Beyond that the law is extrapolated."),
       campaign(
           bounds_not_monotonic, "bounds-not-monotonic", "bounds", caution, "Ignore the share for this quantity",
           each_alone, with_building, law,
@@ -306,7 +306,10 @@ std::span<Row const> rows() {
           "Fit springs: isolaw calibrate --bidirectional springs", each_alone, with_building, law,
           "it has no coupled form, and its springs have the parameters of the law along one direction: they round its knee and dissipate less. isolaw calibrate --bidirectional springs fits them."),
       campaign(building_runs_failed, "building-runs-failed", "failed runs", serious, "Look at the runs", each_alone,
-               with_building, law, "{failed} run{|s} gave no finite numbers and {is|are} left out."),
+               with_building, law, "{failed} run{|s} gave no finite numbers."),
+      campaign(draws_collapsed, "draws-collapsed", "failed runs", serious, "Look at the runs", each_alone,
+               with_building, law,
+               "{collapsed} of {draws} drawn buildings collapse in the model under a motion. They count as outside of the bounds; medians and fractiles are of the other buildings."),
       campaign(
           draws_too_few, "draws-too-few", "not complete", serious, "Draw more buildings", each_alone, with_building,
           none,
@@ -314,6 +317,33 @@ std::span<Row const> rows() {
       campaign(
           motions_too_few, "motions-too-few", "motions", caution, "Use more motions", each_alone, with_building, none,
           "{motions} motion{|s}: codes accept the mean over {wanted} motions or more as the design's response, some over eleven."),
+      campaign(ground_zero_removed, "ground-zero-removed", "motions", note, "", each_alone, with_building, none,
+               "the motion {motion} along {axis} is as the instrument gave it; its mean of {mean_g:3} g was subtracted."),
+      campaign(ground_padded, "ground-padded", "motions", note, "", each_alone, with_building, none,
+               "the motion {motion} is shorter along {axis} by {samples} sample{|s}, which are taken as zero."),
+      campaign(
+          ground_too_strong, "ground-too-strong", "motions", serious, "Check the unit of the motion", each_alone,
+          with_building, none,
+          "the motion {motion} reaches {peak_g:3} g along {axis}. Hardly any ground motion of more than {limit_g} g was recorded: is its unit right?"),
+      campaign(
+          ground_off_zero, "ground-off-zero", "motions", caution, "Correct the baseline of the motion", each_alone,
+          with_building, none,
+          "the mean of the motion {motion} along {axis} is {mean_percent:2} % of its peak. It was taken as it is; a record whose baseline is corrected has a mean near zero."),
+      campaign(
+          ground_keeps_moving, "ground-keeps-moving", "motions", caution, "Correct the baseline of the motion",
+          each_alone, with_building, none,
+          "the ground still moves at {final_mm_s:3} when the motion {motion} ends along {axis}; its largest velocity is {largest_mm_s:3}. Was it cut off, or its baseline not corrected?"),
+      campaign(
+          energy_error_large, "energy-error-large", "accuracy", caution, "Take a smaller step_s", each_alone,
+          with_building, law,
+          "the energy of the nominal building does not balance: {error:2} of it is missing under {motion}, more than {limit}."),
+      campaign(
+          draws_off_reference, "draws-off-reference", "accuracy", caution, "Take a smaller step_s", each_alone,
+          with_building, law,
+          "the integration of the drawn buildings is off by {percent:2} % from the implicit one, under {motion}; up to {limit_percent} % is usual."),
+      campaign(
+          rotation_large, "rotation-large", "accuracy", serious, "Check the plan", each_alone, with_building, law,
+          "the base rotates by {rotation_rad:2} rad under {motion}, and the analysis holds for small rotations, up to {limit_rad} rad."),
       // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
       campaign(
           refit_response_off, "refit-response-off", "re-fit", serious, "Use the law itself", each_alone, anywhere, law,
@@ -509,6 +539,10 @@ std::span<Row const> rows() {
       fact(
           scored_in_part, "scored-in-part",
           "laws are judged by {samples} of {of} samples (blocks {blocks}, cycles {cycles}); the rest of the history only acts on their state"),
+      fact(faulty_not_scored, "faulty-not-scored",
+           "laws are not fitted to <block {block}>, in which a signal or a loop cannot be true"),
+      fact(failed_not_scored, "failed-not-scored",
+           "laws are fitted to what the device did before <cycle {cycle} of block {block}>, in which it lost its force"),
       fact(all_samples_kept, "all-samples-kept", "", wording::all_samples_kept),
       fact(velocity_computed, "velocity-computed",
            "velocity comes from central differences of the averaged displacement, with the recorded times"),

@@ -12,6 +12,7 @@
 #include "isolaw/data/files/dialect.hpp"
 #include "isolaw/data/files/header.hpp"
 #include "isolaw/data/files/text.hpp"
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -20,7 +21,7 @@ using LineList = std::vector<std::string_view>;
 
 constexpr std::size_t fewest_accelerations = 10;
 constexpr std::string_view columns_allowed =
-    "an AT2 file of the PEER database, or columns of text with a header that names their units: 'time [s], acceleration [m/s2]'";
+    "a file of PEER (AT2), ESM, K-NET, CESMD (CSMIP volume 2) or USGS (SMC), or columns of text with a header that names their units: 'time [s], acceleration [m/s2]'";
 
 // The number after a word, such as 0.005 after "dt" in "DT= .0050 SEC".
 std::optional<double> number_behind(std::string_view line, std::string_view word) {
@@ -33,17 +34,28 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
   return number_in<double>(line.substr(0, line.find_first_of(" \t,;")));
 }
 
-struct PeerHeader {
-  std::size_t line = 0;  // the line that holds count and step, from 0
-  std::size_t count = 0;
+// The head of a file of an agency, which states what its values are.
+struct Agency {
+  std::string_view format;
+  std::size_t first = 0;             // the line after the head, from 0
+  std::optional<std::size_t> count;  // of the values; nullopt if the head does not state it
+  bool more_follows = false;         // velocity and displacement may follow the values
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
+  std::size_t width = 0;              // of a value in its line; 0: values are separated by blanks
+  bool off_zero = false;              // the values are as the instrument gave them, and their mean is no acceleration
+  std::string_view unit_stated = {};  // in messages: what would state a unit
 };
 
-// Finds a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above it.
-std::optional<PeerHeader> peer_header(LineList const& lines) {
+std::optional<std::size_t> count_of(std::optional<double> number) {
+  if (!number || !(*number >= 1.0) || !(*number <= static_cast<double>(most_lines))) return std::nullopt;
+  return static_cast<std::size_t>(*number);
+}
+
+// PEER: a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above it.
+std::optional<Agency> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
-  PeerHeader header;
+  Agency header{.format = "PEER AT2", .count = {}, .unit_mm_s2 = {}, .unit_stated = "a line with 'IN UNITS OF G'"};
   for (std::size_t i = 0; i < std::min(head, lines.size()); ++i) {
     auto const small = lower(lines[i]);
     constexpr std::string_view before_unit = "units of ";
@@ -60,12 +72,147 @@ std::optional<PeerHeader> peer_header(LineList const& lines) {
       count = number_in<double>(cells[0]);
       step = number_in<double>(cells[1]);
     }
-    if (!count || !step || !(*count >= 1.0) || !(*count <= static_cast<double>(most_lines)) || !(*step > 0.0)) continue;
-    header.line = i;
-    header.count = static_cast<std::size_t>(*count);
+    header.count = count_of(count);
+    if (!header.count || !step || !(*step > 0.0)) continue;
+    header.first = i + 1;
     header.step_s = *step;
     return header;
   }
+  return std::nullopt;
+}
+
+// The text behind a key at the start of a line of the head.
+std::optional<std::string_view> value_of(LineList const& lines, std::string_view key) {
+  constexpr std::size_t head = 100;
+  for (std::size_t i = 0; i < std::min(head, lines.size()); ++i)
+    if (lines[i].starts_with(key)) return trimmed(lines[i].substr(key.size()));
+  return std::nullopt;
+}
+std::optional<double> number_of(LineList const& lines, std::string_view key) {
+  auto const text = value_of(lines, key);
+  return text ? number_in<double>(text->substr(0, text->find_first_not_of("+-.0123456789eE"))) : std::nullopt;
+}
+std::size_t line_after(LineList const& lines, std::string_view key) {
+  std::size_t i = 0;
+  while (i < lines.size() && !lines[i].starts_with(key)) ++i;
+  return i + 1;
+}
+
+// ESM and DYNA (INGV): lines "KEY: VALUE", the last of them USER5.
+std::optional<Agency> esm_header(LineList const& lines) {
+  auto const step = number_of(lines, "SAMPLING_INTERVAL_S:");
+  auto const unit = value_of(lines, "UNITS:");
+  if (!step || !(*step > 0.0) || !value_of(lines, "DATA_TYPE:")) return std::nullopt;
+  return Agency{.format = "ESM",
+                .first = line_after(lines, "USER5:"),
+                .count = count_of(number_of(lines, "NDATA:")),
+                .step_s = *step,
+                .unit_mm_s2 = unit ? parse_acceleration(*unit) : std::nullopt,
+                .unit_stated = "a line 'UNITS: cm/s^2'"};
+}
+
+// K-NET and KiK-net (NIED): counts of the instrument, "Scale Factor 3920(gal)/6182761", and "Memo." as the last key.
+std::optional<Agency> knet_header(LineList const& lines) {
+  auto const rate = number_of(lines, "Sampling Freq(Hz)");
+  auto const scale = value_of(lines, "Scale Factor");
+  if (!rate || !(*rate > 0.0) || !scale) return std::nullopt;
+  auto const bracket = scale->find('('), slash = scale->find('/');
+  Agency header{.format = "K-NET",
+                .first = line_after(lines, "Memo."),
+                .count = {},
+                .step_s = 1.0 / *rate,
+                .unit_mm_s2 = {},
+                .off_zero = true,
+                .unit_stated = "a line 'Scale Factor 3920(gal)/6182761'"};
+  if (bracket == std::string_view::npos || slash == std::string_view::npos || slash < bracket) return header;
+  auto const above = number_in<double>(scale->substr(0, bracket)), below = number_in<double>(scale->substr(slash + 1));
+  auto const unit = parse_acceleration(scale->substr(bracket, slash - bracket));
+  if (above && below && *below > 0.0 && unit) header.unit_mm_s2 = *above / *below * *unit;
+  return header;
+}
+
+// CSMIP volume 2 (CESMD): "4000 points of accel data equally spaced at .020 sec, in cm/sec2. (8f10.3)", or with
+// "(units: cm/sec/sec)" at its end. A file may hold several components.
+std::vector<Agency> csmip_headers(LineList const& lines) {
+  std::vector<Agency> found;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    constexpr std::string_view spaced = "points of accel data equally spaced at";
+    if (lines[i].size() > 200 || lines[i].find_first_of("pP") == std::string_view::npos) continue;
+    auto const small = lower(lines[i]);
+    auto const points = small.find(spaced);
+    if (points == std::string::npos) continue;
+    auto const step = number_behind(small, spaced);
+    auto const count = count_of(number_in<double>(trimmed(std::string_view(small).substr(0, points))));
+    if (!step || !(*step > 0.0) || !count) continue;
+    auto unit = std::string_view(small).substr(points + spaced.size());
+    for (std::string_view const before : {"units:", " in "})
+      if (auto const at = unit.find(before); at != std::string_view::npos)
+        unit = trimmed(unit.substr(at + before.size()));
+    found.push_back({.format = "CSMIP volume 2",
+                     .first = i + 1,
+                     .count = count,
+                     .more_follows = true,
+                     .step_s = *step,
+                     .unit_mm_s2 = parse_acceleration(unit.substr(0, unit.find_first_of(" .,;()"))),
+                     .width = 10,
+                     .unit_stated = "'in cm/sec2' behind the step"});
+  }
+  return found;
+}
+
+// SMC (USGS): eleven lines of text, of which the first says what the values are, 48 whole numbers in 6 lines, of which
+// the 16th is the number of comment lines and the 17th that of values, 50 real numbers in 10 lines, of which the second
+// is the rate in Hz, and the comments. Accelerations are in cm/s2.
+std::optional<Agency> smc_header(LineList const& lines) {
+  constexpr std::size_t text = 11, whole = 6, real = 10, width_of_whole = 10, width_of_real = 15;
+  if (lines.size() <= text + whole + real) return std::nullopt;
+  auto const kind = trimmed(lines[0]);
+  bool const as_recorded = kind == "1 UNCORRECTED ACCELEROGRAM";
+  if (!as_recorded && kind != "2 CORRECTED ACCELEROGRAM") return std::nullopt;
+  auto const number = [&](std::size_t first, std::size_t in_a_line, std::size_t width, std::size_t which) {
+    auto const line = lines[first + which / in_a_line];
+    auto const at = which % in_a_line * width;
+    return at < line.size() ? number_in<double>(trimmed(line.substr(at, width))) : std::nullopt;
+  };
+  auto const comments = number(text, 8, width_of_whole, 15);
+  auto const count = count_of(number(text, 8, width_of_whole, 16));
+  auto const rate = number(text + whole, 5, width_of_real, 1);
+  if (!comments || !(*comments >= 0.0 && *comments < 1e4) || !count || !rate || !(*rate > 0.0)) return std::nullopt;
+  return Agency{.format = "SMC",
+                .first = text + whole + real + static_cast<std::size_t>(*comments),
+                .count = count,
+                .step_s = 1.0 / *rate,
+                .unit_mm_s2 = 10.0,
+                .width = 10,
+                .off_zero = as_recorded};
+}
+
+// `component` counts from 1 and is given as the end of a file's name, FILE#2.
+std::optional<Agency> agency_header(LineList const& lines, std::string const& name,
+                                    std::optional<std::size_t> component) {
+  std::vector<Agency> found;
+  for (auto const header : {peer_header, esm_header, knet_header, smc_header})
+    if (auto one = header(lines)) found.push_back(*one);
+  if (found.empty()) found = csmip_headers(lines);
+  if (found.size() > 1 && !component)
+    throw Error({.where = name,
+                 .found = fmt::format("{} components of acceleration", found.size()),
+                 .allowed = "one component",
+                 .advice = fmt::format("the number of a component behind the name, such as {}#1", name)});
+  if (component && (*component == 0 || *component > found.size()))
+    throw Error({.where = fmt::format("{}#{}", name, *component),
+                 .found = fmt::format("{} of an agency's file", counted(found.size(), "component")),
+                 .allowed = "the number of one of them"});
+  if (!found.empty()) return found[component.value_or(1) - 1];
+  auto const title = lower(lines.empty() ? "" : lines.front().substr(0, 100));
+  bool const as_recorded = title.find("uncorrected accelerogram data") != std::string::npos;
+  if (as_recorded || title.starts_with("corrected acceleration    (format v01.20"))
+    throw Error({.where = name,
+                 .found = as_recorded ? "an uncorrected accelerogram (volume 1), whose samples are not equally spaced"
+                                      : "a file in the format of COSMOS (V2c), which isolaw does not read",
+                 .allowed = std::string(columns_allowed),
+                 .advice = as_recorded ? "the corrected accelerogram (volume 2) of the same record"
+                                       : "the same record in one of these formats"});
   return std::nullopt;
 }
 
@@ -74,23 +221,32 @@ std::string not_numbers(std::size_t bad, std::string_view first) {
                   : fmt::format("{} values that are no numbers, the first of them {}", bad, in_quotes(first));
 }
 
-GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::string const& name) {
+// Cuts a line into values, by their width or at blanks.
+void cut(std::string_view line, std::size_t width, std::vector<std::string_view>& cells) {
+  if (width == 0) return split_cells(line, ' ', cells);
+  cells.clear();
+  for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
+}
+
+GroundMotion read_agency(LineList const& lines, Agency const& header, std::string const& name) {
   GroundMotion motion{.file = name, .step_s = header.step_s, .acceleration_mm_s2 = {}, .recognised = {}};
+  auto& values = motion.acceleration_mm_s2;
   std::vector<Complaint> complaints;
   if (!header.unit_mm_s2)
     complaints.push_back({.where = name,
                           .found = "no unit of the acceleration above its values",
-                          .allowed = fmt::format("a line with 'IN UNITS OF G' ({})", known_accelerations)});
+                          .allowed = fmt::format("{} ({})", header.unit_stated, known_accelerations)});
   std::size_t bad = 0, bad_line = 0;
   std::string first_bad;
   std::vector<std::string_view> cells;
-  for (auto i = header.line + 1; i < lines.size(); ++i) {
-    split_cells(lines[i], ' ', cells);
+  auto const all_there = [&] { return header.more_follows && values.size() + bad >= header.count; };
+  for (auto i = header.first; i < lines.size() && !all_there(); ++i) {
+    cut(lines[i], header.width, cells);
     for (auto const cell : cells) {
-      if (cell.empty()) continue;
+      if (cell.empty() || all_there()) continue;
       auto const value = number_in<double>(cell);
       if (value && std::isfinite(*value)) {
-        motion.acceleration_mm_s2.push_back(*value * header.unit_mm_s2.value_or(1.0));
+        values.push_back(*value * header.unit_mm_s2.value_or(1.0));
         continue;
       }
       if (bad++ == 0) {
@@ -103,13 +259,19 @@ GroundMotion read_peer(LineList const& lines, PeerHeader const& header, std::str
     complaints.push_back({.where = fmt::format("{}:{}", name, bad_line),
                           .found = not_numbers(bad, first_bad),
                           .allowed = "finite numbers"});
-  else if (motion.acceleration_mm_s2.size() != header.count)
+  else if (header.count && values.size() != *header.count)
     complaints.push_back({.where = name,
-                          .found = counted(motion.acceleration_mm_s2.size(), "value"),
-                          .allowed = fmt::format("NPTS = {}, as line {} says", header.count, header.line + 1),
+                          .found = counted(values.size(), "value"),
+                          .allowed = fmt::format("{} values, as the head of the file says", *header.count),
                           .advice = "the file as it was downloaded: it may have been cut short"});
   if (!complaints.empty()) throw Error(std::move(complaints));
-  motion.recognised = fmt::format("PEER AT2, {} samples every {} s", header.count, header.step_s);
+  motion.recognised = fmt::format("{}, {} samples every {:.6g} s", header.format, values.size(), header.step_s);
+  if (header.off_zero && !values.empty()) {
+    double const mean = num::moments(values).mean;
+    for (double& value : values) value -= mean;
+    motion.zero_mm_s2 = mean;
+    motion.recognised += fmt::format(", less their mean of {:.3g} cm/s2, which is the instrument's zero", mean / 10.0);
+  }
   return motion;
 }
 
@@ -211,7 +373,8 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, std::o
     throw Error({.where = name,
                  .found = "no column of time",
                  .allowed = "a column such as 'time [s]'",
-                 .advice = "--ground-motion-dt SECONDS, the step between two samples"});
+                 .advice = "--ground-motion-dt SECONDS, the step between two samples; in a building file step_s of the "
+                           "[[motion]]"});
   if (!columns.time) motion.step_s = *step_s;
   motion.recognised =
       fmt::format("column {}, {} samples every {:.6g} s", in_quotes(header.names[*columns.acceleration]),
@@ -239,14 +402,22 @@ std::optional<double> parse_acceleration(std::string_view unit) {
 }
 
 GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s) {
-  return read_ground_motion_text(load_text(file), file.generic_string(), step_s);
+  auto const name = file.generic_string();
+  std::error_code unknown;
+  if (auto const mark = name.rfind('#'); mark != std::string::npos && !std::filesystem::exists(file, unknown))
+    if (auto const component = number_in<std::size_t>(std::string_view(name).substr(mark + 1))) {
+      auto const whole = name.substr(0, mark);
+      return read_ground_motion_text(load_text(whole), whole, step_s, *component);
+    }
+  return read_ground_motion_text(load_text(file), name, step_s);
 }
 
-GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, std::optional<double> step_s) {
+GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, std::optional<double> step_s,
+                                     std::optional<std::size_t> component) {
   check_text(name, bytes);
   auto const lines = split_lines(bytes).lines;
-  auto const peer = peer_header(lines);
-  auto motion = peer ? read_peer(lines, *peer, name) : read_columns(lines, name, step_s);
+  auto const agency = agency_header(lines, name, component);
+  auto motion = agency ? read_agency(lines, *agency, name) : read_columns(lines, name, step_s);
   if (step_s && !(std::abs(*step_s - motion.step_s) <= 1e-3 * motion.step_s))
     throw Error({.where = "--ground-motion-dt",
                  .found = fmt::format("{} s, and {} has samples every {:.6g} s", *step_s, name, motion.step_s),

@@ -80,6 +80,7 @@ void find_failure(Properties& properties) {
   }
   if (fails == nullptr) return;
   int const block = fails->block, number = fails->number;
+  properties.failed_from = fails->first;
   properties.failure =
       Finding{.kind = FindingKind::force_lost,
               .blocks = {block},

@@ -6,7 +6,7 @@
 
 namespace isolaw::data {
 
-// Sets properties.failure. Cycles whose force is nearly gone, in units of what an earlier cycle of no larger amplitude
+// Sets properties.failure and failed_from. Cycles whose force is nearly gone, in units of what an earlier cycle of no larger amplitude
 // had, no longer count; nor do those before them from the cycle that fails on.
 void find_failure(Properties& properties);
 

@@ -95,6 +95,7 @@ struct Properties {
   std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
   std::optional<Slider> slider;
   std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
+  double failed_from = 0.0;                 // sample at which that cycle begins
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 

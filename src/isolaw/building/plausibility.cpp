@@ -1,0 +1,69 @@
+#include "isolaw/building/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "isolaw/data/channels/ground_motion.hpp"
+
+namespace isolaw::building {
+namespace {
+
+struct Component {
+  double peak_mm_s2 = 0.0, mean_mm_s2 = 0.0, largest_mm_s = 0.0, final_mm_s = 0.0;
+};
+
+Component of(std::vector<double> const& ground, double step_s) {
+  Component found;
+  double velocity = 0.0, before = 0.0;
+  for (double const a : ground) {
+    found.peak_mm_s2 = std::max(found.peak_mm_s2, std::abs(a));
+    found.mean_mm_s2 += a / static_cast<double>(ground.size());
+    velocity += 0.5 * step_s * (before + a);
+    found.largest_mm_s = std::max(found.largest_mm_s, std::abs(velocity));
+    before = a;
+  }
+  found.final_mm_s = velocity;
+  return found;
+}
+
+}  // namespace
+
+std::vector<Finding> motion_doubts(Motion const& motion) {
+  auto doubts = motion.notes;
+  for (auto const& [axis, ground] : {std::pair{"x", &motion.x_mm_s2}, {"y", &motion.y_mm_s2}}) {
+    auto const found = of(*ground, motion.step_s);
+    if (found.peak_mm_s2 == 0.0) continue;
+    auto const doubt = [&](FindingKind kind, std::vector<FindingNumber> numbers) {
+      doubts.push_back(
+          {.kind = kind, .numbers = std::move(numbers), .words = {{"motion", motion.name}, {"axis", axis}}});
+    };
+    double const peak_g = found.peak_mm_s2 / data::gravity_mm_s2;
+    double const mean = std::abs(found.mean_mm_s2) / found.peak_mm_s2;
+    double const final = std::abs(found.final_mm_s) / found.largest_mm_s;
+    if (peak_g > largest_ground_g)
+      doubt(FindingKind::ground_too_strong, {{"peak_g", peak_g}, {"limit_g", largest_ground_g}});
+    if (mean > largest_mean_share)
+      doubt(FindingKind::ground_off_zero, {{"mean_percent", 100.0 * mean}});
+    else if (final > largest_final_share)
+      doubt(FindingKind::ground_keeps_moving, {{"final_mm_s", found.final_mm_s}, {"largest_mm_s", found.largest_mm_s}});
+  }
+  return doubts;
+}
+
+std::vector<Finding> run_doubts(Response const& run, std::string const& law, std::string const& motion,
+                                double tested_mm) {
+  std::vector<Finding> doubts;
+  auto const doubt = [&](FindingKind kind, std::vector<FindingNumber> numbers) {
+    doubts.push_back({.kind = kind, .law = law, .numbers = std::move(numbers), .words = {{"motion", motion}}});
+  };
+  if (double const most = run.of(Measure::isolator); tested_mm > 0.0 && most > tested_mm)
+    doubt(FindingKind::displacement_beyond_tests, {{"most_mm", most}, {"tested_mm", tested_mm}});
+  if (double const error = std::abs(run.of(Measure::balance)); error > largest_energy_error)
+    doubt(FindingKind::energy_error_large, {{"error", error}, {"limit", largest_energy_error}});
+  if (double const rotation = run.of(Measure::rotation); rotation > largest_rotation_rad)
+    doubt(FindingKind::rotation_large, {{"rotation_rad", rotation}, {"limit_rad", largest_rotation_rad}});
+  return doubts;
+}
+
+}  // namespace isolaw::building

@@ -1,0 +1,29 @@
+// Doubts about the ground motions of a study and about its analyses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "isolaw/base/finding.hpp"
+#include "isolaw/building/integrate.hpp"
+
+namespace isolaw::building {
+
+// Hardly any earthquake was recorded with a larger horizontal acceleration of the ground.
+inline constexpr double largest_ground_g = 2.0;
+// A mean acceleration beyond this share of the peak, or a final velocity beyond this share of the largest one, shows
+// that a baseline was not corrected.
+inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
+// Limits of an analysis: error of the energy balance, difference of the draws' integration from the implicit one in
+// percent, rotation of the base up to which its displacements are those of small rotations.
+inline constexpr double largest_energy_error = 1e-3, largest_difference_percent = 1.0, largest_rotation_rad = 0.1;
+
+// What was done to a ground motion when it was read, and doubts about it: ground_too_strong, ground_off_zero,
+// ground_keeps_moving.
+std::vector<Finding> motion_doubts(Motion const& motion);
+// Doubts about the implicit analysis of the nominal building with a law: displacement_beyond_tests if `tested_mm` is
+// above 0 and the run goes beyond it, energy_error_large, rotation_large.
+std::vector<Finding> run_doubts(Response const& run, std::string const& law, std::string const& motion,
+                                double tested_mm);
+
+}  // namespace isolaw::building
