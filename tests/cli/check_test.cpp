@@ -290,7 +290,9 @@ TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
           {"UPDATE setting SET json = '{' WHERE key = 'runs'", "parse error"},
           {"UPDATE setting SET json = '-1' WHERE key = 'runs'", "runs"},
           {"DELETE FROM setting WHERE key = 'seed'", "seed"},
-          {"UPDATE device SET recognised = 'x'", "parse error"}}) {
+          {"UPDATE device SET recognised = 'x'", "parse error"},
+          {"DELETE FROM device_analysis WHERE law = 'bilinear'",
+           "an analysis of bilinear on the lot, but none on device 'a'"}}) {
     write("O/campaign.sqlite", sound);
     change(sql);
     SCOPED_TRACE(sql);
