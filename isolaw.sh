@@ -118,7 +118,7 @@ case "${1:-help}" in
       # for each fault. Both presets share this folder: what the fast one found runs under the sanitizers next.
       mkdir -p "build/found/$target"
       # libFuzzer spends half of the time on its statistics of rare features (entropic) if it is not told otherwise.
-      step "build/$preset/fuzz/fuzz_$target" -max_total_time="$seconds" -max_len="$longest" -entropic=0 -timeout=5 \
+      step "build/$preset/fuzz/fuzz_$target" -max_total_time="$seconds" -max_len="$longest" -entropic=0 -timeout=20 \
         -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="build/found/$target-" "build/found/$target" "fuzz/corpus/$target" ||
         findings=$((findings + 1))
     done

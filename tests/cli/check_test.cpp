@@ -290,14 +290,22 @@ TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
           {"UPDATE setting SET json = '{' WHERE key = 'runs'", "parse error"},
           {"UPDATE setting SET json = '-1' WHERE key = 'runs'", "runs"},
           {"DELETE FROM setting WHERE key = 'seed'", "seed"},
-          {"UPDATE device SET recognised = 'x'", "parse error"},
-          {"DELETE FROM device_analysis WHERE law = 'bilinear'",
-           "an analysis of bilinear on the lot, but none on device 'a'"}}) {
+          {"UPDATE device SET recognised = 'x'", "parse error"}}) {
     write("O/campaign.sqlite", sound);
     change(sql);
     SCOPED_TRACE(sql);
     expect_damaged(says);
   }
+}
+
+class CheckOfAnalyses : public Check {
+  Words search() const override { return Check::search() + Words{"--analysis", "full"}; }
+};
+
+// The law of the lot follows from what the devices' tests determine of it.
+TEST_F(CheckOfAnalyses, a_law_of_the_lot_without_a_device_is_refused) {
+  change("DELETE FROM device_analysis WHERE law = 'bilinear'");
+  expect_damaged("an analysis of bilinear on the lot, but none on device 'a'");
 }
 
 TEST_F(Check, a_directory_without_a_campaign) {
