@@ -150,7 +150,7 @@ case "${1:-help}" in
     step clang-tidy -p build/developer --quiet "${units[@]}"
     ;;
   compilers)
-    install_missing "${build_packages[@]}" clang
+    install_missing "${build_packages[@]}" clang-16
     step tools/compilers.sh
     ;;
   page)
