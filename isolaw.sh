@@ -7,7 +7,8 @@
 #   ./isolaw.sh sanitize     the tests of bad input, of the fuzz corpora and of all output files under the address and
 #                            undefined-behaviour sanitizers; tools/reliability.sh runs all tests under them
 #   ./isolaw.sh fuzz [SECONDS [TARGET...]]  run every fuzz target, or those named, for SECONDS (60), with clang; fails if
-#                            one finds a fault. ISOLAW_PRESET=fuzz-fast runs them without sanitizers, several times as fast
+#                            one finds a fault. ISOLAW_PRESET=fuzz-fast runs them without sanitizers, several times as fast;
+#                            ISOLAW_FUZZ_RUNS=N ends a target after N inputs
 #   ./isolaw.sh bench        setup, build and run the benchmarks
 #   ./isolaw.sh study [--quick]  time the published study, its scaling and other programs; see docs/performance.md
 #   ./isolaw.sh format       check the format with clang-format (format --fix changes the files)
@@ -118,8 +119,8 @@ case "${1:-help}" in
       # for each fault. Both presets share this folder: what the fast one found runs under the sanitizers next.
       mkdir -p "build/found/$target"
       # libFuzzer spends half of the time on its statistics of rare features (entropic) if it is not told otherwise.
-      step "build/$preset/fuzz/fuzz_$target" -max_total_time="$seconds" -max_len="$longest" -entropic=0 -timeout=20 \
-        -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="build/found/$target-" "build/found/$target" "fuzz/corpus/$target" ||
+      step "build/$preset/fuzz/fuzz_$target" -max_total_time="$seconds" -runs="${ISOLAW_FUZZ_RUNS:--1}" -max_len="$longest" \
+        -entropic=0 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="build/found/$target-" "build/found/$target" "fuzz/corpus/$target" ||
         findings=$((findings + 1))
     done
     [ "$findings" -eq 0 ] || { echo "isolaw.sh: $findings target(s) found a fault: build/found/" >&2; exit 1; }
