@@ -37,6 +37,16 @@ inline void require_plain_message(Error const& error) {
     require(printable(to_string(complaint), true) == to_string(complaint), "a message holds no control characters");
 }
 
+// Runs `action`, which may throw an isolaw::Error but nothing else.
+template <class Action>
+void attempt(Action&& action) {
+  try {
+    action();
+  } catch (Error const& error) {
+    require_plain_message(error);
+  }
+}
+
 // Makes a temporary folder, in memory if the system has /dev/shm. The destructor removes it.
 class Folder {
  public:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes fuzz/corpus/workbook, mat, mat73 and json again: python3 fuzz/record_corpus.py
+"""Makes fuzz/corpus/workbook, mat, mat73, json and the small files of text again: python3 fuzz/record_corpus.py
 
 Each file is a tiny record, sound or with one thing in it that breaks readers. Files of MATLAB 7.3 come from libmatio
 (libmatio-dev), the others from this script alone.
@@ -19,12 +19,34 @@ TIME = [0.1 * i for i in range(COUNT)]
 DISP = [round(10 * math.sin(0.6 * i), 3) for i in range(COUNT)]
 FORCE = [round(8 * math.sin(0.6 * i) + 3 * math.cos(0.6 * i), 3) for i in range(COUNT)]
 NAMES = ["Time [s]", "Disp [mm]", "Force [kN]"]
+# A record of two cycles that is short, so that the fuzzer runs fast on its changes.
+SHORT = [(round(0.1 * i, 1), round(10 * math.sin(1.1 * i), 2), round(9 * math.sin(1.1 * i + 0.3), 2)) for i in range(13)]
 
 
 def write(kind, name, data):
     (CORPUS / kind).mkdir(parents=True, exist_ok=True)
     (CORPUS / kind / name).write_bytes(data if isinstance(data, bytes) else data.encode())
 
+
+
+def texts():
+    def rows(separator=",", columns=lambda t, x, f: (t, x, f), decimal="."):
+        return "".join(separator.join(str(v).replace(".", decimal) for v in columns(*row)) + "\n" for row in SHORT)
+
+    english = "Time [s],Disp [mm],Force [kN]\n" + rows()
+    for encoding in "utf-16-le", "utf-16-be", "utf-32-le", "utf-32-be":
+        write("text", f"{encoding}-without-mark.csv", english.encode(encoding))
+    for name, encoding, header in (("chinese", "gb18030", "时间(s),位移(mm),力(kN)"), ("korean", "cp949", "시간(s),변위(mm),수평하중(kN)"),
+                                   ("japanese", "cp932", "時間(s),変位(mm),水平荷重(kN)"), ("portuguese", "cp1252", "Tempo (s),Deslocamento (mm),Força (kN)"),
+                                   ("chinese-utf8", "utf-8", "时间（秒）,位移（毫米）,力（千牛）")):
+        write("text", f"{name}.csv", (header + "\n" + rows()).encode(encoding))
+    write("text", "russian.csv", ("Время, с;Перемещение, мм;Усилие, кН\n" + rows(";", decimal=",")).encode("cp1251"))
+    write("text", "unit-factors.csv", "Time [ms],Disp [1/100 mm],Force [x10 kN]\n" + rows())
+    write("text", "cycles.csv", "Cycle,Step,Time [s],Disp [mm],Force [kN]\n" + rows(columns=lambda t, x, f: (1 + int(t > 0.5), "", t, x, f)))
+    write("text", "two-directions.csv", "t [s],Dx [mm],Fx [kN],Dy [mm],Fy [kN]\n" + rows(columns=lambda t, x, f: (t, x, f, 0.5 * x, 0.5 * f)))
+    write("text", "missing.csv", "Time [s],Disp [mm],Force [kN]\n" + rows(columns=lambda t, x, f: (t, x, "NaN" if t == 0.5 else "" if t == 0.8 else f)))
+    write("text", "stamps.csv", "Date;Time;Disp (mm);Force (kN)\n" + rows(";", lambda t, x, f: ("03.04.2024", f"10:00:0{t}", x, f), ","))
+    write("text", "units-below.tsv", "t\tx\tF\ns\tmm\tkN\n" + rows("\t"))
 
 
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -110,6 +132,10 @@ def workbooks():
     write("workbook", "sizes-lie.xlsx", bytes(data))
     write("workbook", "cut.xlsx", workbook({"Test": sound})[:-200])
     write("workbook", "no-workbook.xlsx", workbook({}, {"xl/workbook.xml": ""}))
+    short = "".join("<row>" + "".join(f"<c><v>{v}</v></c>" for v in row) + "</row>" for row in SHORT)
+    for name, header in (("short", NAMES), ("short-chinese", ["时间 (s)", "位移 (mm)", "力 (kN)"]), ("short-factors", ["t [s]", "x [1/100 mm]", "F [x10 kN]"])):
+        texts_above = "<row>" + "".join(f'<c t="inlineStr"><is><t>{t}</t></is></c>' for t in header) + "</row>"
+        write("workbook", f"{name}.xlsx", workbook({"A": worksheet(texts_above + short)}, method=stored))
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w") as archive:
         archive.writestr(zipfile.ZipInfo("d01.csv", (1980, 1, 1, 0, 0, 0)), "1;2\n")
@@ -137,6 +163,14 @@ def structure(name, fields, count=1, length=16):
     return element(14, element(6, struct.pack("<II", 2, 0)) + element(5, struct.pack("<ii", 1, count)) +
                    element(1, name.encode()) + element(5, struct.pack("<i", length)) + element(1, names) +
                    b"".join(data for _ in range(count) for _, data in fields))
+
+
+def level4(name, values, columns=1, kind=0):
+    """A variable as MATLAB 4 wrote it; `kind` is 0 for doubles, 10 for floats, 20 to 50 for integers, 1000 more for big-endian."""
+    order = ">" if kind >= 1000 else "<"
+    code = {0: "d", 10: "f", 20: "i", 30: "h", 40: "H", 50: "B"}[kind % 1000]
+    return (struct.pack(f"{order}5i", kind, len(values) // columns, columns, 0, len(name) + 1) + name.encode() + b"\0" +
+            struct.pack(f"{order}{len(values)}{code}", *values))
 
 
 def compressed(data):
@@ -176,6 +210,11 @@ def matlab():
     write("mat", "many-fields.mat", HEADER + structure("s", [("a", struct.pack("<II", 14, 0))], 2000, 1))
     write("mat", "cut.mat", (HEADER + plain)[:-100])
     write("mat", "header-alone.mat", HEADER)
+    time, disp, force = ([row[i] for row in SHORT] for i in range(3))
+    write("mat", "short.mat", HEADER + array("time_s", time) + array("disp_mm", disp) + array("force_kN", force))
+    write("mat", "level4.mat", level4("time_s", time) + level4("disp_mm", disp) + level4("force_kN", force))
+    write("mat", "level4-matrix.mat", level4("x_F", time + disp + force, 3, 10))
+    write("mat", "level4-big-endian.mat", level4("disp_mm", disp, kind=1000) + level4("force_kN", list(map(round, force)), kind=1030))
     matlab73()
 
 
@@ -241,9 +280,13 @@ def json_files():
     write("json", "mixed.json", '{"a": [1, [2, 3], {"b": 4}], "b": [[1, 2], 3, {"c": [1]}]}')
     write("json", "huge-numbers.json", '{"disp": [1e308, -1e308, 1e-400, 99999999999999999999], "force": [1, 2, 3, 1e999]}')
     write("json", "cut.json", f"[{records[:200]}")
+    short = ", ".join(f"[{t}, {x}, {f}]" for t, x, f in SHORT)
+    write("json", "units-list.json", f'{{"columns": ["time", "disp", "force"], "units": ["s", "mm", "kN"], "data": [{short}]}}')
+    write("json", "missing.json", f'{{"columns": ["时间", "位移", "力"], "units": ["s", "1/100 mm", "x10 kN"], "rows": [[0, null, "NaN"], {short}]}}')
 
 
 if __name__ == "__main__":
+    texts()
     workbooks()
     matlab()
     json_files()

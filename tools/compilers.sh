@@ -27,8 +27,8 @@ variants=(
   "gcc-O2-x86-64-v3: g++ -O2 -march=x86-64-v3"  # fuses products and sums (FMA)
   "gcc-O3-native: g++ -O3 -march=native"
   "gcc-O2-x87: g++ -O2 -mfpmath=387"            # x87 instructions: intermediate results have 64 bits
-  "clang-O2: clang++ -O2"
-  "clang-O3-native: clang++ -O3 -march=native -ffp-contract=fast"
+  "clang-O2: clang++-16 -O2"
+  "clang-O3-native: clang++-16 -O3 -march=native -ffp-contract=fast"
   "aarch64: aarch64-linux-gnu-g++ -O2 -static"  # runs with NEON in an emulator
 )
 

@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(faults draws compilers sanitize sanitize-thread fuzz)
-: "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=240}"
+: "${ISOLAW_KILLS:=200}" "${ISOLAW_DRAWS:=100000}" "${ISOLAW_FUZZ_SECONDS:=120}"
 export ISOLAW_KILLS ISOLAW_DRAWS
 
 # Runs a command and prints only those lines of its output that count tests. If the command fails, this also prints the
@@ -40,7 +40,10 @@ for part in "${parts[@]}"; do
       cmake --build --preset "$part"
       ISOLAW_KILLS=4 ISOLAW_DRAWS=200 run ctest --preset "$part" -j "$(nproc)"
       ;;
-    fuzz) ./isolaw.sh fuzz "$ISOLAW_FUZZ_SECONDS" ;;
+    fuzz)
+      ISOLAW_PRESET=fuzz-fast ./isolaw.sh fuzz "$ISOLAW_FUZZ_SECONDS"
+      ./isolaw.sh fuzz "$ISOLAW_FUZZ_SECONDS"
+      ;;
     *)
       echo "reliability.sh: unknown part '$part'; allowed: faults, draws, compilers, sanitize, sanitize-thread, fuzz" >&2
       exit 2

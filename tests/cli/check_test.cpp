@@ -298,6 +298,16 @@ TEST_F(Check, what_readers_rely_on_is_refused_by_all_commands) {
   }
 }
 
+class CheckOfAnalyses : public Check {
+  Words search() const override { return Check::search() + Words{"--analysis", "full"}; }
+};
+
+// The law of the lot follows from what the devices' tests determine of it.
+TEST_F(CheckOfAnalyses, a_law_of_the_lot_without_a_device_is_refused) {
+  change("DELETE FROM device_analysis WHERE law = 'bilinear'");
+  expect_damaged("an analysis of bilinear on the lot, but none on device 'a'");
+}
+
 TEST_F(Check, a_directory_without_a_campaign) {
   expect_refused(isolaw({"check", "nowhere"}), {"nowhere/campaign.sqlite", "no such file", "isolaw calibrate"});
 }

@@ -176,6 +176,11 @@ void require_consistent(Contents const& contents) {
   require_all(contents.device_analyses);
   require_all(contents.lot_analyses);
   require_all(contents.left_out);
+  for (auto const& lot : contents.lot_analyses)
+    for (auto const device : lot.devices)
+      if (contents.analysis_of(device, lot.law) == nullptr)
+        fail(fmt::format("an analysis of {} on the lot, but none on device '{}'", lot.law,
+                         contents.devices[device].name));
 }
 
 }  // namespace isolaw::campaign

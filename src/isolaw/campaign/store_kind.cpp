@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -28,7 +29,7 @@ StoreKind::StoreKind(Words const& words, int schema, std::string tables)
     : words_(words), schema_(schema), tables_(common_tables + std::move(tables)) {
   auto const memory = Connection::in_memory();
   create_tables(memory);
-  ours_ = declarations(memory);
+  ours_ = declarations(memory, "store");
 }
 
 void StoreKind::create_tables(Connection const& db) const {
@@ -83,7 +84,7 @@ std::string StoreKind::lost_with(std::filesystem::path const& file) const {
   if (bytes == 0) return fmt::format("{} was an empty file: nothing is lost", file.string());
   Declarations theirs;
   try {
-    theirs = declarations(Connection::to_read(file));
+    theirs = declarations(Connection::to_read(file), file);
   } catch (Error const&) {
     return fmt::format("{} was damaged, or no store of isolaw: its {} bytes are lost", file.string(), bytes);
   }
@@ -103,18 +104,22 @@ void StoreKind::put_in_order(std::filesystem::path const& file) const {
   sqlite::put_in_order(file, [this](Connection const& db) { create_tables(db); });
 }
 
-StoreKind::Declarations StoreKind::declarations(Connection const& db) {  // of tables, and of what other programs added
+StoreKind::Declarations StoreKind::declarations(Connection const& db, std::filesystem::path const& file) {
   Declarations found;
-  Statement objects(db, "SELECT name, sql FROM sqlite_master");
-  while (objects.row()) {
-    auto name = objects.text();
-    found[std::move(name)] = objects.text();
+  try {
+    Statement objects(db, "SELECT name, sql FROM sqlite_master");
+    while (objects.row()) {
+      auto name = objects.text();
+      found[std::move(name)] = objects.text();
+    }
+  } catch (std::bad_alloc const&) {  // SQLite also says of some damaged schemas that they need too much memory
+    sqlite::refuse_damaged(file.string(), "its tables cannot be read");
   }
   return found;
 }
 
 void StoreKind::require(Connection const& db, std::filesystem::path const& file) const {
-  auto const theirs = declarations(db);
+  auto const theirs = declarations(db, file);
   auto const same = [&](std::string const& name) {
     auto const found = theirs.find(name);
     return found != theirs.end() && found->second == ours_.at(name);

@@ -69,7 +69,8 @@ class StoreKind {
 
  private:
   using Declarations = std::map<std::string, std::string>;  // by name
-  static Declarations declarations(sqlite::Connection const& db);
+  // Of tables, and of what other programs added.
+  static Declarations declarations(sqlite::Connection const& db, std::filesystem::path const& file);
   [[noreturn]] static void refuse_unreadable(std::filesystem::path const& file);
   void create_tables(sqlite::Connection const& db) const;
   void require(sqlite::Connection const& db, std::filesystem::path const& file) const;

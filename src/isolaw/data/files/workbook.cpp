@@ -219,8 +219,7 @@ class RowWriter {
   void begin_row_at(std::size_t row) {
     if (row < row_) refuse(fmt::format("row {} below row {}", row + 1, row_ + 1), "rows in their order");
     rows_.append(row - row_, '\n');
-    if (row > row_) column_ = 0;
-    next_column_ = 0;
+    if (row > row_) column_ = next_column_ = 0;
     row_ = row;
   }
 
