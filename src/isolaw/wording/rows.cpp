@@ -83,7 +83,7 @@ std::span<Row const> rows() {
                "{devices} {was|were} refused. The lot has {lot_devices} devices; its law is made from the others."),
       campaign(
           same_record, "same-record", "copies", serious, records, each_alone, signed_too, none,
-          "{devices} hold the same record[, which counts {times} times in every mean and spread over the devices]."),
+          "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ In the means and spreads of laws' parameters it counts {times} times.]"),
       campaign(same_compression_test, "same-compression-test", "copies", serious, records, each_alone, signed_too, none,
                "{devices} hold the same compression test: its K_v counts {times} times."),
       campaign(
