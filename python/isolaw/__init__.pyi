@@ -200,6 +200,10 @@ def calibrate(
     lot_size: int | None = None,
     report_units: Literal["kN-mm", "N-m", "kip-in"] | None = None,
     letterhead: str | PathLike[str] | None = None,
+    alike_temperature_C: float | None = None,
+    alike_frequency_percent: float | None = None,
+    alike_load_percent: float | None = None,
+    alike_amplitude_percent: float | None = None,
     # the end of what it wrote
     vertical: Mapping[str, _Vertical] | None = None,
     jobs: int = 0,

@@ -133,8 +133,15 @@ TEST_F(Export, gives_every_law_to_every_target) {
         EXPECT_EQ(j["substitute"].get<std::string>().empty(), expected != "re-fitted");
         EXPECT_EQ(j.contains("in_a_building"), expected == "re-fitted");
         for (auto const& form : j["forms"]) EXPECT_TRUE(form["from_law"]["largest_percent_of_peak"].is_number());
-        EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.1, 0.01);
-        EXPECT_NEAR(j["bounds"]["lower"]["force"].get<double>(), 1.0, 1e-12);
+        // The two devices have the stiffness v and 1.1 v. The factor of two devices is 36.52, so no positive stiffness is
+        // a lower bound.
+        EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.05 + 36.519 * 0.1 / std::sqrt(2.0), 0.3);
+        EXPECT_TRUE(j["bounds"]["lower"].is_null());
+        EXPECT_NEAR(j["bounds"]["tolerance_k"].get<double>(), 36.519, 1e-3);
+        EXPECT_EQ(j["bounds"]["coverage_percent"], 95);
+        EXPECT_EQ(j["bounds"]["confidence_percent"], 95);
+        EXPECT_TRUE(
+            contains(o.out, "holds 95 % of the devices with confidence 95 % (too few devices for a lower bound"));
       }
       if (law == "vaiana" && to == "json") {
         EXPECT_TRUE(contains(o.out, "--set vaiana.Kb-=Kb+"));
@@ -216,15 +223,14 @@ TEST_F(Export, of_the_lot_needs_its_one_law) {
   ASSERT_EQ(o.code, 0) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["of_the_lot"], true);
-  // The two devices differ by 10 %. K2 of the law of the lot must lie between the values of the two devices. The
-  // factors on its force must be below 1 for the lower bound and above 1 for the upper bound.
+  // The two devices differ by 10 %. K2 of the law of the lot must lie between the values of the two devices. The factor
+  // on its force must be above 1 for the upper bound.
   auto const K2_of = [&](std::string const& device) {
     return Json::parse(exported("bilinear", device, "json").out)["parameters"][1]["value"].get<double>();
   };
   double const K2 = j["parameters"][1]["value"];
   EXPECT_GT(K2, std::min(K2_of("a"), K2_of("b")));
   EXPECT_LT(K2, std::max(K2_of("a"), K2_of("b")));
-  EXPECT_LT(j["bounds"]["lower"]["force"], 1.0);
   EXPECT_GT(j["bounds"]["upper"]["force"], 1.0);
 }
 
@@ -259,6 +265,7 @@ TEST_F(Export, takes_bounds_from_the_rule_set) {
   };
   auto const a = of("a"), b = of("b");
   EXPECT_TRUE(contains(a["source"].get<std::string>(), "asce-7-22 (not verified)"));
+  EXPECT_TRUE(a["tolerance_k"].is_null()) << "a band of the contract is not estimated from the devices";
   EXPECT_EQ(a["upper"]["separate"], true);
   auto const table = read("C/tables/lambda.csv");
   for (auto const& [key, property] : {std::pair{"stiffness", "K_d"}, {"strength", "Q_d"}})

@@ -45,15 +45,21 @@ TEST_F(Terminal, a_signed_set_without_comparable_values_assesses_nothing) {
 
 // A lot's verdict holds for one condition. Two temperatures that differ by 1 °C are one, -10 and 40 °C are not.
 TEST_F(Terminal, tests_under_different_conditions_give_the_lot_no_verdict) {
-  auto const said = [&](int temperature_C) {
-    write("lot.toml", fmt::format("[[device]]\nfile = 'lot/D1.csv'\ntemperature-C = 20\n"
+  auto const said = [&](int temperature_C, std::string const& alike = {}) {
+    write("lot.toml", fmt::format("[acceptance]\n{}\n[[device]]\nfile = 'lot/D1.csv'\ntemperature-C = 20\n"
                                   "[[device]]\nfile = 'lot/D2.csv'\ntemperature-C = {}\n",
-                                  temperature_C));
+                                  alike, temperature_C));
     return isolaw(Words{"inspect", "lot.toml"} + held_to("K_eff=0.8,disp=100") + Words{"--lot-size", "2"}).out;
   };
-  EXPECT_TRUE(contains(said(-10), "The devices were tested under different conditions; temperature -10 to 20 °C."));
+  EXPECT_TRUE(contains(said(-10),
+                       "The devices were tested under different conditions; temperature -10 to 20 °C (alike within 2 "
+                       "°C). Tolerances: isolaw's own."));
   EXPECT_TRUE(contains(said(-10), "one condition for all tests"));
   EXPECT_FALSE(contains(said(21), "different conditions"));
+  EXPECT_FALSE(contains(said(-10, "alike-temperature-C = 30"), "different conditions"));
+  EXPECT_TRUE(contains(said(21, "alike-temperature-C = 0.5"), "(alike within 0.5 °C). Tolerances: as stated for this"));
+  expect_refused(isolaw({"inspect", "lot.toml", "--alike-temperature-C", "-1"}),
+                 {"--alike-temperature-C", "0 to 1000"});
 }
 
 TEST_F(Terminal, a_temperature_in_the_header_counts) {

@@ -520,7 +520,11 @@ TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
   lot.devices[0].name = "a";
   lot.devices[0].tests[0].files = {folder / "a.csv"};
   lot.rules_are_file = true;
-  lot.acceptance = {.rules = {}, .rules_file = (folder / "own.toml").string(), .design = "K_eff=1.2", .lot_size = 28};
+  lot.acceptance = {.rules = {},
+                    .rules_file = (folder / "own.toml").string(),
+                    .design = "K_eff=1.2",
+                    .lot_size = 28,
+                    .alike = {.temperature_C = 3.5, .load_percent = 12.0}};
   auto const text = lot_file_text(lot, folder);
   EXPECT_EQ(text.find(folder.string()), std::string::npos) << text;
   EXPECT_EQ(read(text).acceptance, lot.acceptance) << text;

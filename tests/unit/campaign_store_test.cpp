@@ -51,7 +51,11 @@ std::vector<std::vector<std::string>> sql(std::filesystem::path const& file, std
 Contents full() {
   Contents c;
   c.title = attack;
-  c.acceptance = {.rules = attack + unicode, .rules_file = "a/" + attack, .design = "K_eff=1.2", .lot_size = 28};
+  c.acceptance = {.rules = attack + unicode,
+                  .rules_file = "a/" + attack,
+                  .design = "K_eff=1.2",
+                  .lot_size = 28,
+                  .alike = {.temperature_C = 3.5, .load_percent = 12.0}};
   c.settings.laws = {"hwang-wu", "bilinear", "abe"};  // not in alphabetical order
   c.settings.runs = 3;
   c.settings.seed = 18446744073709551615u;

@@ -83,8 +83,9 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   auto const copies = std::ranges::find(found, FindingKind::same_record, &Finding::kind);
   ASSERT_NE(copies, found.end());
   EXPECT_EQ(copies->devices, (std::vector<std::string>{"A", "B"}));
-  EXPECT_EQ(wording::sentence(*copies),
-            "A and B hold the same record, which counts 2 times in every mean and spread over the devices.");
+  EXPECT_EQ(
+      wording::sentence(*copies),
+      "A and B hold the same record: it counts as one device. In the means and spreads of laws' parameters it counts 2 times.");
   // The warnings of a device are its own findings and the finding that A and B are copies.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   auto const of_devices = device_warnings(summary);

@@ -195,8 +195,7 @@ TEST(LotView, JudgesTheSample) {
             rules_of(limits).id + " has no rule for the sample");
 }
 
-// One of three devices has the same record as another. The means include it, but it does not count in the size of the
-// sample or in anything that depends on this size.
+// One of three devices has the same record as another. It counts neither in the sample nor in means and spreads.
 TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const rules = rules_of(fmt::format("[sample]\nshare_percent = 20\nleast = 3\n{}", limits));
   auto devices = lot_of({0.99, 1.01, 1.01});
@@ -209,13 +208,14 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   EXPECT_EQ(lot.sample.value, 2.0);
   EXPECT_EQ(lot.sample.verdict, Verdict::fail);
   auto const& stiffness = of(lot, Quantity::K_eff);
-  EXPECT_EQ(stiffness.count, 3u);
-  EXPECT_EQ(stiffness.mean, of(three, Quantity::K_eff).mean);
-  EXPECT_EQ(stiffness.tolerance_factor,
-            of(lot_view(rules, lot_of({0.99, 1.01}), {}), Quantity::K_eff).tolerance_factor);
+  auto const two = lot_view(rules, lot_of({0.99, 1.01}), {});
+  EXPECT_EQ(stiffness.count, 2u);
+  EXPECT_EQ(stiffness.mean, of(two, Quantity::K_eff).mean);
+  EXPECT_EQ(stiffness.std, of(two, Quantity::K_eff).std);
+  EXPECT_EQ(stiffness.tolerance_factor, of(two, Quantity::K_eff).tolerance_factor);
   EXPECT_EQ(stiffness.mean_limits.at(0).verdict, Verdict::not_assessed);
   expect_parts(stiffness.mean_limits.at(0).reason,
-               {"2 devices with this property, 3 required", "D3: the same record as D2, counted in the mean"});
+               {"2 devices with this property, 3 required", "D3: the same record as D2, left out of the mean"});
   EXPECT_EQ(name(stiffness.mean_limits.at(0).subject), "lot");
   expect_parts(bound(stiffness, "statistical, system").note, {"mean of 3 devices, 2 of them tested"});
   EXPECT_EQ(name(bound(stiffness, "statistical, system").spread), "system");
@@ -224,6 +224,23 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   auto const one = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
   expect_parts(one.note, {"one device is no lot"});
   EXPECT_FALSE(of(one, Quantity::K_eff).cov_percent);
+}
+
+// The bounds that exports take over: with the same standard deviation, those from fewer devices are wider.
+TEST(LotView, BoundsFromFewDevicesAreWider) {
+  auto const width = [](std::size_t devices) {
+    auto const n = static_cast<double>(devices);
+    std::vector<double> values(devices, 1.0);  // with a standard deviation of 1 %
+    values.front() += 0.01 * std::sqrt((n - 1.0) / 2.0), values.back() -= 0.01 * std::sqrt((n - 1.0) / 2.0);
+    auto const lot = lot_view({}, lot_of(values), {});
+    auto const& stiffness = of(lot, Quantity::K_eff);
+    EXPECT_NEAR(*stiffness.cov_percent, 1.0, 1e-9);
+    auto const& spec = bound(stiffness, "statistical, each device").spec;
+    return spec.max - spec.min;
+  };
+  EXPECT_NEAR(width(3), 2.0 * 9.7888 * 0.01, 1e-5);  // exact factors of ISO 16269-6
+  EXPECT_NEAR(width(10), 2.0 * 3.3934 * 0.01, 1e-5);
+  EXPECT_NEAR(width(30), 2.0 * 2.5549 * 0.01, 1e-5);
 }
 
 TEST(LotView, ASampleTooSmallLeavesTheMeanOpen) {

@@ -118,6 +118,12 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(set.cycles.last, 3);
   EXPECT_EQ(set.test.strains_percent, std::vector{100.0});
   EXPECT_EQ(set.test.strain_tolerance_percent, 5);
+  EXPECT_EQ(set.test.clause, "B.1");
+  EXPECT_EQ(set.same_condition.temperature_C, 3);
+  EXPECT_EQ(set.same_condition.frequency_percent, 15);
+  EXPECT_EQ(set.same_condition.load_percent, 15);
+  EXPECT_EQ(set.same_condition.amplitude_percent, 8);
+  EXPECT_EQ(set.same_condition.clause, "B.1");
   EXPECT_EQ(set.test.frequencies_Hz, std::vector{0.5});
   EXPECT_EQ(set.test.frequency_tolerance_percent, 10);
   EXPECT_EQ(set.test.displacement_tolerance_percent, 5);

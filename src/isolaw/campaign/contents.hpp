@@ -128,6 +128,13 @@ struct EarlierAnalyses {
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
+// How far the tests of devices may differ and still be of one condition. Percentages are of the largest value.
+struct Alike {
+  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
+
+  bool operator==(Alike const&) const = default;
+};
+
 // The requirements for the tests, and how reports show values. No law depends on them, so a campaign that is continued
 // or reported may change them.
 struct Acceptance {
@@ -137,6 +144,7 @@ struct Acceptance {
   std::optional<int> lot_size;       // number of devices in the production lot, tested or not
   std::string letterhead = {};       // a picture as a data: address, or lines of text; empty if there is none
   std::string letterhead_file = {};  // name or path of its file
+  Alike alike = {};                  // for conditions for which the rule set has no tolerance
   std::string_view report_units = record_units.id;  // id of the unit system in which reports show values
 
   bool operator==(Acceptance const&) const = default;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analysis_json.hpp"
 #include "isolaw/campaign/schema.hpp"
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/wording/finding_json.hpp"
 
 namespace isolaw::campaign {
@@ -265,16 +265,19 @@ void write_analysis(Connection const& db, char const* insert, Analysis const& an
 }
 
 // The entries of the table meta that Store::describe() may change, with their keys.
-std::array<std::pair<char const*, std::string>, 8> descriptions(Contents const& contents) {
+std::vector<std::pair<std::string_view, std::string>> descriptions(Contents const& contents) {
   auto const& a = contents.acceptance;
-  return {{{"title", contents.title},
-           {"rules", a.rules},
-           {"rules-file", a.rules_file},
-           {"design", a.design},
-           {"lot-size", a.lot_size ? std::to_string(*a.lot_size) : std::string()},
-           {"letterhead", a.letterhead},
-           {"letterhead-file", a.letterhead_file},
-           {"report-units", std::string(a.report_units)}}};
+  std::vector<std::pair<std::string_view, std::string>> all{
+      {"title", contents.title},
+      {"rules", a.rules},
+      {"rules-file", a.rules_file},
+      {"design", a.design},
+      {"lot-size", a.lot_size ? std::to_string(*a.lot_size) : std::string()},
+      {"letterhead", a.letterhead},
+      {"letterhead-file", a.letterhead_file},
+      {"report-units", std::string(a.report_units)}};
+  for (auto const& option : alike_table()) all.emplace_back(option.key, text_of(option.get(a)));
+  return all;
 }
 
 void read_descriptions(Connection const& db, Contents& contents) {
@@ -287,6 +290,8 @@ void read_descriptions(Connection const& db, Contents& contents) {
   a.letterhead = meta(db, "letterhead");
   a.letterhead_file = meta(db, "letterhead-file");
   if (auto const units = meta(db, "report-units"); !units.empty()) a.report_units = find_unit_system(units).id;
+  for (auto const& option : alike_table())
+    if (auto const text = meta(db, option.key); !text.empty()) option.set(a, value_of(option.kind, {text}));
   contents.part = read_part(db);
 }
 

@@ -234,6 +234,14 @@ void set_rules(Acceptance& to, Json const& value) {
   to.rules.clear();
 }
 
+Option<Acceptance> alike(std::string_view key, std::string_view what, std::optional<double> Alike::*member,
+                         std::string usual) {
+  auto help = fmt::format("{} by which tests of devices may differ and still be of one condition", what);
+  return number<Acceptance>(key, std::move(help), at(&Acceptance::alike, member), {.least = 0, .most = 1000},
+                            std::move(usual))
+      .under(Heading::acceptance);
+}
+
 std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
   auto report_units = word<Acceptance>("report-units", "units of what reports show: kN-mm (default), N-m or kip-in",
@@ -269,6 +277,10 @@ std::vector<Option<Acceptance>> make_acceptance() {
          to.letterhead_file = text_in(value);
          to.letterhead.clear();
        }},
+      alike("alike-temperature-C", "degrees Celsius", &Alike::temperature_C, "2"),
+      alike("alike-frequency-percent", "percent of frequency", &Alike::frequency_percent, "10"),
+      alike("alike-load-percent", "percent of vertical load", &Alike::load_percent, "10"),
+      alike("alike-amplitude-percent", "percent of amplitude", &Alike::amplitude_percent, "5"),
   };
 }
 
@@ -323,6 +335,10 @@ std::vector<std::string> differences(Settings const& there, Settings const& now,
 std::span<Option<Acceptance> const> acceptance_table() {
   static std::vector<Option<Acceptance>> const table = make_acceptance();
   return table;
+}
+
+std::span<Option<Acceptance> const> alike_table() {
+  return acceptance_table().last(4);
 }
 
 int parse_lot_size(std::string_view text) {

@@ -160,7 +160,9 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   out.key("bounds").begin_object();
   write_factors(out, "lower", subject.bounds.lower);
   write_factors(out, "upper", subject.bounds.upper);
-  out.member("source", subject.bounds.source).end_object();
+  auto const share = subject.bounds.tolerance_factor ? std::optional(95.0) : std::nullopt;
+  out.member("coverage_percent", share).member("confidence_percent", share);
+  out.member("tolerance_k", subject.bounds.tolerance_factor).member("source", subject.bounds.source).end_object();
   out.member("finer_steps", finer_steps);
   write_forms(out, realisation, check, units);
   out.key("self_check").begin_object();

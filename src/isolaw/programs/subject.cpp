@@ -103,7 +103,7 @@ std::optional<double> own_value(study::Summary const& summary, Subject const& su
 }
 
 rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
-  for (std::string_view const wanted : {"contract band", "observed"})
+  for (std::string_view const wanted : {"contract band", "statistical, each device"})
     for (auto const& bound : view.bounds)
       if (bound.source == wanted) return &bound;
   return nullptr;
@@ -112,6 +112,7 @@ rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
 struct PropertyBounds {
   std::optional<double> lower, upper;  // factors on `own`
   double own = 0.0;
+  std::optional<double> tolerance_factor;
   std::string text;
 };
 
@@ -128,6 +129,7 @@ std::optional<PropertyBounds> ruled_bounds(study::Summary const& summary, Subjec
   if (bound == nullptr || !own || !(*own > 0.0)) return std::nullopt;
   PropertyBounds bounds;
   bounds.own = *own;
+  if (bound->spread == rules::Spread::device) bounds.tolerance_factor = view->tolerance_factor;
   if (std::isfinite(bound->lower) && bound->lower > 0.0) bounds.lower = bound->lower / *own;
   if (std::isfinite(bound->upper)) bounds.upper = bound->upper / *own;
   bool const stiffness = quantity != rules::Quantity::Q_d;
@@ -152,16 +154,19 @@ Bounds spread_of_the_lot(study::Summary const& summary, Subject const& subject, 
                          std::string_view why) {
   auto const* view = quantity_of(summary, rules::Quantity::K_eff);
   auto const own = view == nullptr ? std::nullopt : own_value(summary, subject, *view);
-  if (view == nullptr || view->count < 2 || !view->min || !own || !(*own > 0.0))
+  if (view == nullptr || !view->tolerance_factor || !own || !(*own > 0.0))
     return {.lower = {}, .upper = {}, .source = "none: " + std::string(why) + ", and one device has no spread"};
   auto const text = [&](double stiffness) { return number(units.convert(stiffness, 1, -1)); };
+  auto const below = view->tolerance_low;
   return {
-      .lower = whole(*view->min / *own),
-      .upper = whole(*view->max / *own),
+      .lower = below ? std::optional(whole(*below / *own)) : std::nullopt,
+      .upper = whole(*view->tolerance_high / *own),
       .source = fmt::format(
-          "{}: the spread of the {} devices tested, smallest and largest K_eff {} ({}) and {} ({}) {}/{} over this one's {}; ageing, temperature and rate are not in it",
-          why, view->count, text(*view->min), view->min_device, text(*view->max), view->max_device, units.force.symbol,
-          units.length.symbol, text(*own))};
+          "{}: the spread of the {} devices tested, whose K_eff has the mean {} and the standard deviation {} {}/{}; mean +- {} standard deviations, {} to {}, holds 95 % of the devices with confidence 95 %{}; over this one's {}; ageing, temperature and rate are not in it",
+          why, view->count, text(*view->mean), text(*view->std), units.force.symbol, units.length.symbol,
+          number(*view->tolerance_factor), below ? text(*below) : "none", text(*view->tolerance_high),
+          below ? "" : " (" + view->no_lower + ")", text(*own)),
+      .tolerance_factor = view->tolerance_factor};
 }
 
 Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
@@ -186,6 +191,7 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
   };
   bounds.lower = factors(K_d->lower, Q_d->lower);
   bounds.upper = factors(K_d->upper, Q_d->upper);
+  bounds.tolerance_factor = K_d->tolerance_factor;
   bounds.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
                               K_d->text, Q_d->text);
   return bounds;

@@ -51,6 +51,8 @@ struct BoundFactors {
 struct Bounds {
   std::optional<BoundFactors> lower, upper;
   std::string source;  // where the factors come from, or why there are none
+  // k, if the bounds are those that hold 95 % of the devices with confidence 95 %; see num/tolerance_factor.hpp.
+  std::optional<double> tolerance_factor = {};
 };
 
 struct Subject {

@@ -23,7 +23,6 @@ struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<std::string> without;
-  std::size_t tested = 0;  // number of values from records that are not copies
 };
 
 std::size_t without_copies(std::span<DeviceValues const> devices) {
@@ -33,11 +32,11 @@ std::size_t without_copies(std::span<DeviceValues const> devices) {
 Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues const> devices) {
   Values collected;
   for (auto const& device : devices) {
+    // A copied shear record does not affect the compression test, which gives K_v.
+    if (quantity != Quantity::K_v && !device.copy_of.empty()) continue;
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      // A copied shear record does not affect the compression test, which gives K_v.
-      collected.tested += quantity == Quantity::K_v || device.copy_of.empty() ? 1u : 0u;
     } else {
       collected.without.push_back(device.name);
     }
@@ -67,7 +66,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   view.max = *high;
   view.min_device = device(low);
   view.max_device = device(high);
-  if (found.tested < 2) return;
+  if (found.values.size() < 2) return;
   view.largest_from_mean_percent = 100.0 * std::max(*high / moments.mean - 1.0, 1.0 - *low / moments.mean);
   view.std = moments.std;
   view.cov_percent = 100.0 * moments.std / moments.mean;
@@ -80,7 +79,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
   };
   view.fractile_5 = below_mean(normal_95);
   view.fractile_95 = moments.mean + normal_95 * moments.std;
-  view.tolerance_factor = num::tolerance_factor(found.tested);
+  view.tolerance_factor = num::tolerance_factor(found.values.size());
   view.tolerance_low = below_mean(*view.tolerance_factor);
   view.tolerance_high = moments.mean + *view.tolerance_factor * moments.std;
 }
@@ -98,8 +97,8 @@ void compare_with_design(Design const& design, LotQuantity& view) {
 
 std::string unmet_sample(RuleSet const& rules, LotView const& lot, LotQuantity const& view) {
   if (rules.sample && !lot.required) return "size of the lot not known: give it, so that the sample can be judged";
-  if (lot.required && view.tested < static_cast<std::size_t>(*lot.required))
-    return fmt::format("{} devices with this property, {} required", view.tested, *lot.required);
+  if (lot.required && view.count < static_cast<std::size_t>(*lot.required))
+    return fmt::format("{} devices with this property, {} required", view.count, *lot.required);
   return {};
 }
 
@@ -113,7 +112,7 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   if (view.quantity == Quantity::K_v) return unmet;  // the conditions below are those of the shear test
   for (auto const& device : devices)
     if (!device.copy_of.empty())
-      unmet.push_back(fmt::format("{}: {}, counted in the mean", device.name, same_record_as(device.copy_of)));
+      unmet.push_back(fmt::format("{}: {}, left out of the mean", device.name, same_record_as(device.copy_of)));
   for (auto const& device : devices)
     for (auto const& text : unmet_conditions(rules, device.block, design)) {
       unmet.push_back(fmt::format("{}: {}", device.name, text));
@@ -207,7 +206,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
   if (!lot_size) return;
-  auto const tested = static_cast<int>(view.tested);
+  auto const tested = static_cast<int>(view.count);
   add("statistical, system", Spread::system,
       about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
@@ -221,7 +220,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
 // can permit it.
 void judge_mean_analysis(RuleSet const& rules, LotView const& lot, LotQuantity& view) {
   if (view.quantity == Quantity::K_v) return;  // the mean analysis is about shear only
-  if (!rules.verified() || !rules.mean_analysis || view.tested < 2) return;
+  if (!rules.verified() || !rules.mean_analysis || view.count < 2) return;
   double const within = rules.mean_analysis->within_percent;
   bool const close =
       is_within(*view.min, *view.mean, -within, std::nullopt) && is_within(*view.max, *view.mean, std::nullopt, within);
@@ -236,7 +235,6 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   view.quantity = quantity;
   view.unit = unit(quantity);
   view.count = found.values.size();
-  view.tested = found.tested;
   view.without = found.without;
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);

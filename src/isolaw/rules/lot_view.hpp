@@ -15,8 +15,8 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that the rules are applied to
-  // The device whose record is the same as this one's; else empty. A copy enters the means, but is not counted as a
-  // tested device.
+  // The device whose record is the same as this one's; else empty. A copy is no tested device: it enters neither the
+  // means nor the spread, except those of K_v, which comes from another test.
   std::string copy_of = {};
 };
 
@@ -49,8 +49,7 @@ struct Bound {         // factors on the design value (or the lot's mean), and t
 struct LotQuantity {
   Quantity quantity = Quantity::K_eff;
   std::string unit;
-  std::size_t count = 0;             // devices with a value
-  std::size_t tested = 0;            // `count` without copies; for the sample rule and statistical bounds
+  std::size_t count = 0;             // devices with a value; without copies, except for K_v
   std::vector<std::string> without;  // devices without a value
   std::optional<double> mean, min, max;
   std::string min_device, max_device;

@@ -23,6 +23,7 @@ struct Range {
   bool holds(double value) const { return value >= lower && value <= upper; }  // false for NaN
 };
 constexpr Range percent{1e-6, 1000.0};
+constexpr Range kelvins{1e-6, 1000.0};
 constexpr Range deviation{-100.0, 1000.0};
 constexpr Range share{1e-6, 100.0};
 constexpr Range frequency_Hz{1e-6, 1000.0};
@@ -135,6 +136,7 @@ class Reader {
     section(top, "formulas", &Reader::formulas);
     section(top, "cycles", &Reader::cycles);
     section(top, "test", &Reader::conditions);
+    section(top, "same_condition", &Reader::same_condition);
     section(top, "sample", &Reader::sample);
     section(top, "load_variation", &Reader::load_variation);
     section(top, "mean_analysis", &Reader::mean_analysis);
@@ -210,11 +212,21 @@ class Reader {
     table.number("frequency_tolerance_percent", percent, test.frequency_tolerance_percent);
     table.number("displacement_tolerance_percent", percent, test.displacement_tolerance_percent);
     table.number("load_tolerance_percent", percent, test.load_tolerance_percent);
+    table.text("clause", test.clause, longest_note);
     if (table.has("strains_percent") != table.has("strain_tolerance_percent"))
       table.complain("strains without their tolerance, or the reverse", "strains_percent and strain_tolerance_percent");
     // A tolerance without frequencies is allowed: it also limits the difference from the design frequency.
     if (table.has("frequencies_Hz") && !table.has("frequency_tolerance_percent"))
       table.complain("frequencies without their tolerance", "frequencies_Hz and frequency_tolerance_percent");
+  }
+
+  void same_condition(RuleTable& table) {
+    auto& same = set_.same_condition;
+    table.number("temperature_C", kelvins, same.temperature_C);
+    table.number("frequency_percent", percent, same.frequency_percent);
+    table.number("load_percent", percent, same.load_percent);
+    table.number("amplitude_percent", percent, same.amplitude_percent);
+    table.text("clause", same.clause, longest_note);
   }
 
   void sample(RuleTable& table) {

@@ -32,6 +32,7 @@ struct CountingCycles {
 
 // Conditions of the test under which the limits hold. A missing condition is not checked. Tolerances are in percent.
 struct TestConditions {
+  std::string clause;
   std::vector<double> strains_percent;  // the test must have one of these
   std::optional<double> strain_tolerance_percent;
   std::vector<double> frequencies_Hz;  // the test must have one of these
@@ -90,6 +91,11 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
+struct SameCondition {  // how far the tests of a lot may differ from one another; percent of the largest value
+  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
+  std::string clause;
+};
+
 struct MeanAnalysisRule {  // an analysis may use mean properties if no device is farther than this from the mean
   double within_percent = 0.0;
   std::string clause;
@@ -107,6 +113,7 @@ struct RuleSet {
   std::vector<StabilityLimit> stability;
   std::optional<SampleRule> sample;
   std::optional<LoadVariation> load_variation;
+  SameCondition same_condition;
   std::optional<MeanAnalysisRule> mean_analysis;
   FactorRule factors;
 

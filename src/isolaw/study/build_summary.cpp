@@ -366,6 +366,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                      .rubber_thickness_mm = device.rubber_thickness_mm,
                      .rubber_area_mm2 = device.rubber_area_mm2,
                      .vertical = vertical_value(device)});
+  summary.altered_copies = find_altered_copies(summary);
   for (auto const& group : devices_of_one_record(summary)) {
     auto const assessed =
         std::ranges::find_if(group, [](auto const* device) { return device->properties.reported.has_value(); });

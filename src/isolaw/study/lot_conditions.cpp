@@ -1,9 +1,14 @@
 #include "isolaw/study/lot_conditions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "isolaw/base/words.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -22,10 +27,14 @@ double largest_before(data::Properties const& properties, data::Block const& blo
   return largest;
 }
 
+struct Tolerance {
+  double value = 0.0;
+  std::string source;
+};
+
 }  // namespace
 
 std::optional<Finding> conditions_differ(Summary const& summary) {
-  constexpr double alike_C = 2.0, alike_percent = 10.0, alike_amplitude_percent = 5.0;
   std::vector<double> temperatures, frequencies, loads, amplitudes, earlier;
   for (auto const& device : summary.devices) {
     auto const* block = counting_block(device);
@@ -37,26 +46,44 @@ std::optional<Finding> conditions_differ(Summary const& summary) {
     earlier.push_back(largest_before(device.properties, *block));
   }
   Finding found{.kind = FindingKind::conditions_differ};
-  auto const compare = [&](std::vector<double> const& values, std::string const& unit, double allowed) {
+  std::vector<std::string> sources;
+  auto const compare = [&](std::vector<double> const& values, std::string const& unit, Tolerance const& tolerance,
+                           bool in_percent = true) {
     if (values.size() < 2) return;
     auto const [least, largest] = std::ranges::minmax(values);
+    double const allowed =
+        in_percent ? tolerance.value / 100.0 * std::max(std::abs(least), std::abs(largest)) : tolerance.value;
     if (largest - least <= allowed) return;
-    found.numbers.push_back({"least_" + unit, least});
-    found.numbers.push_back({"largest_" + unit, largest});
+    found.numbers.insert(found.numbers.end(),
+                         {{"least_" + unit, least}, {"largest_" + unit, largest}, {"allowed_" + unit, allowed}});
+    if (std::ranges::find(sources, tolerance.source) == sources.end()) sources.push_back(tolerance.source);
   };
-  auto const part = [](std::vector<double> const& values, std::optional<double> tolerance_percent, double otherwise) {
-    if (values.empty()) return 0.0;
-    double const percent = tolerance_percent ? 2.0 * *tolerance_percent : otherwise;
-    return percent / 100.0 * std::abs(std::ranges::max(values, {}, [](double v) { return std::abs(v); }));
+  auto const& rules = summary.acceptance.rules;
+  auto const& test = rules.test;
+  auto const& same = rules.same_condition;
+  auto const& alike = summary.asked.alike;
+  auto const set = [&](std::string const& clause) {
+    return clause.empty() ? "the rule set " + rules.id : fmt::format("the rule set {}, {}", rules.id, clause);
   };
-  auto const& test = summary.acceptance.rules.test;
-  double const alike_mm = part(amplitudes, test.displacement_tolerance_percent, alike_amplitude_percent);
-  compare(temperatures, "C", alike_C);
-  compare(frequencies, "Hz", part(frequencies, test.frequency_tolerance_percent, alike_percent));
-  compare(loads, "kN", part(loads, test.load_tolerance_percent, alike_percent));
-  compare(amplitudes, "mm", alike_mm);
-  compare(earlier, "earlier_mm", alike_mm);
-  return found.numbers.empty() ? std::nullopt : std::optional(std::move(found));
+  // Each test may differ from the design by the tolerance, so two tests may differ by twice as much.
+  auto const tolerance = [&](std::optional<double> own, std::optional<double> from_design, std::optional<double> lot,
+                             double otherwise) -> Tolerance {
+    if (own) return {*own, set(same.clause)};
+    if (from_design) return {2.0 * *from_design, "twice that of " + set(test.clause)};
+    if (lot) return {*lot, "as stated for this lot"};
+    return {otherwise, "isolaw's own"};
+  };
+  auto const amplitude =
+      tolerance(same.amplitude_percent, test.displacement_tolerance_percent, alike.amplitude_percent, 5.0);
+  compare(temperatures, "C", tolerance(same.temperature_C, {}, alike.temperature_C, 2.0), false);
+  compare(frequencies, "Hz",
+          tolerance(same.frequency_percent, test.frequency_tolerance_percent, alike.frequency_percent, 10.0));
+  compare(loads, "kN", tolerance(same.load_percent, test.load_tolerance_percent, alike.load_percent, 10.0));
+  compare(amplitudes, "mm", amplitude);
+  compare(earlier, "earlier_mm", amplitude);
+  if (found.numbers.empty()) return std::nullopt;
+  found.words = {{"tolerances", joined(sources, "; ")}};
+  return found;
 }
 
 void withhold_lot_verdicts(LotAcceptance& acceptance) {

@@ -10,10 +10,11 @@
 namespace isolaw::study {
 
 // Compares temperature, frequency, vertical load and amplitude of the cycles that count, and the largest amplitude
-// before them. Devices may differ by twice the rule set's tolerance, since each may differ from the design by the
-// tolerance. If the set has none, they may differ by 10 % in frequency and load and by 5 % in amplitude; in
-// temperature always by 2 °C. The finding has the smallest and largest value of each condition that differs by more.
-// nullopt if none does.
+// before them. Devices may differ by what the rule set says of tests of one condition; else by twice its tolerance from
+// the design, since each device may differ from the design by the tolerance; else by what the lot file or the command
+// says (campaign::Alike); else by 2 °C, 10 % of frequency and load, and 5 % of amplitude. The finding has the smallest,
+// the largest and the allowed difference of each condition that differs by more, and says where the tolerances come
+// from. nullopt if none does.
 std::optional<Finding> conditions_differ(Summary const& summary);
 
 // Makes the verdicts on the lot itself (sample size, means) "not assessed", as its devices' conditions differ.

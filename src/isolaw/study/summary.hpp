@@ -217,6 +217,7 @@ struct Summary {
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
   campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
+  std::vector<std::pair<std::size_t, std::size_t>> altered_copies;  // devices whose record was made from another's
   std::optional<Finding> conditions_differ;    // the conditions in which the devices' tests differ, if any
   std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
   std::vector<OutlyingDevice> outliers;

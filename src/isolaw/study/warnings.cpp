@@ -358,6 +358,8 @@ std::vector<Finding> Collector::shared_records(Summary const& summary) {
   for (auto const& group : devices_of_one_record(summary)) {
     auto& finding = found.emplace_back(Finding{.kind = same_record, .devices = names_of(group)});
     if (group.front()->raw.size() > 0) finding.numbers = {{"times", static_cast<double>(group.size())}};
+    if (std::ranges::any_of(group, [&](auto const* device) { return !is_same_record(*group.front(), *device); }))
+      finding.words = {{"altered", "yes"}};
   }
   for (auto const& group : devices_of_one_compression(summary))
     found.push_back({.kind = same_compression_test,

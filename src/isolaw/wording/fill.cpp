@@ -70,6 +70,7 @@ constexpr Phrase phrases[]{
     {"only_law", "yes", ""},
     {"some", "yes", ""},
     {"up_to", "yes", ""},
+    {"altered", "yes", ""},
     {"reduced", "yes", ", in its reduced form"},
     {"fit_cycles", "open", " To fit the first or the last cycles, use --fit-cycles."},
     {"objectives", "",

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/render/page/page_data.hpp"
@@ -29,6 +30,8 @@ std::string asked_json(campaign::Acceptance const& asked) {
   out.begin_object();
   write_members(out, "rules_file", asked.rules_file, "rules", asked.rules, "design", asked.design, "lot_size",
                 asked.lot_size);
+  for (auto const& option : campaign::alike_table())
+    if (auto const value = option.get(asked); !value.is_null()) write_members(out, option.key, value.get<double>());
   out.end_object();
   return out.take();
 }
@@ -102,6 +105,9 @@ std::optional<campaign::Acceptance> asked_in(std::string_view page) {
   bool const whole = text("rules_file", asked.rules_file) && text("rules", asked.rules) && text("design", asked.design);
   if (auto const size = json.find("lot_size"); size != json.end() && size->is_number_integer())
     asked.lot_size = size->get<int>();
+  for (auto const& option : campaign::alike_table())
+    if (auto const value = json.find(option.key); value != json.end() && value->is_number())
+      option.set(asked, value->get<double>());
   return whole ? std::optional(asked) : std::nullopt;
 }
 

@@ -1,0 +1,33 @@
+// Finds a record that was made from another one: scaled, with noise added, thinned, resampled or shifted in time.
+// Method: both records are laid on one time scale by the instants at which the displacement passes through the middle
+// of its range. If the forces then agree but for a factor and an offset, the noise decides. The noise of a copy holds
+// that of the original, so the two correlate in step and not out of step; the noises of two tests do not correlate. If
+// much noise was added to the force alone, the same is asked of the displacement. docs/records.md says how many copies
+// are found.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "isolaw/data/channels/record.hpp"
+
+namespace isolaw::data {
+
+struct Trace {                            // what a record is compared by; about as large as the record
+  std::vector<double> time, disp, force;  // without a time that rises throughout, `time` counts samples
+  std::vector<double> passes;             // instants at which the displacement passes through the middle of its range
+  std::vector<double> outline;            // the force at points between these instants
+  // Noise of the displacement, and of the force without what follows from that of the displacement.
+  std::vector<double> disp_noise, noise;
+  std::size_t stride = 1;    // samples from one that is compared to the next
+  double noise_share = 0.0;  // standard deviation of `noise` relative to that of the force
+  bool rises_first = true;   // whether it rises at the first of them
+
+  double samples_per_pass() const { return static_cast<double>(time.size()) / static_cast<double>(passes.size()); }
+};
+Trace trace_of(TestRecord const& record);
+
+// Whether one of the two was made from the other. False if there is too little to compare: fewer than four passes.
+bool is_altered_copy(Trace const& one, Trace const& other);
+
+}  // namespace isolaw::data
