@@ -349,6 +349,7 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "stability", stability_results);
   write_headings(out, "vertical", vertical_results);
   write_headings(out, "levels", level_results);
+  write_headings(out, "skeleton", skeleton_results);
   write_headings(out, "assessments", assessment_results);
   write_headings(out, "quantities", quantity_results);
   write_headings(out, "test_factors", test_factor_results);
