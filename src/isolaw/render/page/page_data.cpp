@@ -85,6 +85,7 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   out.key("raw").object([&] {
     write_members(out, "samples", raw.size(), "stride", stride_of(drawn));
     write_curves(out, raw, drawn);
+    if (!raw.second_disp_mm.empty()) write_curve(out, "second_disp_mm", raw.second_disp_mm, drawn);
   });
 }
 

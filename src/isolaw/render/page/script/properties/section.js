@@ -7,6 +7,7 @@ import { assessmentsFigure } from './assessments.js';
 import { cycleHistoryFigure } from './history.js';
 import { levelsFigure } from './levels.js';
 import { cyclesFigure } from './loops.js';
+import { orbitFigure } from './orbit.js';
 import { skeletonFigure } from './skeleton.js';
 import { stabilityFigure } from './stability.js';
 import { cycleTableFigure } from './table.js';
@@ -23,7 +24,7 @@ export const propertiesSection = {
   title: 'Properties',
   controls: propertyControls,
   figures: [
-    warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, skeletonFigure,
+    warningsFigure, cyclesFigure, stabilityFigure, orbitFigure, cycleHistoryFigure, skeletonFigure,
     cycleTableFigure, levelsFigure, ...(inspection && devices.length === 1 ? [] : [assessmentsFigure]),
   ],
 };
