@@ -16,6 +16,7 @@
 #include "finding_text.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties/error_budget.hpp"
+#include "isolaw/data/properties/remainder.hpp"
 #include "isolaw/data/properties/skew.hpp"
 #include "isolaw/data/signals/signal_faults.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -182,6 +183,41 @@ TEST(ChannelChanges, a_step_of_the_zero_is_told_from_a_drift) {
       EXPECT_EQ(find(slow, FindingKind::offset_steps), nullptr) << all_of(slow);
       EXPECT_NE(find(slow, FindingKind::drift), nullptr);
     }
+}
+
+std::optional<Remainder> remainder_of(Motion const& motion) {
+  TestRecord record;
+  record.time_s = motion.time_s, record.disp_mm = motion.disp_mm, record.force_kN = motion.force_kN;
+  auto const properties = motion.properties();
+  record.warnings = error_budget(motion.view(), properties).warnings;
+  return remainder(record, properties);
+}
+
+// The mean loop holds a share of a step of 12 kN, but the remainder still rises by 12 kN there.
+TEST(ChannelChanges, the_remainder_shows_a_step_at_its_time) {
+  auto motion = record_of({.cycles = 5});
+  EXPECT_FALSE(remainder_of(motion));
+  for (std::size_t i = 0; i < motion.time_s.size(); ++i)
+    if (motion.time_s[i] > 4.9) motion.force_kN[i] += 12.0;
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->of_force);
+  ASSERT_EQ(found->at.size(), 1u);
+  EXPECT_NEAR(found->at.front(), 4.9, 0.1);
+  auto const at = [&](double time_s) { return found->values[static_cast<std::size_t>(time_s * 200.0) - found->first]; };
+  for (double const phase : {0.1, 0.6, 1.1, 1.6}) EXPECT_NEAR(at(6.0 + phase) - at(2.0 + phase), 12.0, 0.5) << phase;
+}
+
+// Hum of 50 Hz comes back with every cycle of 0.5 Hz, and so does the mean loop.
+TEST(ChannelChanges, the_remainder_shows_hum_that_repeats_with_the_cycle) {
+  auto motion = record_of({});
+  for (std::size_t i = 0; i < motion.time_s.size(); ++i)
+    motion.force_kN[i] += 8.0 * std::sin(100.0 * pi * motion.time_s[i] + 0.6);
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  double squares = 0.0;
+  for (double const value : found->values) squares += value * value;
+  EXPECT_NEAR(std::sqrt(2.0 * squares / static_cast<double>(found->values.size())), 8.0, 0.8);
 }
 
 TEST(ChannelChanges, a_sweep_has_no_single_frequency) {

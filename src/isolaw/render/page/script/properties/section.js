@@ -8,6 +8,7 @@ import { cycleHistoryFigure } from './history.js';
 import { levelsFigure } from './levels.js';
 import { cyclesFigure } from './loops.js';
 import { orbitFigure } from './orbit.js';
+import { remainderFigure } from './remainder.js';
 import { skeletonFigure } from './skeleton.js';
 import { stabilityFigure } from './stability.js';
 import { cycleTableFigure } from './table.js';
@@ -24,7 +25,7 @@ export const propertiesSection = {
   title: 'Properties',
   controls: propertyControls,
   figures: [
-    warningsFigure, cyclesFigure, stabilityFigure, orbitFigure, cycleHistoryFigure, skeletonFigure,
+    warningsFigure, cyclesFigure, stabilityFigure, orbitFigure, remainderFigure, cycleHistoryFigure, skeletonFigure,
     cycleTableFigure, levelsFigure, ...(inspection && devices.length === 1 ? [] : [assessmentsFigure]),
   ],
 };
