@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "finding_text.hpp"
+#include "isolaw/data/checks.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties/error_budget.hpp"
 #include "isolaw/data/properties/remainder.hpp"
@@ -188,8 +189,9 @@ TEST(ChannelChanges, a_step_of_the_zero_is_told_from_a_drift) {
 std::optional<Remainder> remainder_of(Motion const& motion) {
   TestRecord record;
   record.time_s = motion.time_s, record.disp_mm = motion.disp_mm, record.force_kN = motion.force_kN;
-  auto const properties = motion.properties();
-  record.warnings = error_budget(motion.view(), properties).warnings;
+  record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
+  auto const properties = cyclic_properties(record);
+  add_warnings(record, properties);
   return remainder(record, properties);
 }
 
@@ -218,6 +220,20 @@ TEST(ChannelChanges, the_remainder_shows_hum_that_repeats_with_the_cycle) {
   double squares = 0.0;
   for (double const value : found->values) squares += value * value;
   EXPECT_NEAR(std::sqrt(2.0 * squares / static_cast<double>(found->values.size())), 8.0, 0.8);
+}
+
+// The spikes lie at the same part of each cycle, where the mean loop must not have them.
+TEST(ChannelChanges, the_remainder_shows_spikes) {
+  auto motion = record_of({});
+  std::vector<std::size_t> const spikes{50, 450, 850, 1250};
+  for (auto const i : spikes) motion.force_kN[i] += 20.0;
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->at.size(), spikes.size());
+  for (std::size_t k = 1; k < spikes.size(); ++k) {
+    EXPECT_NEAR(found->at[k], motion.time_s[spikes[k]], 1e-9);
+    EXPECT_NEAR(found->values[spikes[k] - found->first], 20.0, 0.5);
+  }
 }
 
 TEST(ChannelChanges, a_sweep_has_no_single_frequency) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -12,6 +13,11 @@ namespace {
 // The faults of which the remainder is drawn. Of several in a record, the first in this order decides the block.
 constexpr std::array drawn{FindingKind::signal_spike, FindingKind::stiffness_rises, FindingKind::offset_steps,
                            FindingKind::hum, FindingKind::lag_grows};
+
+// A finding on one of several tests of a device has the times and blocks of that test alone, so it is not drawn.
+bool is_drawn(Finding const& finding) {
+  return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty();
+}
 
 bool is_of_force(Finding const& finding) {
   return finding.word("channel") != "displacement";
@@ -65,12 +71,13 @@ std::vector<double> averaged(std::vector<double> const& cycle, std::size_t width
 }  // namespace
 
 std::optional<Remainder> remainder(TestRecord const& record, Properties const& properties) {
-  auto const& findings = record.warnings;
-  auto const kind = std::ranges::find_if(
-      drawn, [&](FindingKind each) { return std::ranges::find(findings, each, &Finding::kind) != findings.end(); });
-  if (kind == drawn.end()) return std::nullopt;
-  auto const& first = *std::ranges::find(findings, *kind, &Finding::kind);
+  std::vector<Finding> doubts;
+  std::ranges::copy_if(record.warnings, std::back_inserter(doubts), is_drawn);
+  if (doubts.empty()) return std::nullopt;
+  auto const& first = *std::ranges::min_element(
+      doubts, {}, [](Finding const& each) { return std::ranges::find(drawn, each.kind) - drawn.begin(); });
   Remainder result{.of_force = is_of_force(first), .block = block_of(first, properties)};
+  if (static_cast<std::size_t>(result.block) > properties.blocks.size()) return std::nullopt;
   auto const& block = properties.blocks[static_cast<std::size_t>(result.block) - 1];
   auto const cycles = whole_cycles(block);
   if (cycles.size() < 2) return std::nullopt;
@@ -80,21 +87,21 @@ std::optional<Remainder> remainder(TestRecord const& record, Properties const& p
   for (auto const& fault : record.faults)
     if (fault.kind == FaultKind::spike && (fault.channel == "force") == result.of_force) spikes.push_back(&fault);
   auto mean = mean_cycle(without_spikes(values, spikes), std::span(cycles).subspan(cycles.size() > 2 ? 1 : 0), size);
-  for (auto const& finding : findings) {
-    if (is_of_force(finding) != result.of_force || std::ranges::find(drawn, finding.kind) == drawn.end()) continue;
+  for (auto const& finding : doubts) {
+    if (is_of_force(finding) != result.of_force || block_of(finding, properties) != result.block) continue;
     if (finding.kind == FindingKind::hum && block.frequency_Hz)
       mean = averaged(
           mean, static_cast<std::size_t>(std::max(1.0, std::round(static_cast<double>(size) * *block.frequency_Hz /
                                                                   finding.number("frequency_Hz")))));
-    if (finding.has_number("time_s") && finding.kind != FindingKind::signal_spike &&
-        block_of(finding, properties) == result.block)
+    if (finding.has_number("time_s") && finding.kind != FindingKind::signal_spike)
       result.at.push_back(finding.number("time_s"));
   }
-  for (auto const* fault : spikes)
-    for (auto const sample : fault->samples)
-      result.at.push_back(record.has_time() ? record.time_s[sample] : static_cast<double>(sample));
   result.first = static_cast<std::size_t>(std::ceil(cycles.front()->first));
   auto const end = static_cast<std::size_t>(std::ceil(cycles.back()->last));
+  for (auto const* fault : spikes)
+    for (auto const sample : fault->samples)
+      if (sample >= result.first && sample < end)
+        result.at.push_back(record.has_time() ? record.time_s[sample] : static_cast<double>(sample));
   result.values.assign(end - result.first, std::numeric_limits<double>::quiet_NaN());
   for (auto const* cycle : cycles)
     for (auto i = static_cast<std::size_t>(std::ceil(cycle->first)); static_cast<double>(i) < cycle->last; ++i) {
