@@ -67,7 +67,7 @@ export function compareUnits(stored, other, id) {
   const factorsOf = (here, there) =>
     names
       .filter((name) => {
-        const heading = (unit) => new RegExp('(?<![\\w/-]|\\d[\\s\u202f])' + word(unit));
+        const heading = (unit) => new RegExp('(?<![\\w/-]|(?<![A-Za-z_])\\d[\\s\u202f])' + word(unit)); // but K_1 is no number
         return heading(name).test(here) && heading(units[name].unit).test(there);
       })
       .map((name) => units[name].factor);

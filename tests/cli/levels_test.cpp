@@ -62,10 +62,35 @@ TEST_F(Levels, of_a_test_in_steps_stand_beside_one_another) {
       EXPECT_EQ(level["cycle"], 3);
     }
   EXPECT_NEAR(number(levels[counting - 1], "damping_ratio"), 1.0, 1e-12);
+  for (auto const* key : {"K_1_kN_per_mm", "K_d_kN_per_mm", "D_y_mm", "F_y_kN"})
+    EXPECT_EQ(levels[0][key], found["blocks"][0]["cycles"][2][key]) << key;
   auto const table = read("O/tables/levels.csv");
   EXPECT_EQ(count_of("\nd,", table), 6u) << table;
   EXPECT_TRUE(contains(table, "device,block,amplitude [mm],strain [%],frequency [Hz],N mean [kN],cycle,K_eff [kN/mm]"))
       << table;
+}
+
+// Each amplitude is tested at two frequencies. The earlier block stands for it.
+TEST_F(Levels, have_a_skeleton_of_first_and_third_cycles) {
+  write("d.csv", test_in_steps());
+  auto const o = isolaw({"inspect", "d.csv", "--details", "--out", "O"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const found = json("O/inspection.json");
+  auto const& skeleton = found["skeleton"];
+  ASSERT_EQ(skeleton.size(), 6u) << skeleton.dump();
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(skeleton[i]["cycle"], i < 3 ? 1 : 3);
+    EXPECT_EQ(skeleton[i]["block"], 2 * (i % 3) + 1);
+    EXPECT_NEAR(number(skeleton[i], "d_plus_mm"), amplitudes[i % 3], 0.05);
+    EXPECT_NEAR(number(skeleton[i], "F_minus_kN"), -amplitudes[i % 3] * K_eff(amplitudes[i % 3], 0.1), 0.05);
+  }
+  auto const& last = found["blocks"][5]["cycles"][2];
+  EXPECT_NEAR(number(last, "K_eff_in_block"), 1.0, 1e-3);
+  EXPECT_NEAR(number(last, "K_eff_in_test"), K_eff(150.0, 0.5) / K_eff(50.0, 0.1), 2e-3);
+  for (auto const* text : {"Skeleton curve: peaks of cycles 1 and 3 of each amplitude",
+                           "Bilinear loop of the same peaks", "From cycle to cycle of block 6", "residual +"})
+    EXPECT_TRUE(contains(o.out, text)) << o;
+  EXPECT_FALSE(contains(isolaw({"inspect", "d.csv"}).out, "Skeleton"));
 }
 
 TEST_F(Levels, of_one_block_are_one) {

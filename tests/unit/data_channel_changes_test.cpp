@@ -14,8 +14,10 @@
 #include <vector>
 
 #include "finding_text.hpp"
+#include "isolaw/data/checks.hpp"
 #include "isolaw/data/clean.hpp"
 #include "isolaw/data/properties/error_budget.hpp"
+#include "isolaw/data/properties/remainder.hpp"
 #include "isolaw/data/properties/skew.hpp"
 #include "isolaw/data/signals/signal_faults.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -182,6 +184,56 @@ TEST(ChannelChanges, a_step_of_the_zero_is_told_from_a_drift) {
       EXPECT_EQ(find(slow, FindingKind::offset_steps), nullptr) << all_of(slow);
       EXPECT_NE(find(slow, FindingKind::drift), nullptr);
     }
+}
+
+std::optional<Remainder> remainder_of(Motion const& motion) {
+  TestRecord record;
+  record.time_s = motion.time_s, record.disp_mm = motion.disp_mm, record.force_kN = motion.force_kN;
+  record.faults = signal_faults(record.disp_mm, record.force_kN, record.time_s);
+  auto const properties = cyclic_properties(record);
+  add_warnings(record, properties);
+  return remainder(record, properties);
+}
+
+// The mean loop holds a share of a step of 12 kN, but the remainder still rises by 12 kN there.
+TEST(ChannelChanges, the_remainder_shows_a_step_at_its_time) {
+  auto motion = record_of({.cycles = 5});
+  EXPECT_FALSE(remainder_of(motion));
+  for (std::size_t i = 0; i < motion.time_s.size(); ++i)
+    if (motion.time_s[i] > 4.9) motion.force_kN[i] += 12.0;
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->of_force);
+  ASSERT_EQ(found->at.size(), 1u);
+  EXPECT_NEAR(found->at.front(), 4.9, 0.1);
+  auto const at = [&](double time_s) { return found->values[static_cast<std::size_t>(time_s * 200.0) - found->first]; };
+  for (double const phase : {0.1, 0.6, 1.1, 1.6}) EXPECT_NEAR(at(6.0 + phase) - at(2.0 + phase), 12.0, 0.5) << phase;
+}
+
+// Hum of 50 Hz comes back with every cycle of 0.5 Hz, and so does the mean loop.
+TEST(ChannelChanges, the_remainder_shows_hum_that_repeats_with_the_cycle) {
+  auto motion = record_of({});
+  for (std::size_t i = 0; i < motion.time_s.size(); ++i)
+    motion.force_kN[i] += 8.0 * std::sin(100.0 * pi * motion.time_s[i] + 0.6);
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  double squares = 0.0;
+  for (double const value : found->values) squares += value * value;
+  EXPECT_NEAR(std::sqrt(2.0 * squares / static_cast<double>(found->values.size())), 8.0, 0.8);
+}
+
+// The spikes lie at the same part of each cycle, where the mean loop must not have them.
+TEST(ChannelChanges, the_remainder_shows_spikes) {
+  auto motion = record_of({});
+  std::vector<std::size_t> const spikes{50, 450, 850, 1250};
+  for (auto const i : spikes) motion.force_kN[i] += 20.0;
+  auto const found = remainder_of(motion);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->at.size(), spikes.size());
+  for (std::size_t k = 1; k < spikes.size(); ++k) {
+    EXPECT_NEAR(found->at[k], motion.time_s[spikes[k]], 1e-9);
+    EXPECT_NEAR(found->values[spikes[k] - found->first], 20.0, 0.5);
+  }
 }
 
 TEST(ChannelChanges, a_sweep_has_no_single_frequency) {

@@ -212,10 +212,19 @@ TEST_F(ColumnsTest, TwoDirectionsAreAskedFor) {
   std::string const text = "Dx [mm];Dy [mm];Fx [kN];Fy [kN]\n1;7;2;9\n2;8;3;7\n3;9;1;8\n";
   EXPECT_EQ(refusal(text),
             "FILE:1: column 1 'Dx [mm]' and column 3 'Fx [kN]' are one horizontal direction, column 2 'Dy [mm]' and "
-            "column 4 'Fy [kN]' another; allowed: one direction; try: --columns disp=1,force=3, or disp=2,force=4");
+            "column 4 'Fy [kN]' another; allowed: one direction; try: --columns disp=1,force=3,second-disp=2, or "
+            "disp=2,force=4,second-disp=1");
   auto const along_y = read(text, with("disp=Dy,force=Fy"));
   EXPECT_EQ(along_y.disp_mm, (std::vector<double>{7, 8, 9}));
-  EXPECT_TRUE(says(along_y.warnings, "hold a second direction, which is not read"));
+  EXPECT_TRUE(says(along_y.warnings, "hold a second direction, whose force is not read"));
+  EXPECT_TRUE(says(along_y.warnings, "--columns disp=2,force=4,second-disp=1 reads its displacement too"));
+  EXPECT_TRUE(along_y.second_disp_mm.empty());
+  auto const both = read(text, with("disp=Dy,force=Fy,second-disp=Dx"));
+  EXPECT_EQ(both.second_disp_mm, (std::vector<double>{1, 2, 3}));
+  EXPECT_FALSE(says(both.warnings, "reads its displacement too"));
+  // A unit or scale of the displacement holds for both directions.
+  auto told = with("disp=2,force=4,second-disp=1", "disp=cm,force=kN");
+  EXPECT_EQ(read("Dx;Dy;Fx;Fy\n1;7;2;9\n2;8;3;7\n3;9;1;8\n", told).second_disp_mm, (std::vector<double>{10, 20, 30}));
 }
 
 TEST_F(ColumnsTest, RowsWithMissingValues) {

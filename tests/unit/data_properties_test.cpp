@@ -268,12 +268,29 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
     EXPECT_NEAR(cycle.K_d_kN_per_mm, K2, 1e-12);
     EXPECT_NEAR(cycle.D_y_mm.value(), 5.0, 1e-9);
     EXPECT_NEAR(cycle.K_1_kN_per_mm.value(), K1, 1e-9);
+    EXPECT_NEAR(cycle.F_y_kN().value(), 50.0, 1e-8);
+    // From its peak of 145 kN the loop unloads with K1 to 45 kN at 90 mm. Its branch down crosses zero at Qd / K2.
+    EXPECT_NEAR(cycle.residual_plus_mm.value(), Qd / K2, 1e-9);
+    EXPECT_NEAR(cycle.residual_minus_mm.value(), -Qd / K2, 1e-9);
+    EXPECT_NEAR(cycle.work_kN_mm - nth(properties, k - 1).work_kN_mm, cycle.energy_kN_mm, 1e-6);
     EXPECT_NEAR(cycle.K_plus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.K_minus_kN_per_mm, K2 + Qd / D, 1e-12);
     EXPECT_NEAR(cycle.closure_mm, 0.0, 1e-9);
   }
   // The first cycle starts from rest at zero force. This point is not on the loop and must not lower Q_d.
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
+}
+
+// The work is that of both tests; the way from the end of the first to the start of the second does none.
+TEST(Properties, WorkGoesOnOverSeveralTests) {
+  auto const one = ellipse(200, 3, 100.0, 80.0, 0.3);
+  auto two = one;
+  for (std::size_t i = 0; i < one.x.size(); ++i) two.add(one.x[i] + 20.0, one.F[i]);
+  std::vector<std::size_t> const starts{0, one.x.size()};
+  auto const properties = cyclic_properties(CycleView{two.x, two.F, {}, {}, starts});
+  double const energy = trapezoid_factor(200.0) * pi * 100.0 * 80.0 * std::sin(0.3);
+  EXPECT_NEAR(nth(properties, 2).work_kN_mm, 3.0 * energy, 1e-6);
+  EXPECT_NEAR(properties.blocks.back().cycles.back().work_kN_mm, 6.0 * energy, 1e-6);
 }
 
 TEST(Properties, AnElasticSpringHasNoIdealisation) {

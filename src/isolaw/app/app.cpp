@@ -227,6 +227,9 @@ void add_inspect(Commands& commands) {
   c.add_option("--out", a.out, "directory for a page with drawn loops, tables and JSON");
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print inspection.json instead of text");
+  c.add_flag(
+      "--details", a.details,
+      "also print the skeleton curve, bilinear loops, and how energy, stiffness and residual displacement go on");
 }
 
 void add_report(Commands& commands) {

@@ -64,7 +64,7 @@ struct InspectArguments {
   std::vector<std::string> vertical;         // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;  // for the page, tables and JSON
   bool same_device = false, allow_outside = false;
-  bool json = false;
+  bool json = false, details = false;
 };
 int inspect(InspectArguments const& arguments);
 

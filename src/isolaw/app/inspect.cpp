@@ -53,7 +53,7 @@ int inspect(InspectArguments const& arguments) {
     throw Error({.where = printable(contents.devices.front().name), .found = contents.devices.front().refusal});
   }
   auto const summary = study::build_summary(contents);
-  print(arguments.json ? render::inspection_json(summary) : render::inspection_text(summary));
+  print(arguments.json ? render::inspection_json(summary) : render::inspection_text(summary, arguments.details));
   if (arguments.out) {
     render::write_inspection(summary, *arguments.out);
     say("written: {}\n", shown(*arguments.out / "inspection.html"));

@@ -119,11 +119,11 @@ void append_record(TestRecord& history, TestRecord const& next, std::string cons
   add(history.disp_mm, next.disp_mm);
   add(history.force_kN, next.force_kN);
   if (loads) add(history.load_kN, next.load_kN);
-  bool const numbered = !history.logged_cycle.empty() && !next.logged_cycle.empty();
-  if (numbered)
-    add(history.logged_cycle, next.logged_cycle);
-  else
-    history.logged_cycle.clear();
+  for (auto const channel : {&TestRecord::logged_cycle, &TestRecord::second_disp_mm})
+    if (!(history.*channel).empty() && !(next.*channel).empty())
+      add(history.*channel, next.*channel);
+    else
+      (history.*channel).clear();
   for (auto fault : next.faults) {
     for (auto& sample : fault.samples) sample += before;
     fault.finding.words.push_back({"part", label});

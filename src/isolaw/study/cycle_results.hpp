@@ -46,6 +46,17 @@ inline constexpr Result<CycleOf> cycle_results[]{
     {"D_y_mm", "mm", "D_y", "yield displacement of the bilinear loop of the same energy",
      of_cycle<&data::Cycle::D_y_mm>, decimals(2)},
     {"K_1_kN_per_mm", "kN/mm", "K_1", "its first stiffness", of_cycle<&data::Cycle::K_1_kN_per_mm>, significant(3)},
+    {"F_y_kN", "kN", "F_y", "its force at D_y", of_cycle<&data::Cycle::F_y_kN>, decimals(1)},
+    {"residual_plus_mm", "mm", "residual +", "displacement where the force comes to zero after d+",
+     of_cycle<&data::Cycle::residual_plus_mm>, decimals(1)},
+    {"residual_minus_mm", "mm", "residual -", "displacement where the force comes to zero after d-",
+     of_cycle<&data::Cycle::residual_minus_mm>, decimals(1)},
+    {"work_kN_mm", "kN mm", "energy so far", "work of the force from the first sample to the end of the cycle",
+     of_cycle<&data::Cycle::work_kN_mm>, decimals(0)},
+    {"K_eff_in_block", "-", "K_eff to first of block", "K_eff over that of the first counted cycle of the block",
+     [](CycleOf const& row) { return study::value_of(stiffness_decay(row.device, row.cycle).in_block); }, decimals(3)},
+    {"K_eff_in_test", "-", "K_eff to first", "K_eff over that of the first counted cycle of the record",
+     [](CycleOf const& row) { return study::value_of(stiffness_decay(row.device, row.cycle).in_test); }, decimals(3)},
     {"period_s", "s", "period", "from cut to cut without rests and holds", of_cycle<&data::Cycle::period_s>,
      significant(3)},
     {"v_max_mm_s", "mm/s", "v max", "largest velocity", of_cycle<&data::Cycle::v_max_mm_s>, significant(3)},
@@ -107,10 +118,24 @@ inline constexpr Result<Level> level_results[]{
     {"K_eff_kN_per_mm", "kN/mm", "K_eff", "in that cycle", get<&Level::K_eff_kN_per_mm>, significant(4)},
     {"damping_percent", "%", "damping", "in that cycle", get<&Level::damping_percent>, decimals(2)},
     {"energy_kN_mm", "kN mm", "energy", "in that cycle", get<&Level::energy_kN_mm>, decimals(0)},
+    {"K_1_kN_per_mm", "kN/mm", "K_1", "of the bilinear loop of the same energy, before it yields",
+     get<&Level::K_1_kN_per_mm>, significant(3)},
+    {"K_d_kN_per_mm", "kN/mm", "K_d", "of that loop, after it yields", get<&Level::K_d_kN_per_mm>, significant(3)},
+    {"D_y_mm", "mm", "D_y", "displacement at which that loop yields", get<&Level::D_y_mm>, decimals(2)},
+    {"F_y_kN", "kN", "F_y", "force at which it yields", get<&Level::F_y_kN>, decimals(1)},
     {"K_eff_ratio", "-", "K_eff to the reference", "K_eff over that of the counting block", get<&Level::K_eff_ratio>,
      decimals(3)},
     {"damping_ratio", "-", "damping to the reference", "the same for damping", get<&Level::damping_ratio>, decimals(3)},
     {"reference", "", "reference", "this is the counting block itself", get<&Level::reference>},
+};
+
+inline constexpr Result<data::Cycle> skeleton_results[]{
+    {"block", "", "block", "block of the record", get<&data::Cycle::block>},
+    {"cycle", "", "cycle", "1 or 3: the counted cycle whose peaks these are", get<&data::Cycle::number>},
+    {"d_plus_mm", "mm", "d+", "largest displacement", get<&data::Cycle::d_plus_mm>, decimals(1)},
+    {"F_plus_kN", "kN", "F+", "force at d+", get<&data::Cycle::F_plus_kN>, decimals(1)},
+    {"d_minus_mm", "mm", "d-", "smallest displacement", get<&data::Cycle::d_minus_mm>, decimals(1)},
+    {"F_minus_kN", "kN", "F-", "force at d-", get<&data::Cycle::F_minus_kN>, decimals(1)},
 };
 
 template <auto... members>

@@ -15,10 +15,24 @@ struct Level {
   std::optional<double> strain_percent = {}, frequency_Hz, N_mean_kN;
   int cycle = 0;  // the third counted cycle, or the last if there are fewer
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0;
+  // The bilinear loop of the same peaks, energy and Q_d: stiffness before and after yielding, and where it yields.
+  std::optional<double> K_1_kN_per_mm, D_y_mm, F_y_kN;
+  double K_d_kN_per_mm = 0.0;
   std::optional<double> K_eff_ratio = {}, damping_ratio = {};  // relative to the block that is assessed
   bool reference = false;                                      // true for the block that is assessed
 };
 
 std::vector<Level> levels_of(DeviceResult const& device);
+
+// The first and third counted cycles of each amplitude, whose peaks are the skeleton curve: all first cycles by rising
+// amplitude, then all third cycles. Of several blocks within 5 % of one amplitude, the earliest stands for it.
+std::vector<data::Cycle> skeleton_of(DeviceResult const& device);
+
+// K_eff of a cycle over that of the first counted cycle of its block, and over that of the first counted cycle of the
+// record. nullopt where either of the two has hardly any stiffness.
+struct Decay {
+  std::optional<double> in_block, in_test;
+};
+Decay stiffness_decay(DeviceResult const& device, data::Cycle const& cycle);
 
 }  // namespace isolaw::study

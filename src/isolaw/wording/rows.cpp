@@ -471,7 +471,7 @@ std::span<Row const> rows() {
             "{column} is not used: velocities are computed from displacement and time."),
       doubt(
           direction_unread, "direction-unread", caution, by_words,
-          "{columns} hold a second direction, which is not read. If the device moved in it too, the values of one direction alone do not describe the device."),
+          "{columns} hold a second direction, whose force is not read. If the device moved in it too, the values of one direction alone do not describe the device[; --columns {option} reads its displacement too, and the page draws the orbit]."),
       doubt(
           values_uncorrected, "values-uncorrected", caution, by_words,
           "without the corrections by hand, K_eff would be {K_eff_kN_per_mm:4} instead of {now_K_eff_kN_per_mm:4}[ and damping {damping_percent:3} % instead of {now_damping_percent:3} %].[ The verdict would be {verdict} instead of {now_verdict}.][{verdict_same}]"),

@@ -24,7 +24,7 @@ class Resolver {
     for (auto const channel : all_channels)
       if (wanted_.has(channel)) take_option(channel);
     for (auto const channel : all_channels)
-      if (wanted_.has(channel) && !asked_for(channel)) recognise(channel);
+      if (wanted_.has(channel) && !asked_for(channel) && channel != Channel::second_disp) recognise(channel);
     join_date();
     look_for_second_direction();
     refuse_shared_columns();
@@ -77,8 +77,8 @@ class Resolver {
   void take_option(Channel channel) {
     auto const wanted = options_.columns.find(channel);
     if (wanted == options_.columns.end()) return;
-    bool const optional_channel =
-        channel == Channel::time || channel == Channel::cycle || (channel == Channel::load && !wanted_.vertical);
+    bool const optional_channel = channel == Channel::time || channel == Channel::cycle ||
+                                  channel == Channel::second_disp || (channel == Channel::load && !wanted_.vertical);
     if (optional_channel && lower(wanted->second) == "none" && !find_named(wanted->second)) {
       result_.recognised.push_back(decision(
           FindingKind::column_taken,
@@ -419,15 +419,23 @@ class Resolver {
     auto const text = [&](std::size_t one, std::size_t other) {
       return fmt::format("{} and {}", column_text(one, header_), column_text(other, header_));
     };
-    if (asked_for(Channel::disp) || asked_for(Channel::force))
-      return warn(FindingKind::direction_unread, {{"columns", text(*other_disp, *other_force)}});
+    auto const option = [&](std::size_t of_disp, std::size_t of_force, std::size_t across) {
+      return fmt::format("disp={},force={},second-disp={}", option_key(of_disp, header_), option_key(of_force, header_),
+                         option_key(across, header_));
+    };
+    if (asked_for(Channel::disp) || asked_for(Channel::force)) {
+      warn(FindingKind::direction_unread, {{"columns", text(*other_disp, *other_force)}});
+      if (!result_.channels.contains(Channel::second_disp))
+        result_.warnings.back().words.push_back(
+            {"option", option(disp->second.index, force->second.index, *other_disp)});
+      return;
+    }
     complain(header_place(),
              fmt::format("{} are one horizontal direction, {} another", text(disp->second.index, force->second.index),
                          text(*other_disp, *other_force)),
              "one direction",
-             fmt::format("--columns disp={},force={}, or disp={},force={}", option_key(disp->second.index, header_),
-                         option_key(force->second.index, header_), option_key(*other_disp, header_),
-                         option_key(*other_force, header_)));
+             fmt::format("--columns {}, or {}", option(disp->second.index, force->second.index, *other_disp),
+                         option(*other_disp, *other_force, disp->second.index)));
   }
 
   std::optional<std::size_t> along_other_axis(std::size_t index) const {
@@ -466,10 +474,13 @@ class Resolver {
     return unit ? unit->unit.symbol : std::string_view{};
   }
 
+  // A unit that is given for the displacement is that of both directions.
   std::vector<WrittenUnit> written_units(Channel channel, std::size_t index) const {
     if (auto const given = options_.units.find(channel); given != options_.units.end())
       return {{given->second, "as asked for", "--units " + std::string(name(channel))}};
-    return units_in_file(index);
+    return channel == Channel::second_disp && options_.units.contains(Channel::disp)
+               ? written_units(Channel::disp, index)
+               : units_in_file(index);
   }
 
   std::vector<WrittenUnit> units_in_file(std::size_t index) const {
@@ -545,7 +556,8 @@ class Resolver {
                           : fmt::format("--units {}={}, which the file states in a list of units", key, elsewhere);
     auto const scale_advice =
         fmt::format("--units {0}={1} --channel-scale {0}=FACTOR, if a value of 1 is FACTOR {1}", key, first_unit);
-    auto const scale = options_.scales.find(channel);
+    auto const scale = options_.scales.find(
+        channel == Channel::second_disp && !options_.scales.contains(channel) ? Channel::disp : channel);
     bool const is_scaled = scale != options_.scales.end();
     auto written = written_units(channel, column.index);
     bool const may_be_left =

@@ -27,6 +27,7 @@ struct Wanted {
   static Wanted motion() { return {.force = false, .load = false}; }
   bool has(Channel channel) const {
     if (channel == Channel::cycle) return force && disp && !part;
+    if (channel == Channel::second_disp) return part || (force && disp);
     return channel == Channel::time ? time : channel == Channel::disp ? disp : channel == Channel::force ? force : load;
   }
 };

@@ -171,8 +171,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
     auto const span = span_of_time(record.time_s, asked, record.file, complaints);
     if (!complaints.empty()) throw Error(std::move(complaints));
     describe_span(*span, record.size(), asked, record.recognised);
-    for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
-      keep(*span, *values);
+    for (auto const channel : all_channels) keep(*span, values_of(record, channel));
   }
   main.exchange_advice = "the columns of the two files the other way round";
   return main;

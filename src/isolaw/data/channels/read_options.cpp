@@ -42,7 +42,8 @@ std::map<Channel, std::string> parse_assignments(std::string const& where, std::
     auto const channel = std::ranges::find_if(all_channels, [&](Channel c) { return name(c) == key; });
     auto const value = equals == std::string_view::npos ? std::string_view{} : trimmed(part.substr(equals + 1));
     if (channel == std::end(all_channels))
-      complaints.push_back({where, "unknown channel " + in_quotes(key), "time, disp, force, load, cycle", {}});
+      complaints.push_back(
+          {where, "unknown channel " + in_quotes(key), "time, disp, force, load, cycle, second-disp", {}});
     else if (value.empty())
       complaints.push_back({where, key + " has no value", "CHANNEL=VALUE,...", {}});
     else if (!values.emplace(*channel, value).second)

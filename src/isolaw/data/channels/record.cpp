@@ -39,7 +39,7 @@ std::vector<TestRecord> tests_of(TestRecord const& record) {
     auto& test = tests.emplace_back(record);
     keep_only(range,
               {&TestRecord::time_s, &TestRecord::disp_mm, &TestRecord::force_kN, &TestRecord::load_kN,
-               &TestRecord::logged_cycle},
+               &TestRecord::logged_cycle, &TestRecord::second_disp_mm},
               test);
     test.tests.clear();
   }

@@ -28,8 +28,8 @@ struct TestSource {  // one of several tests of a device
   bool operator==(TestSource const&) const = default;
 };
 
-// Values as measured, in mm, kN and s. All channels are of one length, but `time_s`, `load_kN` and `logged_cycle` may
-// be empty.
+// Values as measured, in mm, kN and s. All channels are of one length, but `time_s`, `load_kN`, `logged_cycle` and
+// `second_disp_mm` may be empty.
 struct TestRecord {
   std::string file;    // as the user named it, relative to the lot file
   std::string sha256;  // hash of the file's bytes
@@ -37,7 +37,8 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  std::vector<double> logged_cycle = {};  // the logger's number of the cycle at each sample; mostly empty
+  std::vector<double> logged_cycle = {};    // the logger's number of the cycle at each sample; mostly empty
+  std::vector<double> second_disp_mm = {};  // across disp_mm, of a test in two directions; drawn, and not stored
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.

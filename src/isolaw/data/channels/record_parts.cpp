@@ -40,7 +40,7 @@ std::size_t sample_count(TestRecord const& record) {
   return std::max({record.time_s.size(), record.disp_mm.size(), record.force_kN.size(), record.load_kN.size()});
 }
 
-constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load};
+constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load, Channel::second_disp};
 
 // Refuses gaps between the times `first` and `last` of `other`: nobody knows what its channels did in a gap.
 void require_without_gaps(TestRecord const& other, double first, double last) {
@@ -104,6 +104,8 @@ std::vector<double>& values_of(TestRecord& record, Channel channel) {
       return record.force_kN;
     case Channel::cycle:
       return record.logged_cycle;
+    case Channel::second_disp:
+      return record.second_disp_mm;
     default:
       return record.load_kN;
   }
@@ -146,8 +148,7 @@ void join_channels(RecordPart& main, RecordPart other) {
                                             ? "--from and --to in place of --rows, which counts in each file"
                                             : "--columns time=none, where the rows belong together"});
       require_without_gaps(more, first, last);
-      for (auto* values : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
-        keep(*span, *values);
+      for (auto const channel : all_channels) keep(*span, values_of(record, channel));
       for (auto const channel : measured_channels)
         if (auto& values = values_of(more, channel); !values.empty())
           values = at_times(record.time_s, more.time_s, values);

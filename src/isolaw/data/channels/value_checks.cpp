@@ -95,7 +95,8 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
   }
   check_overload(file, raw, lines, complaints);
   // A press may hold the load constant, and a record may be of one cycle.
-  if (raw.channel != Channel::load && raw.channel != Channel::cycle) check_constant(file, raw, complaints);
+  if (raw.channel != Channel::load && raw.channel != Channel::cycle && raw.channel != Channel::second_disp)
+    check_constant(file, raw, complaints);
 }
 
 }  // namespace isolaw::data

@@ -15,7 +15,8 @@ ChannelInfo const& info_of(Channel channel) {
                                        {"disp", "horizontal displacement", Dimension::length},
                                        {"force", "horizontal force", Dimension::force},
                                        {"load", "vertical load", Dimension::force},
-                                       {"cycle", "number of the cycle", Dimension::count}};
+                                       {"cycle", "number of the cycle", Dimension::count},
+                                       {"second-disp", "displacement in a second direction", Dimension::length}};
   return table[static_cast<std::size_t>(channel)];
 }
 

@@ -6,9 +6,10 @@
 
 namespace isolaw::data {
 
-enum class Channel { time, disp, force, load, cycle };
+enum class Channel { time, disp, force, load, cycle, second_disp };
 
-inline constexpr Channel all_channels[] = {Channel::time, Channel::disp, Channel::force, Channel::load, Channel::cycle};
+inline constexpr Channel all_channels[] = {Channel::time, Channel::disp,  Channel::force,
+                                           Channel::load, Channel::cycle, Channel::second_disp};
 
 std::string_view name(Channel channel);      // "disp", as options write it
 std::string_view quantity(Channel channel);  // "horizontal displacement"

@@ -71,8 +71,9 @@ Peaks follow(Cycle& cycle, std::span<double const> x, std::span<double const> F)
   return peaks;
 }
 
-std::optional<double> force_at_level(std::span<double const> x, std::span<double const> F, double from, double to,
-                                     double level) {
+// The value of F where x first crosses `level` between two sample indices.
+std::optional<double> at_level(std::span<double const> x, std::span<double const> F, double from, double to,
+                               double level) {
   auto const stop = std::min(static_cast<std::size_t>(std::ceil(to)), x.size() - 1);
   for (auto i = static_cast<std::size_t>(std::floor(from)) + 1; i <= stop; ++i) {
     double const before = x[i - 1] - level;
@@ -88,8 +89,8 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
   if (cycle.one_sided) {  // halfway between its turns, because the loop is closed at them
     double const start = value_at(x, cycle.first);
     double const tip = peaks.largest - start > start - peaks.least ? peaks.at_largest : peaks.at_least;
-    auto const out = force_at_level(x, F, cycle.first, tip, (peaks.largest + peaks.least) / 2.0);
-    auto const back = force_at_level(x, F, tip, cycle.last, (peaks.largest + peaks.least) / 2.0);
+    auto const out = at_level(x, F, cycle.first, tip, (peaks.largest + peaks.least) / 2.0);
+    auto const back = at_level(x, F, tip, cycle.last, (peaks.largest + peaks.least) / 2.0);
     return out && back ? std::abs(*out - *back) / 2.0 : 0.0;
   }
   bool const rises = peaks.at_largest < peaks.at_least;
@@ -101,12 +102,19 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
                        : starts_in_motion                 ? start
                                                           : end;
   double const level = value_at(x, starts_in_motion || !ends_in_motion ? cycle.first : cycle.last);
-  auto const inner = force_at_level(x, F, std::min(peaks.at_largest, peaks.at_least),
-                                    std::max(peaks.at_largest, peaks.at_least), level);
+  auto const inner =
+      at_level(x, F, std::min(peaks.at_largest, peaks.at_least), std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
   double const height = rises ? outer - *inner : *inner - outer;
   constexpr double rounding = 1e-12;  // times the sum of the forces: rounding error of their difference
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
+}
+
+void add_residuals(Cycle& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
+  double const middle = std::max(peaks.at_largest, peaks.at_least);
+  auto const after = [&](double peak) { return at_level(F, x, peak, peak < middle ? middle : cycle.last, 0.0); };
+  cycle.residual_plus_mm = after(peaks.at_largest);
+  cycle.residual_minus_mm = after(peaks.at_least);
 }
 
 // A cycle that hardly leaves zero on one side has no stiffness there.
@@ -174,6 +182,17 @@ void add_load(Cycle& cycle, CycleView const& view) {
   cycle.N_mean_kN = sum / static_cast<double>(samples.end - samples.begin + 1);
   cycle.N_min_kN = least;
   cycle.N_max_kN = largest;
+}
+
+// The work of the force from the first sample to each sample. Between two tests of a device no work is done.
+std::vector<double> work(CycleView const& view) {
+  std::vector<double> sums(view.disp_mm.size());
+  for (auto const& test : test_ranges(view.starts, view.disp_mm.size())) {
+    if (test.first > 0) sums[test.first] = sums[test.first - 1];
+    for (auto i = test.first + 1; i < test.end; ++i)
+      sums[i] = sums[i - 1] + 0.5 * (view.force_kN[i - 1] + view.force_kN[i]) * (view.disp_mm[i] - view.disp_mm[i - 1]);
+  }
+  return sums;
 }
 
 Cycle measure(CycleCut const& cut, CycleView const& view) {
@@ -434,6 +453,7 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
   derive(result, peaks);
   result.Q_d_kN = strength(result, peaks, disp_mm, force_kN);
   idealise(result);
+  add_residuals(result, peaks, disp_mm, force_kN);
   return result;
 }
 
@@ -452,12 +472,14 @@ Properties cyclic_properties(CycleView const& given) {
   auto const cut =
       segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
   properties.centre_mm = cut.centre_mm;
+  auto const done = work(view);
   for (auto const& piece : cut.cycles) {
     if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
       properties.blocks.emplace_back();
       properties.blocks.back().number = piece.block;
     }
     properties.blocks.back().cycles.push_back(measure(piece, view));
+    properties.blocks.back().cycles.back().work_kN_mm = value_at(done, piece.last);
   }
   for (auto& block : properties.blocks) summarise(block, view);
   find_sweeps(properties);

@@ -24,22 +24,29 @@ struct Cycle : CycleCut {
   double K_eff_kN_per_mm = 0.0;   // peak to peak: (F+ - F-) / (d+ - d-)
   double K_plus_kN_per_mm = 0.0;  // F / d of one side (NTC 2018); 0 if the cycle hardly goes to that side
   double K_minus_kN_per_mm = 0.0;
-  double energy_kN_mm = 0.0;            // integral of F over d (trapezoidal rule), closed by a straight line
-  double damping_percent = 0.0;         // energy / (2 pi K_eff D^2)
+  double energy_kN_mm = 0.0;     // integral of F over d (trapezoidal rule), closed by a straight line
+  double damping_percent = 0.0;  // energy / (2 pi K_eff D^2)
+  double closure_mm = 0.0;       // displacement at the end less that at the start of the cycle
+  double closure_kN = 0.0;
   double Q_d_kN = 0.0;                  // half the loop's height where cycles are cut: (F rising - F falling) / 2
   double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
   std::optional<double> D_y_mm;         // yield displacement of the bilinear loop: D - energy / (4 Q_d), if in (0, D)
   std::optional<double> K_1_kN_per_mm;  // first stiffness of the bilinear loop: K_d + Q_d / D_y
-  std::optional<double> period_s;       // from start to end, without the time in which the device stands still
-  std::optional<double> still_s;        // time in which the device stands still; nullopt without time
-  std::optional<double> v_max_mm_s;     // largest |slope| over 1/25 of a cycle; nullopt without time
-  std::optional<double> N_mean_kN;      // mean vertical load; nullopt without that channel
+  // Displacement at which the force first comes to zero after the largest and after the smallest displacement; nullopt
+  // if it does not before the next peak or the end of the cycle.
+  std::optional<double> residual_plus_mm, residual_minus_mm;
+  // The values from here on are those of the record; properties_on() leaves them as they are.
+  double work_kN_mm = 0.0;           // work of the force from the first sample of the record to the end of the cycle
+  std::optional<double> period_s;    // from start to end, without the time in which the device stands still
+  std::optional<double> still_s;     // time in which the device stands still; nullopt without time
+  std::optional<double> v_max_mm_s;  // largest |slope| over 1/25 of a cycle; nullopt without time
+  std::optional<double> N_mean_kN;   // mean vertical load; nullopt without that channel
   std::optional<double> N_min_kN;
   std::optional<double> N_max_kN;
-  double closure_mm = 0.0;  // displacement at the end less that at the start of the cycle
-  double closure_kN = 0.0;
-
   bool counts() const { return number > 0; }
+  std::optional<double> F_y_kN() const {  // force at which the bilinear loop yields: K_1 D_y
+    return D_y_mm ? std::optional(*K_1_kN_per_mm * *D_y_mm) : std::nullopt;
+  }
   // nullopt if K_eff is almost zero, that is, if K_eff D is less than a thousandth of the loop's mean half height.
   std::optional<double> damping() const {
     constexpr double least_stiffness = 1e-3;

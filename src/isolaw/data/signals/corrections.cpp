@@ -69,8 +69,7 @@ void remove_skew(TestRecord& record, double skew_s) {
                  "a skew much shorter than the record", "leave it out"});
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
-  for (auto* channel : {&record.time_s, &record.disp_mm, &record.force_kN, &record.load_kN, &record.logged_cycle})
-    keep({.first = begin, .count = end - begin}, *channel);
+  for (auto const channel : all_channels) keep({.first = begin, .count = end - begin}, values_of(record, channel));
   note(record, FindingKind::skew_removed, "--skew-ms",
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }

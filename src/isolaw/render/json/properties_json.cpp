@@ -113,6 +113,7 @@ void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult co
   write_remarks(out.key("corrections"), device.raw.corrections, systems);
   write_members(out, "counting_block", acceptance.block, "counting_block_choice", acceptance.choice);
   write_rows(out.key("levels"), level_results, study::levels_of(device), Digits::shown);
+  write_rows(out.key("skeleton"), skeleton_results, study::skeleton_of(device), Digits::shown);
   write_vertical(out, device, systems);
   auto const verdict = verdict_on(lot, device);
   auto const sentence = device_verdict(acceptance);

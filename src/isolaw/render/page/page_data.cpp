@@ -9,6 +9,7 @@
 #include "isolaw/base/symbol.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/data/properties/remainder.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
@@ -79,12 +80,27 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
+// Writes the remainder of a doubtful channel, or null. Point k of the curve is the sample first + min(k stride, samples - 1).
+void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t most) {
+  out.key("remainder");
+  auto const found = data::remainder(device.raw, device.properties);
+  if (!found) return void(out.null());
+  auto const drawn = drawn_samples(found->values.size(), most);
+  out.object([&] {
+    write_members(out, "block", found->block, "first", found->first, "samples", found->values.size(), "stride",
+                  stride_of(drawn));
+    write_values(out.key("at"), found->at, shown_digits);
+    write_curve(out, found->of_force ? "force_kN" : "disp_mm", found->values, drawn);
+  });
+}
+
 // Point k of the curve is the raw sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").object([&] {
     write_members(out, "samples", raw.size(), "stride", stride_of(drawn));
     write_curves(out, raw, drawn);
+    if (!raw.second_disp_mm.empty()) write_curve(out, "second_disp_mm", raw.second_disp_mm, drawn);
   });
 }
 
@@ -123,6 +139,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   write_properties(out, lot, device, unit_systems);
   write_tests(out, device);
   write_raw(out, device.raw, most);
+  write_remainder(out, device, most);
   out.key("recognised").objects(device.raw.recognised, [&](Finding const& finding) {
     write_said(out.key("sentence"), unit_systems, [&](auto const& units) { return wording::remark(finding, units); });
     out.member("option", finding.word("option"));
@@ -349,6 +366,7 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "stability", stability_results);
   write_headings(out, "vertical", vertical_results);
   write_headings(out, "levels", level_results);
+  write_headings(out, "skeleton", skeleton_results);
   write_headings(out, "assessments", assessment_results);
   write_headings(out, "quantities", quantity_results);
   write_headings(out, "test_factors", test_factor_results);

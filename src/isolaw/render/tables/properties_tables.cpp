@@ -28,6 +28,12 @@ constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "K_d_kN_per_mm",
                                                    "D_y_mm",
                                                    "K_1_kN_per_mm",
+                                                   "F_y_kN",
+                                                   "residual_plus_mm",
+                                                   "residual_minus_mm",
+                                                   "work_kN_mm",
+                                                   "K_eff_in_block",
+                                                   "K_eff_in_test",
                                                    "v_max_mm_s",
                                                    "N_mean_kN",
                                                    "N_min_kN",
@@ -82,9 +88,10 @@ std::string tests_csv(Summary const& summary) {
 }
 
 std::string levels_csv(Summary const& summary) {
-  constexpr auto of_level = columns(level_results, {"block", "amplitude_mm", "strain_percent", "frequency_Hz",
-                                                    "N_mean_kN", "cycle", "K_eff_kN_per_mm", "damping_percent",
-                                                    "energy_kN_mm", "K_eff_ratio", "damping_ratio", "reference"});
+  constexpr auto of_level =
+      columns(level_results, {"block", "amplitude_mm", "strain_percent", "frequency_Hz", "N_mean_kN", "cycle",
+                              "K_eff_kN_per_mm", "damping_percent", "energy_kN_mm", "K_1_kN_per_mm", "K_d_kN_per_mm",
+                              "D_y_mm", "F_y_kN", "K_eff_ratio", "damping_ratio", "reference"});
   CsvTable table(summary.units());
   table.add("device").head(of_level).end_row();
   for (auto const& device : summary.devices)

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -100,6 +101,50 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
   }
   for (auto const& [name, row, property] : followed_properties)
     print_ratios(text, name, data::stability(block, property));
+}
+
+template <class Object, std::size_t count>
+void print_table(std::string& text, UnitSystem const& units, std::string_view title,
+                 std::array<Result<Object>, count> const& columns, std::vector<Object> const& rows) {
+  if (rows.empty()) return;
+  add(text, "\n{}\n", title);
+  auto const line = [&](auto const& cell) {
+    text += ' ';
+    for (auto const& column : columns)
+      add(text, " {:>{}}", cell(column), std::max<std::size_t>(column.unit.empty() ? 5 : 9, column.heading.size()));
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  };
+  line([](auto const& column) { return std::string(column.heading); });
+  line([&](auto const& column) { return column.unit == "-" ? std::string() : shown_unit(column.unit, units).unit; });
+  for (auto const& row : rows)
+    line([&](auto const& column) {
+      auto const value = column.of(row);
+      if (auto const* whole = std::get_if<int>(&value)) return fmt::to_string(*whole);
+      auto const* number = std::get_if<double>(&value);
+      if (number == nullptr) return std::string("-");
+      auto const shown = shown_unit(column.unit, units);
+      auto const& [decimals, significant] = column.printed;
+      return decimals ? fmt::format("{:.{}f}", shown.factor * *number, shown.decimals(*decimals))
+                      : number_text(shown.factor * *number, significant.value_or(4));
+    });
+}
+
+void print_details(std::string& text, UnitSystem const& units, DeviceResult const& device) {
+  print_table(text, units, "Skeleton curve: peaks of cycles 1 and 3 of each amplitude",
+              columns(skeleton_results, {"block", "cycle", "d_plus_mm", "F_plus_kN", "d_minus_mm", "F_minus_kN"}),
+              study::skeleton_of(device));
+  print_table(text, units, "Bilinear loop of the same peaks, energy and Q_d, for the cycle that represents each block",
+              columns(level_results, {"block", "cycle", "K_1_kN_per_mm", "K_d_kN_per_mm", "D_y_mm", "F_y_kN"}),
+              study::levels_of(device));
+  for (auto const& block : device.properties.blocks) {
+    std::vector<CycleOf> cycles;
+    for (auto const* cycle : block.counted()) cycles.push_back({*cycle, device});
+    print_table(text, units, fmt::format("From cycle to cycle of block {}", block.number),
+                columns(cycle_results, {"number", "work_kN_mm", "residual_plus_mm", "residual_minus_mm",
+                                        "K_eff_in_block", "K_eff_in_test"}),
+                cycles);
+  }
 }
 
 void print_rule_set(std::string& text, LotAcceptance const& acceptance) {
@@ -288,10 +333,11 @@ void print_lot(std::string& text, Summary const& summary) {
 
 }  // namespace
 
-std::string inspection_text(Summary const& summary) {
+std::string inspection_text(Summary const& summary, bool details) {
   auto text = study::capitalised(overall_verdict(summary).text()) + "\n\n";
   if (summary.devices.size() == 1) {
     print_device_in_full(text, summary.units(), summary.devices.front());
+    if (details) print_details(text, summary.units(), summary.devices.front());
     if (summary.without_corrections)
       print_list(text, "Verdict without corrections", {wording::remark(*summary.without_corrections, summary.units())});
     print_rule_set(text, summary.acceptance);
@@ -303,6 +349,11 @@ std::string inspection_text(Summary const& summary) {
   add(text, "{}: {}\n", printable(summary.title), counted(summary.devices.size(), "device"));
   print_rule_set(text, summary.acceptance);
   print_devices(text, summary);
+  if (details)
+    for (auto const& device : summary.devices) {
+      add(text, "\n{}\n", printable(device.name));
+      print_details(text, summary.units(), device);
+    }
   print_lot(text, summary);
   print_verticals(text, summary);
   print_warnings(text, summary);

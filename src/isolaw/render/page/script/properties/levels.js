@@ -20,7 +20,7 @@ export const levelsFigure = {
 
 function levelsTable() {
   const known = (key) => devices.some((device) => device.levels?.some((level) => level[key] !== null));
-  const keys = ['amplitude_mm', 'strain_percent', 'frequency_Hz', 'N_mean_kN', 'K_eff_kN_per_mm', 'K_eff_ratio', 'damping_percent', 'damping_ratio'];
+  const keys = ['amplitude_mm', 'strain_percent', 'frequency_Hz', 'N_mean_kN', 'K_eff_kN_per_mm', 'K_eff_ratio', 'damping_percent', 'damping_ratio', 'K_1_kN_per_mm', 'K_d_kN_per_mm', 'D_y_mm', 'F_y_kN'];
   const columns = [
     { title: 'Block', pinned: true, cell: (level) => element('b', { class: level.reference ? 'strong' : null }, String(level.block)) },
     ...keys

@@ -7,6 +7,9 @@ import { assessmentsFigure } from './assessments.js';
 import { cycleHistoryFigure } from './history.js';
 import { levelsFigure } from './levels.js';
 import { cyclesFigure } from './loops.js';
+import { orbitFigure } from './orbit.js';
+import { remainderFigure } from './remainder.js';
+import { skeletonFigure } from './skeleton.js';
 import { stabilityFigure } from './stability.js';
 import { cycleTableFigure } from './table.js';
 
@@ -21,7 +24,10 @@ export const propertiesSection = {
   id: 'properties',
   title: 'Properties',
   controls: propertyControls,
-  figures: [warningsFigure, cyclesFigure, stabilityFigure, cycleHistoryFigure, cycleTableFigure, levelsFigure, ...(inspection && devices.length === 1 ? [] : [assessmentsFigure])],
+  figures: [
+    warningsFigure, cyclesFigure, stabilityFigure, orbitFigure, remainderFigure, cycleHistoryFigure, skeletonFigure,
+    cycleTableFigure, levelsFigure, ...(inspection && devices.length === 1 ? [] : [assessmentsFigure]),
+  ],
 };
 
 function propertyControls() {

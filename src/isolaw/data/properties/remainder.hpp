@@ -1,0 +1,27 @@
+// What remains of a channel over time when the mean loop of its block is taken from it, where a fault of this channel
+// is found or suspected: a gain that changes, a zero that jumps, an oscillation, a growing delay, spikes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "isolaw/data/properties/properties.hpp"
+
+namespace isolaw::data {
+
+struct Remainder {
+  bool of_force = true;  // else of displacement
+  int block = 0;
+  std::size_t first = 0;       // index of the sample to which values[0] belongs
+  std::vector<double> values;  // kN or mm; NaN between cycles that do not follow one another
+  std::vector<double> at;      // where the faults are: in s, or sample indices if the record has no time
+};
+
+// Takes from each sample the mean of the block's cycles at the same part of the cycle. The first cycle, in which rubber
+// softens, is not in the mean if the block has three or more. Where an oscillation was found, the mean is averaged over
+// its period, since an oscillation may come back with every cycle. nullopt if the record has no finding of such a
+// fault, or if the block has fewer than two whole cycles.
+std::optional<Remainder> remainder(TestRecord const& record, Properties const& properties);
+
+}  // namespace isolaw::data
