@@ -1,5 +1,5 @@
 // Compares the numbers that different views of one report show of the same thing. No view may contradict another, in
-// whichever units the page shows. The report is that of the example tests: five bearings, one refused, one that fails.
+// whichever units the page shows. The report is that of the example tests: five bearings, one with a clipped stage, one that fails.
 //   node report_agreement.mjs ISOLAW CHROMIUM
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -70,6 +70,7 @@ async function texts() {
     const page = document.querySelector('.device-page table');
     const sides = (quantity) => [...page.tBodies[0].rows].filter((row) => text(row.cells[0]).startsWith(quantity + ',')).map((row) => text(row.cells[1]));
     for (const [key, quantity] of [['K_eff', 'Keff'], ['damping', 'damping']]) {
+      if (!sides(quantity).every((one) => /\d/.test(one))) continue; // the block that the rules judge is faulty
       const two = sides(quantity).map((one) => Number(one.match(/[\d.]+/)[0]));
       of(option.text)[key]['page of the device'] = ((two[0] + two[1]) / 2).toFixed(sides(quantity)[0].match(/\.(\d+)/)?.[1].length ?? 0);
     }
@@ -99,7 +100,7 @@ try {
   try {
     execFileSync(isolaw, ['calibrate', 'tests/lot.toml', '--laws', 'bilinear,bouc-wen', '--figures', 'none', '--out', 'O'], { cwd: directory, stdio: 'ignore' });
   } catch (error) {
-    if (error.status !== 1) throw error; // 1: a record is refused and a bearing fails, as they should
+    if (error.status !== 1) throw error; // 1: a bearing fails, as it should
   }
   for (const units of ['kN-mm', 'N-m', 'kip-in']) {
     const page = await browser.open(pathToFileURL(join(directory, 'O/report.html')).href + '#decision?units=' + units, { width: 1366, height: 900 });
@@ -125,8 +126,8 @@ try {
       same(`${units}, parameters of ${law.name}`, { laws: law.parameters, ranking: shown.ranking[law.name].parameters });
       agree(`${units}, error of ${law.name}`, { laws: law.fits, front: String(100 * read(shown.front[law.name].match(/OF ([\d.]+)/)[1]).value) });
     }
-    same(units + ', devices used', { answer: Object.fromEntries(shown.numbers)['devices used'], masthead: '4 of 5' });
-    if (!shown.facts.includes('5 devices (1 refused)')) failures.push(`${units}: the masthead says ${shown.facts}`);
+    same(units + ', devices used', { answer: Object.fromEntries(shown.numbers)['devices used'], masthead: '5 of 5' });
+    if (!shown.facts.includes('5 devices')) failures.push(`${units}: the masthead says ${shown.facts}`);
     await page.close();
   }
   const url = pathToFileURL(join(directory, 'O/report.html')).href;

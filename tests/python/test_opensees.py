@@ -95,7 +95,7 @@ class Materials(InFolder):
         super().setUpClass()
         isolaw.opensees.attach(ops)
         write_csv(cls.path / "a.csv", *arrays(20.0))
-        write_csv(cls.path / "b.csv", *arrays(24.0))
+        write_csv(cls.path / "b.csv", *arrays(20.4))
         cls.laws = ["bilinear", "bouc-wen", "power-masing-viscous", "menegotto-pinto"]
         cls.lot = isolaw.calibrate([cls.path / "a.csv", cls.path / "b.csv"], cls.laws, runs=1, replicates=0, out=cls.path / "O")
 

@@ -361,7 +361,7 @@ TEST(ColumnOptions, AreParsed) {
 
 TEST(ColumnOptions, AreRefused) {
   EXPECT_EQ(refusal_of([] { parse_columns("displ=1,force,disp=2,disp=3"); }),
-            "--columns: unknown channel 'displ'; allowed: time, disp, force, load, cycle\n"
+            "--columns: unknown channel 'displ'; allowed: time, disp, force, load, cycle, second-disp\n"
             "--columns: force has no value; allowed: CHANNEL=VALUE,...\n"
             "--columns: disp is given twice; allowed: one value per channel");
   EXPECT_EQ(refusal_of([] { parse_units("disp=furlong,force=mm"); }),

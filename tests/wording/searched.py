@@ -22,6 +22,10 @@ SCRIPT = re.compile(
 # The allowed literals are words of foreign files, names of JSON members and values of enumerations. None is a sentence
 # of the program.
 ALLOWED = {
+    ("src/isolaw/data/channels/ground_motion.cpp", "1 UNCORRECTED ACCELEROGRAM"),  # written by an agency
+    ("src/isolaw/data/channels/ground_motion.cpp", "2 CORRECTED ACCELEROGRAM"),  # written by an agency
+    ("src/isolaw/data/channels/ground_motion.cpp", "uncorrected accelerogram data"),  # written by an agency
+    ("src/isolaw/data/channels/ground_motion.cpp", "corrected acceleration    (format v01.20"),  # written by an agency
     ("src/isolaw/data/files/exporter.cpp", "Raw Data"),  # written by the program that recorded the file
     ("src/isolaw/data/files/mat_table.cpp", "table or object"),  # a class of MATLAB variables
     ("src/isolaw/programs/header_parts.cpp", "struct OpenBranches"),  # C++ code of an exported header

@@ -76,8 +76,15 @@ enum class FalseSignals { shown, refused };
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   auto const properties = data::cyclic_properties(device.raw);
   device.record = data::clean(device.raw, properties, cleaning);
-  if (properties.is_false && false_signals == FalseSignals::refused)
+  if (false_signals == FalseSignals::shown) return;
+  auto const& scored = device.record.scored;
+  if (properties.is_false)
     refuse_device(device, wording::reasons(properties.refusal));
+  else if (!scored.empty() && std::ranges::count(scored, 1.0) < 2)
+    throw Error({.where = device.file,
+                 .found = "what is to be fitted is faulty, or the device fails in it",
+                 .allowed = "a sound block, before the device fails",
+                 .advice = "isolaw inspect FILE, which says what is wrong in each block"});
 }
 
 // Notes the options that the record was read with, so that a report can state a command that reads it again. They are

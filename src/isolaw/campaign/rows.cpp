@@ -15,6 +15,7 @@
 #include "isolaw/campaign/analysis_json.hpp"
 #include "isolaw/campaign/schema.hpp"
 #include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/data/checks.hpp"
 #include "isolaw/wording/finding_json.hpp"
 
 namespace isolaw::campaign {
@@ -418,6 +419,8 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
 Contents read_campaign_and_series(Connection const& db) {
   auto contents = read_campaign(db);
   read_series(db, contents);
+  for (auto& device : contents.devices)
+    for (auto* record : {&device.raw, &device.uncorrected}) data::find_faults(*record);
   return contents;
 }
 

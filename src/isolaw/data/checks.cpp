@@ -13,6 +13,7 @@
 #include "isolaw/data/channels/time_gaps.hpp"
 #include "isolaw/data/files/time_stamp.hpp"
 #include "isolaw/data/properties/error_budget.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -155,6 +156,15 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
     throw Error({record.file, "the force's sign is flipped: " + values, allowed, flip});
   throw Error({record.file, "the force's sign is flipped, or force and displacement are swapped: " + values, allowed,
                flip + " or " + exchange_advice});
+}
+
+void find_faults(TestRecord& record) {
+  record.faults.clear();
+  for (auto const& test : test_ranges(record.starts, record.size()))
+    for (auto& fault : signal_faults(test.of(record.disp_mm), test.of(record.force_kN), test.of(record.time_s))) {
+      for (auto& sample : fault.samples) sample += test.first;
+      record.faults.push_back(std::move(fault));
+    }
 }
 
 void add_warnings(TestRecord& record, Properties const& properties) {

@@ -108,17 +108,13 @@ Chosen chosen_by(Selection const& selection, TestRecord const& raw, Properties c
               .block = block_numbers(selection, segmentation, raw.size())};
   }
   bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); });
-  if (!any_faulty && !properties.failure) return chosen;
+  // If no block is sound the device is refused as a whole, with the reason.
+  if (properties.is_false || (!any_faulty && !properties.failure)) return chosen;
   if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
   for (auto const& block : properties.blocks)
     if (!block.fault.empty() && !block.cycles.empty())
       take_out(chosen, block.cycles.front().first, block.cycles.back().last);
   if (properties.failure) take_out(chosen, properties.failed_from, static_cast<double>(raw.size()));
-  if (std::ranges::count(chosen.scored, 1.0) < 2)
-    throw Error({.where = raw.file,
-                 .found = "its blocks are faulty, or the device fails in them, so nothing is left to fit a law to",
-                 .allowed = "a block that is sound before the device fails",
-                 .advice = "isolaw inspect FILE, which says what is wrong in each block"});
   return chosen;
 }
 

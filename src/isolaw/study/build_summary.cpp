@@ -97,16 +97,6 @@ std::vector<bool> in_large_swings(data::FitRecord const& record, std::optional<d
   return inside;
 }
 
-// Finds the faults of the signals test by test, because stores do not hold them.
-void find_faults(data::TestRecord& record) {
-  record.faults.clear();
-  for (auto const& test : data::test_ranges(record.starts, record.size()))
-    for (auto& fault : data::signal_faults(test.of(record.disp_mm), test.of(record.force_kN), test.of(record.time_s))) {
-      for (auto& sample : fault.samples) sample += test.first;
-      record.faults.push_back(std::move(fault));
-    }
-}
-
 DeviceResult device_result(campaign::Device const& device, data::CleanOptions const& clean) {
   int const smooth = clean.smooth;
   DeviceResult result;
@@ -126,10 +116,7 @@ DeviceResult device_result(campaign::Device const& device, data::CleanOptions co
   result.record = device.record;
   if (device.record.size() > 0) result.in_large_swings = in_large_swings(device.record, clean.weights);
   result.vertical_test = device.vertical;
-  if (auto uncorrected = device.uncorrected; uncorrected.size() > 0) {
-    find_faults(uncorrected);
-    result.uncorrected = data::cyclic_properties(uncorrected);
-  }
+  if (device.uncorrected.size() > 0) result.uncorrected = data::cyclic_properties(device.uncorrected);
   if (device.usable())
     result.properties = data::cyclic_properties(device.raw);
   else

@@ -74,9 +74,13 @@ function certificateColumns() {
 
 function certificateTable() {
   const common = commonlyOpen();
-  const same = (digits) => (key) => new Set(devices.map((device) => fixed(assessedBlock(device)?.[key], digits))).size === 1;
-  const sameAmplitude = same(decimalsIn('mm', 1))('amplitude_mm'),
-    sameFrequency = same(2)('frequency_Hz');
+  // Relative, so that it does not depend on the units of the page.
+  const same = (key) => {
+    const values = devices.map((device) => assessedBlock(device)?.[key] ?? null);
+    return values.every((value) => value === values[0] || Math.abs(value / values[0] - 1) < 0.002);
+  };
+  const sameAmplitude = same('amplitude_mm'),
+    sameFrequency = same('frequency_Hz');
   const judged = (device) => {
     const { verdict, failed, open } = deviceVerdict(device),
       outlying = apart(device),
