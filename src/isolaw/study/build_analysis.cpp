@@ -13,8 +13,8 @@
 #include "isolaw/fit/box.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/lot/outliers.hpp"
-#include "isolaw/num/statistics.hpp"
 #include "isolaw/lot/robustness.hpp"
+#include "isolaw/num/statistics.hpp"
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/findings.hpp"
 #include "isolaw/study/spoken.hpp"
@@ -338,7 +338,7 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
   if (count > 0) law.loo_objective = sum / static_cast<double>(count);
 }
 
-constexpr double alike_amplitude = 0.05;  // relative difference from the median amplitude of the devices
+constexpr double alike_amplitude = 0.05;       // relative difference from the median amplitude of the devices
 constexpr double least_misfit_percent = 10.0;  // above the median; the misfit of a device that is an outlier
 
 void add_outliers(Summary& summary) {
