@@ -183,11 +183,8 @@ TEST_F(Scored, a_motion_without_swings_is_weighed_by_time) {
   EXPECT_FALSE(contains(exported("pulse"), "samples that count by"));
 }
 
-// Every swing is 1.15 times as wide as the one before. No two cycles have the same amplitude, so isolaw must judge the
-// record by its largest swings instead of cycles. The force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with
-// w = 2 pi / s: the stiffness is 2 kN/mm, and the loops are nearly ellipses with a damping of 10 %.
-// Eight samples of the first block lose their force. The law is fitted to the second block alone, and the certificate of
-// the campaign says which block is faulty.
+// Eight samples of the first block lose their force. The law is fitted to the second block alone, and the page of the
+// campaign says which block is faulty.
 TEST_F(Scored, a_faulty_block_is_left_out_of_the_fit) {
   auto samples = two_blocks(0);
   for (std::size_t i = 230; i < 238; ++i) samples[i].force_kN = 0.0;
@@ -204,7 +201,8 @@ TEST_F(Scored, a_faulty_block_is_left_out_of_the_fit) {
   EXPECT_TRUE(contains(refused.err, "what is to be fitted is faulty")) << refused;
 }
 
-// In the second cycle of the second block the device keeps a twentieth of its force. Laws are fitted to the time before.
+// In the second cycle of the second block the device keeps a twentieth of its force. Laws are fitted to the time
+// before.
 TEST_F(Scored, a_device_that_fails_is_judged_by_the_time_before) {
   auto samples = two_blocks(0);
   for (std::size_t i = block_samples + samples_of_cycle; i < samples.size(); ++i) samples[i].force_kN *= 0.05;
@@ -217,6 +215,9 @@ TEST_F(Scored, a_device_that_fails_is_judged_by_the_time_before) {
   EXPECT_TRUE(contains(page, "the force is suddenly lost"));
 }
 
+// No two cycles have the same amplitude, so isolaw must judge the record by its largest swings instead of cycles. The
+// force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with w = 2 pi / s: the stiffness is 2 kN/mm, and the loops
+// are nearly ellipses with a damping of 10 %.
 TEST_F(Scored, a_motion_without_cycles_is_judged_by_its_largest_swings) {
   // Half cycles that grow until 9 s and shrink afterwards, as in an earthquake. No amplitude comes twice.
   std::vector<Sample> samples;

@@ -1,5 +1,5 @@
-// Reads a ground acceleration history from a file of an agency (PEER, ESM, K-NET, CSMIP, SMC), or from text columns that
-// name their units.
+// Reads a ground acceleration history from a file of an agency (PEER, ESM, K-NET, CSMIP, SMC), or from text columns
+// that name their units.
 #pragma once
 
 #include <filesystem>

@@ -6,8 +6,8 @@
 
 namespace isolaw::data {
 
-// Sets properties.failure and failed_from. Cycles whose force is nearly gone, in units of what an earlier cycle of no larger amplitude
-// had, no longer count; nor do those before them from the cycle that fails on.
+// Sets properties.failure and failed_from. Cycles whose force is nearly gone, in units of what an earlier cycle of no
+// larger amplitude had, no longer count; nor do those before them from the cycle that fails on.
 void find_failure(Properties& properties);
 
 }  // namespace isolaw::data

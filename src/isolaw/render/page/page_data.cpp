@@ -80,7 +80,8 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// Writes the remainder of a doubtful channel, or null. Point k of the curve is the sample first + min(k stride, samples - 1).
+// Writes the remainder of a doubtful channel, or null. Point k of the curve is the sample first + min(k stride, samples
+// - 1).
 void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t most) {
   out.key("remainder");
   auto const found = data::remainder(device.raw, device.properties);
