@@ -57,7 +57,7 @@ TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_
                          "full", "--replicates", "0", "--figures", "none", "--out", "T"});
   EXPECT_EQ(o.code, 1) << o;
   auto const summary = json("T/summary.json");
-  // Of B5 the largest stage is clipped. The laws are fitted to its other stages, and it has no verdict.
+  // The largest stage of B5 is clipped. The laws are fitted to its other stages, and it has no verdict.
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device["name"];
   EXPECT_EQ(count_of("laws are not fitted to block 3", read("T/report.html")), 1u);
   EXPECT_EQ(summary["recommendation"]["law"], "power-masing-worn");

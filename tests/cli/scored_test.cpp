@@ -216,8 +216,8 @@ TEST_F(Scored, a_device_that_fails_is_judged_by_the_time_before) {
 }
 
 // No two cycles have the same amplitude, so isolaw must judge the record by its largest swings instead of cycles. The
-// force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with w = 2 pi / s: the stiffness is 2 kN/mm, and the loops
-// are nearly ellipses with a damping of 10 %.
+// force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with w = 2 pi / s: the stiffness is 2 kN/mm, and the
+// loops are nearly ellipses with a damping of 10 %.
 TEST_F(Scored, a_motion_without_cycles_is_judged_by_its_largest_swings) {
   // Half cycles that grow until 9 s and shrink afterwards, as in an earthquake. No amplitude comes twice.
   std::vector<Sample> samples;

@@ -625,7 +625,7 @@ TEST(BuildingAnswers, an_arrangement_of_few_devices_is_the_best_one) {
   }
 }
 
-// Of more devices than can all be tried, the search from many starts comes near a centre that pairs of devices reach.
+// With more devices than can all be tried, the search from many starts comes near a centre that pairs of devices reach.
 TEST(BuildingAnswers, an_arrangement_of_many_devices_is_near_the_best_one) {
   auto const places = grid(5, 4, 5000.0).bearings;
   num::Draws draws(num::Stream(8), 0, 0);

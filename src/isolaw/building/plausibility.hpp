@@ -18,7 +18,7 @@ inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
 // percent, rotation of the base up to which its displacements are those of small rotations.
 inline constexpr double largest_energy_error = 1e-3, largest_difference_percent = 1.0, largest_rotation_rad = 0.1;
 
-// What was done to a ground motion when it was read, and doubts about it: ground_too_strong, ground_off_zero,
+// How a ground motion was changed when it was read, and doubts about it: ground_too_strong, ground_off_zero,
 // ground_keeps_moving.
 std::vector<Finding> motion_doubts(Motion const& motion);
 // Doubts about the implicit analysis of the nominal building with a law: displacement_beyond_tests if `tested_mm` is

@@ -69,7 +69,7 @@ class StoreKind {
 
  private:
   using Declarations = std::map<std::string, std::string>;  // by name
-  // Of tables, and of what other programs added.
+  // The declarations of all tables, and of whatever other programs added.
   static Declarations declarations(sqlite::Connection const& db, std::filesystem::path const& file);
   [[noreturn]] static void refuse_unreadable(std::filesystem::path const& file);
   void create_tables(sqlite::Connection const& db) const;

@@ -1,4 +1,4 @@
-// What remains of a channel over time when the mean loop of its block is taken from it, where a fault of this channel
+// The rest of a channel over time when the mean loop of its block is taken from it, where a fault of this channel
 // is found or suspected: a gain that changes, a zero that jumps, an oscillation, a growing delay, spikes.
 #pragma once
 

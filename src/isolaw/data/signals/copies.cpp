@@ -91,7 +91,7 @@ std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   return best;
 }
 
-// What is left of a signal when a cubic through seven samples, each `stride` from the next, is taken off (Savitzky,
+// The rest of a signal when a cubic through seven samples, each `stride` from the next, is taken off (Savitzky,
 // Golay 1964). Zero where it is far larger than usual, as at the corners of a loop.
 std::vector<double> noise_of(std::span<double const> y, std::size_t stride) {
   std::vector<double> noise(y.size());
