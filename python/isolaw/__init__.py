@@ -496,7 +496,7 @@ class Building:
 
     @property
     def results(self):
-        """The dict that building.json holds; ``results["verdict"]`` says whether bound analyses are enough."""
+        """The dict that building.json holds; ``results["verdict"]`` says whether the building holds and how far it moves."""
         if self._results is None:
             self._results = _json.loads(self._core.json())
         return self._results

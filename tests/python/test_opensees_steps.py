@@ -72,6 +72,34 @@ class Steps(InFolder):
                     ops.integrator("DisplacementControl", 2, 1, step)
                     self.assertEqual(ops.analyze(count), 0)
 
+    def test_every_law_carries_a_load_of_nothing_has_a_mode_and_takes_a_static_and_a_transient_step(self):
+        for law in LAWS:
+            with self.subTest(law=law):
+                parameters = usual_parameters(law)
+                at_5_mm = isolaw.force(law, parameters, isolaw.motion([0.0, 5.0], [0.0, 1e9]))[-1]
+                one_bearing(law, parameters)
+                ops.timeSeries("Path", 1, "-dt", 1.0, "-values", 0.0, 0.0, 0.5 * at_5_mm, 0.5 * at_5_mm, "-useLast")
+                ops.pattern("Plain", 1, 1)
+                ops.load(2, 1.0)
+                ops.algorithm("KrylovNewton", "-initial")
+                ops.integrator("LoadControl", 1.0)
+                ops.analysis("Static")
+                self.assertEqual(ops.analyze(1), 0)
+                self.assertAlmostEqual(ops.nodeDisp(2, 1), 0.0, delta=1e-9)
+                mode = ops.eigen("-fullGenLapack", 1)[0]
+                self.assertTrue(0.0 < mode < 1e9, mode)
+                self.assertEqual(ops.analyze(1), 0)
+                self.assertGreater(ops.nodeDisp(2, 1), 0.0)
+                ops.wipeAnalysis()
+                ops.constraints("Plain")
+                ops.numberer("Plain")
+                ops.system("FullGeneral")
+                ops.test("NormDispIncr", 1e-8, 50)
+                ops.algorithm("Newton")
+                ops.integrator("Newmark", 0.5, 0.25)
+                ops.analysis("Transient")
+                self.assertEqual(ops.analyze(1, 0.001), 0)
+
     def test_a_law_that_ignores_tremor_has_a_first_stiffness_and_a_step_within_its_dead_band(self):
         write_csv(self.path / "a.csv", *arrays(20.0))
         for law in ("gallardo", "ramberg-osgood"):

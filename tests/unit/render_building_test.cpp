@@ -93,7 +93,7 @@ TEST(BuildingPage, holds_the_same_numbers_and_no_markup_of_the_input) {
   EXPECT_EQ(page.find("<b>1</b>"), std::string::npos);
   auto const data = page_data(page);
   EXPECT_EQ(data["title"], study.file.settings.title);
-  EXPECT_EQ(data["verdict"], wording::paragraph(answers.verdict));
+  EXPECT_EQ(data["verdict"]["said"][0], wording::paragraph(answers.verdict));
   EXPECT_EQ(data["laws"][0]["histories"], Json::parse(building_json(study, answers))["laws"][0]["histories"]);
   EXPECT_FALSE(data["symbols"].empty());
   EXPECT_FALSE(asked_in(page).has_value());

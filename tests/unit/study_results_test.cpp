@@ -106,6 +106,7 @@ TEST(Results, OfBuildingsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(answer_results, of("`laws[]`"));
   expect_all_documented(distribution_results, of("`laws[].quantities`"));
   expect_all_documented(coverage_results, of("`laws[].coverage`"));
+  expect_all_documented(judged_results, of("`laws[].limits[]`"));
   expect_all_documented(checked_results, of("`laws[].checked[]`"));
   expect_all_documented(history_results, of("`laws[].histories[]`"));
 }

@@ -87,10 +87,33 @@ void say_motions(building::BuildingFile const& file, std::filesystem::path const
           : fmt::format(", which had scales from {:g} to {:g}; a [[motion]] in the file scales a motion", least, most));
 }
 
+// How the buildings of a law keep each limit, as a table.
+std::string limits_text(building::LawAnswer const& law, UnitSystem const& units) {
+  auto text =
+      fmt::format("{:<32} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "allowed", "nominal", "bounds", "95 %", "kept by");
+  for (auto const& each : law.judged) {
+    auto const& quantity = building::quantity(each.quantity);
+    auto const shown = shown_unit(quantity.unit, units);
+    auto const title = fmt::format("{}{}", each.limit == building::tested_mm ? "tested " : "", quantity.title);
+    text += fmt::format("{:<32}",
+                        shown.unit.empty() || shown.unit == "-" ? title : title + " [" + std::string(shown.unit) + "]");
+    for (double const value : {each.allowed, each.nominal, each.bound})
+      text += fmt::format(" {:>9.4g}", shown.factor * value);
+    text += each.p95 ? fmt::format(" {:>9.4g} {:>8.1f}%", shown.factor * *each.p95, 100.0 * *each.kept) : std::string();
+    text += fmt::format("  {}\n", each.keeps == building::Keeps::yes  ? "kept"
+                                  : each.keeps == building::Keeps::no ? "NOT KEPT"
+                                                                      : "draws too few to tell");
+  }
+  return text;
+}
+
 void print_answers(building::Study const& study, building::Answers const& answers) {
   auto const& units = study.units();
   auto const length = shown_unit("mm", units);
   auto text = wording::paragraph(answers.verdict, units) + "\n\n";
+  if (auto const law = std::ranges::find_if(answers.laws, building::has_result); law != answers.laws.end())
+    text += limits_text(*law, units) + "\n";
+  text += wording::paragraph(answers.about_bounds, units) + "\n\n";
   text += fmt::format("{}, {}, weight {:.0f} {}; means over the motions, fractiles over {}\n",
                       counted(study.file.motions.size(), "motion"), counted(study.file.bearings.size(), "bearing"),
                       units.from_kN(answers.weight_kN), units.force.symbol, counted(study.file.settings.draws, "draw"));
@@ -285,7 +308,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   if (a.arrange) print_arrangement(study, answers);
   say("{}\n", shown(out / "building.html"));
   bool const all_ran = std::ranges::all_of(answers.laws, [](auto const& law) { return law.failed == 0; });
-  return all_ran ? exit_done : exit_with_refusals;
+  return all_ran && answers.holds != false ? exit_done : exit_with_refusals;
 }
 
 namespace {

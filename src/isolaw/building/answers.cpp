@@ -11,6 +11,7 @@
 #include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/building/plausibility.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/wording/words.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -25,7 +26,83 @@ double largest_of_motions(Distribution const& distribution) {
   return most;
 }
 
+std::string titles_of(std::vector<Judged> const& judged, Keeps keeps) {
+  std::vector<std::string> titles;
+  for (auto const& each : judged)
+    if (each.limit != tested_mm && each.keeps == keeps) titles.emplace_back(quantity(each.quantity).title);
+  return wording::enumerate(titles);
+}
+
+// Whether the building with this law holds: yes, no or open; untested if only the tests do not reach that far; and
+// unlimited if the building file sets no limit.
+std::string_view holds(LawAnswer const& law) {
+  bool limited = false, tested = true;
+  auto keeps = Keeps::yes;
+  for (auto const& each : law.judged) {
+    if (each.limit == tested_mm) {
+      tested = each.keeps == Keeps::yes;
+      continue;
+    }
+    limited = true;
+    if (keeps != Keeps::no && each.keeps != Keeps::yes) keeps = each.keeps;
+  }
+  return !limited ? "unlimited" : keeps == Keeps::yes && !tested ? "untested" : name(keeps);
+}
+
+Finding holding(FindingKind kind, LawAnswer const& law) {
+  auto const answer = holds(law);
+  return {.kind = kind,
+          .law = law.law,
+          .numbers = {{"draws", static_cast<double>(law.draws)}},
+          .words = {{"holds", std::string(answer)},
+                    {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
+}
+
 std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
+  auto const found = std::ranges::find_if(answers.laws, has_result);
+  if (found == answers.laws.end()) return {};
+  auto const& law = *found;
+  std::vector<Finding> verdict{holding(FindingKind::building_holds, law)};
+  for (auto const& other : answers.laws)
+    if (&other != &law && has_result(other) && holds(other) != holds(law))
+      verdict.push_back(holding(FindingKind::building_holds_with, other));
+
+  auto const& moves = law.distributions.front();
+  double const tested = study.laws[static_cast<std::size_t>(found - answers.laws.begin())].tested_mm;
+  Finding reach{.kind = FindingKind::building_reach,
+                .law = law.law,
+                .numbers = {{"nominal_mm", moves.nominal}, {"bound_mm", std::max(moves.lower, moves.upper)}}};
+  if (has_draws(study)) {
+    reach.numbers.push_back({"p95_mm", moves.fractiles.back()});
+    reach.numbers.push_back({"draws", static_cast<double>(law.draws)});
+  }
+  if (tested > 0.0) reach.numbers.push_back({"tested_mm", tested});
+  verdict.push_back(std::move(reach));
+  if (has_draws(study))
+    verdict.push_back({.kind = FindingKind::building_scatter,
+                       .numbers = {{"lot_std_ln", moves.lot_std_ln}, {"motion_std_ln", moves.motion_std_ln}},
+                       .words = {{"motions", study.file.motions.size() > 1 ? "several" : ""}}});
+
+  auto const [least, most] = std::ranges::minmax_element(law.bearing_mm);
+  if (most != law.bearing_mm.end() && std::isfinite(*most)) {
+    constexpr double alike = 0.01;
+    auto const number = static_cast<std::size_t>(most - law.bearing_mm.begin());
+    auto const& at = study.file.bearings[number].at;
+    bool const all_alike = *least >= (1.0 - alike) * *most;
+    verdict.push_back({.kind = FindingKind::building_most_moved,
+                       .numbers = {{"number", static_cast<double>(number + 1)},
+                                   {"most_mm", *most},
+                                   {"least_mm", *least},
+                                   {"alike", alike}},
+                       .words = {{"bearings", law.bearing_mm.size() == 1 ? "one"
+                                              : all_alike                ? "alike"
+                                                                         : "unlike"},
+                                 {"place", fmt::format("({:g}, {:g}) m", at.x_mm / 1e3, at.y_mm / 1e3)}}});
+  }
+  return verdict;
+}
+
+std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
   auto const found = std::ranges::find_if(answers.laws, has_result);
   if (found == answers.laws.end()) return {};
   auto const& first = *found;
@@ -44,21 +121,20 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   auto const factors = covering_factors(c);
   cover.numbers.insert(cover.numbers.end(), factors.numbers.begin(), factors.numbers.end());
   cover.words.insert(cover.words.end(), factors.words.begin(), factors.words.end());
-  std::vector<Finding> verdict{std::move(cover)};
+  std::vector<Finding> said{std::move(cover)};
   for (auto const& law : answers.laws)
     if (law.by_first_bounds && *law.by_first_bounds < wanted_share)
-      verdict.push_back({.kind = FindingKind::building_bounds_cover_with,
-                         .law = law.law,
-                         .numbers = {{"inside", *law.by_first_bounds}}});
+      said.push_back({.kind = FindingKind::building_bounds_cover_with,
+                      .law = law.law,
+                      .numbers = {{"inside", *law.by_first_bounds}}});
   if (answers.law_std_ln) {
     double const lot = first.distributions.front().lot_std_ln;
     bool const law_matters_more = *answers.law_std_ln > lot;
-    verdict.push_back(
-        {.kind = FindingKind::building_law_or_lot,
-         .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", lot}},
-         .words = {{"more", law_matters_more ? "law" : "lot"}, {"less", law_matters_more ? "lot" : "law"}}});
+    said.push_back({.kind = FindingKind::building_law_or_lot,
+                    .numbers = {{"law_std_ln", *answers.law_std_ln}, {"lot_std_ln", lot}},
+                    .words = {{"more", law_matters_more ? "law" : "lot"}, {"less", law_matters_more ? "lot" : "law"}}});
   }
-  return verdict;
+  return said;
 }
 
 std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers) {
@@ -177,8 +253,8 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     auto const responses = responses_of(kept, q);
-    auto const part = [&](std::size_t first, std::size_t count) {
-      auto const begin = responses.mean.begin() + static_cast<std::ptrdiff_t>(first);
+    auto const part = [&](std::size_t from, std::size_t count) {
+      auto const begin = responses.mean.begin() + static_cast<std::ptrdiff_t>(from);
       return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
     };
     auto const draws = part(places.first_draw, places.draws);
@@ -195,6 +271,16 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
     auto const inside = std::ranges::count_if(draws, [&](double v) { return v >= range.first && v <= range.second; });
     out.by_first_bounds = static_cast<double>(inside) / static_cast<double>(draws.size());
   }
+}
+
+void judge(LawAnswer& out, Kept const& kept, CasePlaces const& places, Study const& study, double tested) {
+  auto const add = [&](std::string_view limit, std::string_view of, double allowed) {
+    auto const row = static_cast<std::size_t>(&quantity(of) - quantities().data());
+    out.judged.push_back(judged(limit, of, allowed, responses_of(kept, row), places, has_draws(study)));
+  };
+  for (auto const& limit : limit_rows)
+    if (auto const& allowed = study.file.limits.*limit.value) add(limit.key, limit.quantity, *allowed);
+  if (tested > 0.0) add(tested_mm, quantities().front().key, tested);
 }
 
 // Integrates the nominal building implicitly under every motion. Compares the results with those of two other methods,
@@ -323,6 +409,7 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
     auto const kept = take_runs(store, law, study.file.motions.size(), places, model.layout(), answers.weight_kN, out);
     auto const first = std::ranges::find_if(answers.laws, has_result);
     add_distributions(out, kept, places, settings, first == answers.laws.end() || &*first == &out ? nullptr : &*first);
+    judge(out, kept, places, study, source.tested_mm);
     add_nominal_building(out, study, source, model, kept, interrupted);
     for (auto const& doubt : out.doubts)
       if (std::ranges::find(answers.calibration, doubt) == answers.calibration.end())
@@ -335,6 +422,11 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
   }
   answers.bounds_are_enough = bounds_are_enough(study, answers);
   answers.verdict = verdict_of(study, answers);
+  if (auto const first = std::ranges::find_if(answers.laws, has_result); first != answers.laws.end()) {
+    auto const answer = holds(*first);
+    if (answer == name(Keeps::yes) || answer == name(Keeps::no)) answers.holds = answer == name(Keeps::yes);
+  }
+  answers.about_bounds = about_bounds(study, answers);
   add_warnings(answers, study);
   answers.assumed = assumed_of(study, answers);
   return answers;

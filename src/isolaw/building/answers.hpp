@@ -13,15 +13,13 @@
 #include "isolaw/base/finding.hpp"
 #include "isolaw/building/coverage.hpp"
 #include "isolaw/building/distribution.hpp"
+#include "isolaw/building/limits.hpp"
 #include "isolaw/building/nominal_building.hpp"
 #include "isolaw/building/quantities.hpp"
 #include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
 
-// Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
-// 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
-inline constexpr std::size_t motions_for_a_mean = 7;
 // The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
 // it: the integrator that is used for the draws, and equivalent linear analysis.
 struct Checked {
@@ -46,6 +44,7 @@ struct LawAnswer {
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
+  std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
   // Share of the draws whose bearing displacement lies between the bounds of the study's first law with a result. Empty
   // for that law itself, and without draws.
@@ -73,7 +72,9 @@ struct Answers {
   std::vector<double> fixed_periods_s;
   // Standard deviation over the laws of ln(median bearing displacement), comparable with Distribution::lot_std_ln.
   std::optional<double> law_std_ln;
-  std::vector<Finding> verdict;
+  std::vector<Finding> verdict;           // whether the building holds, how far it moves, and what moves it
+  std::optional<bool> holds;              // nullopt: nothing is limited, or the draws or the tests do not tell
+  std::vector<Finding> about_bounds;      // whether the bound analyses cover the draws
   std::optional<bool> bounds_are_enough;  // nullopt: no bearing is drawn, or too few draws to tell
   std::vector<Finding> warnings;          // about the analyses of the building
   std::vector<Finding> calibration;       // doubts about the laws' calibration, each once

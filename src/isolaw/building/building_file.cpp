@@ -12,6 +12,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/building/limits.hpp"
 #include "isolaw/data/channels/ground_motion.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
@@ -25,6 +26,7 @@ struct TableInfo {
   std::size_t most = 0;  // largest number of tables in a list [[name]]; 0 for a table [name]
 };
 constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
+    limits_info{"limits", "The largest responses that the building may have. Leave out what is not limited."},
     base_info{"base", "The slab on the bearings. All coordinates in plan share one system of axes."},
     floors_info{"floors", "Equal floors; or one [[floor]] for each, from the lowest up."},
     floor_info{"floor", "One floor and the storey below it, instead of [floors].", 100},
@@ -102,6 +104,9 @@ std::vector<FileKey> make_keys() {
   real("step_s", "longest integration step", settings(&Settings::step_s), {.least = 1e-5, .most = 0.05});
   real("rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
        settings(&Settings::rest_s), {.least = 0.0, .most = 120.0});
+
+  table = limits_info.name;
+  for (auto const& limit : limit_rows) real(limit.key, limit.help, at(&F::limits, limit.value), positive());
 
   table = base_info.name;
   slab(&F::base);
@@ -351,7 +356,9 @@ std::string building_template(int motions) {
   tables.building.lower = 0.9;
   tables.building.upper = 1.1;
   tables.motion.scale = 0.5;
-  for (auto const& info : {settings_info, base_info, floors_info}) write_table(out, info, tables);
+  tables.limits = {
+      .bearing_mm = 200.0, .clearance_mm = 250.0, .base_shear_over_weight = 0.1, .floor_acceleration_g = 0.25};
+  for (auto const& info : {settings_info, limits_info, base_info, floors_info}) write_table(out, info, tables);
   write_table(out, floor_info, tables, false);
   write_table(out, grid_info, tables);
   write_table(out, bearing_info, tables, false);
@@ -422,8 +429,9 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   auto const& grid = tables.grid;
   auto const& plan = tables.plan;
   BuildingFile file{.file = name, .settings = {}, .frame = {}, .bearings = {}, .plan_mm = {}, .motions = {}};
-  bool const has_settings = reader.read(settings_info), has_base = reader.read(base_info),
-             has_floors = reader.read(floors_info);
+  bool const has_settings = reader.read(settings_info);
+  reader.read(limits_info);
+  bool const has_base = reader.read(base_info), has_floors = reader.read(floors_info);
   auto const floors = reader.read_list(floor_info, &FileTables::floor);
   bool const has_grid = reader.read(grid_info);
   auto const bearings = reader.read_list(bearing_info, &FileTables::bearing);
@@ -445,6 +453,7 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
                      .centre = {slab.x_m * mm_in_m, slab.y_m * mm_in_m}};
   };
   if (has_settings) file.settings = tables.building;
+  file.limits = tables.limits;
   if (has_base) file.frame.base = diaphragm(tables.base);
   file.frame.damping = {file.settings.damping};
   if (has_floors) {

@@ -19,7 +19,7 @@ namespace isolaw::building {
 struct Settings {
   std::string title;
   std::vector<std::string> laws;  // empty: the law that the campaign recommends
-  int draws = 1000;
+  int draws = 500;
   int populations = 0;  // how often the population is re-estimated within the tests' uncertainty; 0: taken as known
   int draws_of_each = 20;
   int seed = 1;
@@ -27,6 +27,11 @@ struct Settings {
   double lower = 0.0, upper = 0.0;  // factors of the bound analyses, on the forces of every bearing
   double step_s = 0.005;
   double rest_s = 5.0;
+};
+
+// The table [limits] of a building file: the largest responses that the building may have.
+struct ResponseLimits {
+  std::optional<double> bearing_mm, clearance_mm, base_shear_over_weight, floor_acceleration_g;
 };
 
 // A bearing is a draw from the lot, the lot's law, a tested device, or the lot's law times the lower or upper factor.
@@ -41,6 +46,7 @@ struct BearingPlace {
 struct BuildingFile {
   std::string file;
   Settings settings;
+  ResponseLimits limits = {};
   Frame frame;
   std::vector<BearingPlace> bearings;
   std::optional<std::array<double, 4>> plan_mm;  // left, right, front, back
@@ -83,6 +89,7 @@ struct MotionRow {
 };
 struct FileTables {
   Settings building = {};
+  ResponseLimits limits = {};
   Slab base = {};
   EqualFloors floors = {};
   FloorRow floor = {};

@@ -15,13 +15,6 @@ double fractile(std::vector<double> const& sorted, double share) {
   if (i + 1 >= sorted.size()) return sorted.back();
   return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
 }
-std::array<double, 4> fractiles(std::vector<double> values) {
-  std::ranges::sort(values);
-  std::array<double, 4> at_shares{};
-  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, shares[i]);
-  return at_shares;
-}
-
 // Splits the variance of ln(response) over motions and draws into two parts. The motions' part is the variance over the
 // motions of the draws' mean. The lot's part is the mean over the motions of the draws' variance.
 void split_variance(Distribution& d, std::vector<std::vector<double>> const& draws_by_motion) {
@@ -45,6 +38,13 @@ void split_variance(Distribution& d, std::vector<std::vector<double>> const& dra
 }
 
 }  // namespace
+
+std::array<double, 4> fractiles(std::vector<double> values) {
+  std::ranges::sort(values);
+  std::array<double, 4> at_shares{};
+  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, shares[i]);
+  return at_shares;
+}
 
 CasePlaces::CasePlaces(Settings const& settings) : cases(cases_of(settings)) {
   auto const first = [&](CaseKind kind) {

@@ -11,7 +11,8 @@
 
 namespace isolaw::building {
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // the fractiles that the answers give
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};   // the fractiles that the answers give
+std::array<double, 4> fractiles(std::vector<double> values);  // at `shares`; NaN without values
 
 // Bins of equal width from the smallest value to the largest. There is one bin if all values are equal.
 struct Histogram {

@@ -40,6 +40,10 @@ constexpr Quantity quantity_rows[]{
      [](Layout const& l, std::span<double const> m, double) {
        return m[l.acceleration(l.floors)] / data::gravity_mm_s2;
      }},
+    {"floor_acceleration_g", "floor acceleration", "g", "largest of any floor or of the base",
+     [](Layout const& l, std::span<double const> m, double) {
+       return largest(m, l.acceleration(0), l.floors + 1) / data::gravity_mm_s2;
+     }},
     {"storey_shear_over_weight", "storey shear over weight", "-", "largest shear of any storey over the whole weight",
      [](Layout const& l, std::span<double const> m, double weight) {
        return largest(m, l.storey_shear(0), l.floors) / weight;

@@ -49,6 +49,26 @@ inline constexpr Result<building::Coverage> coverage_results[]{
      word<&building::Coverage::not_monotonic, building::Coverage>},
 };
 
+inline constexpr Result<building::Judged> judged_results[]{
+    {"limit", "", "limit", "key of `[limits]` of the building file, or `tested_mm`, how far the bearings were tested",
+     get<&building::Judged::limit>},
+    {"quantity", "", "quantity", "key of the response that it limits", get<&building::Judged::quantity>},
+    {"unit", "", "unit", "its unit",
+     [](building::Judged const& judged) { return Value(building::quantity(judged.quantity).unit); }},
+    {"allowed", own_unit, "allowed", "the limit", get<&building::Judged::allowed>},
+    {"nominal", own_unit, "nominal", "response of the nominal building", get<&building::Judged::nominal>},
+    {"bound", own_unit, "bounds", "the larger of those of the two bound analyses", get<&building::Judged::bound>},
+    {"p95", own_unit, "95 %", "95 % fractile of the draws; null if no bearing is drawn", get<&building::Judged::p95>},
+    {"kept", "-", "kept by", "share of the draws that keep the limit; null if no bearing is drawn",
+     get<&building::Judged::kept>},
+    {"kept_low", "-", "interval lower", "lower end of its 95 % interval (Clopper and Pearson)",
+     get<&building::Judged::kept_low>},
+    {"kept_high", "-", "interval upper", "upper end", get<&building::Judged::kept_high>},
+    {"keeps", "", "keeps",
+     "`no`: the nominal building or a bound analysis exceeds the limit, or fewer than `enough` of the draws keep it; `open`: the draws are too few to tell; else `yes`",
+     [](building::Judged const& judged) { return Value(name(judged.keeps)); }},
+};
+
 inline constexpr Result<building::Checked> checked_results[]{
     {"outcome", "", "outcome", "`completed`, or what went wrong and when", get<&building::Checked::outcome>},
     {"form", "", "form", "how the law acts under the motion: `coupled`, `springs` or, along x alone, `separate`",
@@ -89,6 +109,7 @@ inline constexpr Result<building::LawAnswer> answer_results[]{
     {"failed", "", "failed", "runs that gave no finite numbers", get<&building::LawAnswer::failed>},
     {"collapsed", "", "collapsed", "drawn buildings with such a run; they count as outside of the bounds",
      get<&building::LawAnswer::collapsed>},
+    {"limits", "", "", "how its buildings keep each limit, as below", nested<building::LawAnswer>},
     {"peak_mm", "", "", "`p16`, `p50`, `p84`, `p95` of `isolator_mm`", nested<building::LawAnswer>},
     {"coverage", "", "", "coverage in `isolator_mm`, as below; `of`: the same for each covered quantity",
      nested<building::LawAnswer>},

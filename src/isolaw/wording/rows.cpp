@@ -281,6 +281,14 @@ std::span<Row const> rows() {
              "Share of the parameters that the tests fix: ~{law} {determined:%} (and {weakly:%} weakly)~.",
              one_sentence),
       // [building]
+      answer(building_holds, "building-holds", "answer", "{holds}."),
+      answer(building_holds_with, "building-holds-with", "answer", "{holds}."),
+      answer(
+          building_reach, "building-reach", "answer",
+          "The bearings move {nominal_mm:3} in the nominal building, at most {bound_mm:3} in the two bound analyses[, and {p95_mm:3} or less in 95 % of {draws:,} drawn buildings][; they were tested to {tested_mm:3}]."),
+      answer(building_scatter, "building-scatter", "answer",
+             "The scatter of the lot changes this by {lot_std_ln:%1}[, the motions differ by {motions}]."),
+      answer(building_most_moved, "building-most-moved", "answer", "{bearings}."),
       answer(
           building_bounds_cover, "building-bounds-cover", "answer",
           "{answer}: with {law} the bounds cover {inside:0%} of {draws:,} buildings ({interval_low:0%} to {interval_high:0%}) in the largest displacement of a bearing[, {nominal_outside}]; {factors}."),

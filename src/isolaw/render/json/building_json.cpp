@@ -28,8 +28,11 @@ class BuildingWriter {
     out_.member("schema", building_schema).member("isolaw", version()).member("title", s.title);
     write_said(out_.key("verdict"), systems_,
                [&](auto const& units) { return wording::paragraph(answers_.verdict, units); });
-    out_.key("bounds_are_enough");
-    answers_.bounds_are_enough ? out_.value(*answers_.bounds_are_enough) : out_.null();
+    write_findings(out_, "answer", answers_.verdict, wording::anywhere, systems_);
+    truth("holds", answers_.holds);
+    write_said(out_.key("about_bounds"), systems_,
+               [&](auto const& units) { return wording::paragraph(answers_.about_bounds, units); });
+    truth("bounds_are_enough", answers_.bounds_are_enough);
     out_.member("enough", building::wanted_share).key("warnings");
     warnings();
     write_findings(out_, "findings", answers_.warnings, wording::with_building, systems_);
@@ -49,6 +52,10 @@ class BuildingWriter {
   }
 
  private:
+  void truth(std::string_view key, std::optional<bool> const& value) {
+    out_.key(key);
+    value ? out_.value(*value) : out_.null();
+  }
   void warnings() {
     out_.begin_array();
     for (std::size_t i = 0; i < building_warnings(answers_).size(); ++i)
@@ -160,6 +167,7 @@ class BuildingWriter {
 
   void nested(building::LawAnswer const& law, std::string_view key) {
     if (key == "histories") return histories(law);
+    if (key == "limits") return write_rows(out_, judged_results, law.judged, digits_);
     if (key == "checked") return write_rows(out_, checked_results, law.checked, digits_);
     if (key == "doubts") return doubts(law);
     out_.begin_object();

@@ -411,7 +411,7 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
       if (row.unit == study::own_unit) own.insert(row.key);
   };
   add(assessment_results), add(quantity_results), add(lot_outlier_results), add(factor_results);
-  add(doubt_results), add(outlier_results), add(study::distribution_results);
+  add(doubt_results), add(outlier_results), add(study::distribution_results), add(study::judged_results);
   out.key("own").array(own, [&](auto key) { out.value(key); });
   out.end_object();
 }

@@ -2,6 +2,7 @@
 
 import { assumedSection } from './building/assumed.js';
 import { checksSection } from './building/checks.js';
+import { enoughSection } from './building/enough.js';
 import { historySection } from './building/history.js';
 import { lawsSection } from './building/laws.js';
 import { planSection } from './building/plan.js';
@@ -16,7 +17,7 @@ import { count } from './text.js';
 import { UNITS, isOtherThanReported } from './units.js';
 
 const SECTIONS = [
-  verdictSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
+  verdictSection, enoughSection, spreadSection, varianceSection, lawsSection, planSection, historySection, checksSection, assumedSection,
 ];
 
 document.getElementById('kind').textContent = 'Isolated building';

@@ -2,8 +2,9 @@ import { choose, chosen } from '../choice.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
+import { nameOf, outline, wayOf } from './motion.js';
 import { laws, nameAndUnit, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
-import { KN, LOOP_HOVER, MM, inUnits } from '../units.js';
+import { KN, LOOP_HOVER, MM } from '../units.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
@@ -46,19 +47,9 @@ export const planSection = {
   ],
 };
 
-const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + numberText(x) + ', ' + numberText(y) + ' m';
-
-function wayOf(law, place) {
-  const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops,
-    { centre, bearings } = study.plan;
-  const dx = inUnits(1e3, 'mm') * (bearings[place].x_m - centre.x_m),
-    dy = inUnits(1e3, 'mm') * (bearings[place].y_m - centre.y_m);
-  return { x: x.map((mm, i) => mm - dy * turned[i]), y: y.map((mm, i) => mm + dx * turned[i]) };
-}
-
 function loop(look) {
   const law = laws[chosen.law],
-    way = wayOf(law, chosen.bearing),
+    way = wayOf(law, study.plan.bearings[chosen.bearing]),
     force = law.loops.bearings[chosen.bearing];
   const axes = study.motions[law.loops.motion].components === 2 ? ['x', 'y'] : ['x'];
   return {
@@ -75,7 +66,7 @@ function loop(look) {
 
 function loopData() {
   const law = laws[chosen.law],
-    way = wayOf(law, chosen.bearing),
+    way = wayOf(law, study.plan.bearings[chosen.bearing]),
     force = law.loops.bearings[chosen.bearing];
   return {
     columns: ['time [s]', 'x [' + MM + ']', 'y [' + MM + ']', 'force x [' + KN + ']', 'force y [' + KN + ']'],
@@ -92,23 +83,17 @@ function caption() {
 }
 
 function plan(look) {
-  const { bearings, corners, centre } = study.plan;
+  const { bearings, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
   // The range of colours has a least width, so that values that differ by a percent get almost the same colour.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
-  const xs = corners.map(({ x_m: x }) => x),
-    ys = corners.map(({ y_m: y }) => y);
-  const middle = [xs.reduce((a, b) => a + b, 0) / xs.length, ys.reduce((a, b) => a + b, 0) / ys.length];
-  const round = corners
-    .map(({ x_m: x, y_m: y }) => [x, y])
-    .sort((a, b) => Math.atan2(a[1] - middle[1], a[0] - middle[0]) - Math.atan2(b[1] - middle[1], b[0] - middle[0]));
-  round.push(round[0]);
+  const round = outline();
   const kinds = [...new Set(bearings.map((bearing) => kindOf(bearing)[0]))];
   return {
     traces: [
-      { name: 'slab', mode: 'lines', x: round.map(([x]) => x), y: round.map(([, y]) => y), line: { color: look.colour('muted'), width: 1.2 }, hoverinfo: 'skip', showlegend: false },
+      { name: 'slab', mode: 'lines', x: round.map(({ x_m }) => x_m), y: round.map(({ y_m }) => y_m), line: { color: look.colour('muted'), width: 1.2 }, hoverinfo: 'skip', showlegend: false },
       ...kinds.map((kind) => {
         const some = bearings.map((bearing, i) => ({ ...bearing, i })).filter((bearing) => kindOf(bearing)[0] === kind);
         return {

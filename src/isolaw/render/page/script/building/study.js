@@ -21,7 +21,7 @@ Object.assign(chosen, {
   quantity: 'isolator_mm',
   law: 0, // the law shown in the plan and under single motions
   motion: 0,
-  bearing: 0, // the bearing whose loop is shown
+  bearing: Math.max(0, first.bearings.displacement_mm.indexOf(Math.max(...first.bearings.displacement_mm))), // the bearing whose loop is shown
   axis: 'x',
   laws: new Set([0]), // the laws shown in the histories
 });

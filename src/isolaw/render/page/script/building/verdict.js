@@ -1,35 +1,46 @@
 import { element, shortList } from '../dom.js';
-import { sentence } from '../text.js';
-import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { axisTitle, first, quantityOf, spreadText, study, valueText } from './study.js';
+import { tableOf } from '../tables.js';
+import { atTheHead, fixed, sentence } from '../text.js';
+import { motionFigures } from './motion.js';
+import { first, nameAndUnit, quantityOf, spreadText, study, valueText } from './study.js';
 
 const KEY = 'isolator_mm';
+const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
+const TESTED = 'tested_mm';
+const MANY = 6; // from this many motions on, a spread between them says something
 
 export const verdictSection = {
   id: 'verdict',
-  title: 'Are the bound analyses enough?',
+  title: 'Does it hold?',
   short: 'Verdict',
   figures: [
     { id: 'verdict', title: '', build: band },
+    ...motionFigures,
     {
-      id: 'picture',
-      title: 'Largest displacement of a bearing',
-      caption: () => first.name + ': bars show the draws; shading marks the range between the bounds.',
-      csv: () => histogramData([first], KEY),
-      height: () => 320,
-      draw: picture,
+      id: 'limits',
+      title: 'Limits',
+      wanted: () => first.limits.length > 0,
+      caption: () =>
+        first.name + ', ' + (study.motions.length > MANY ? 'means over the motions.' : 'the largest of the motions.') +
+        ' Bounds: the larger of the two bound analyses.',
+      csv: () => ({
+        columns: ['limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps'],
+        rows: first.limits.map((row) => [row.limit, ...nameAndUnit(row.quantity), row.allowed, row.nominal, row.bound, row.p95, row.kept, row.keeps]),
+      }),
+      build: limits,
     },
     { id: 'warnings', title: '', wanted: () => study.warnings.length > 0, build: warnings },
   ],
 };
 
 function band() {
-  const sufficient = study.bounds_are_enough;
-  const tone = sufficient === null ? 'muted' : sufficient ? 'good' : 'poor';
+  const tone = study.holds === null ? 'care' : study.holds ? 'good' : 'poor';
+  const told = (kinds) => study.answer.filter(({ kind }) => kinds.includes(kind)).map(({ sentence: text }) => sentence(text)).join(' ');
   return element(
     'div',
     { class: 'band ' + tone },
-    element('p', { class: 'headline' }, sentence(study.verdict)),
+    element('p', { class: 'headline' }, told(['building-holds', 'building-holds-with'])),
+    element('p', {}, told(['building-reach'])),
     element(
       'div',
       { class: 'numbers' },
@@ -39,38 +50,33 @@ function band() {
 }
 
 function numbers() {
-  const reached = (key, what) => {
-    const of = first.quantities[key],
-      quantity = quantityOf(key);
-    const [low, high] = [of.lower, of.upper].sort((a, b) => a - b);
-    return [valueText(of.p95, quantity), what + ', 95\u202f% of draws; bounds ' + valueText(low, { unit: '-' }) + ' to ' + valueText(high, quantity)];
-  };
-  const of = first.quantities[KEY];
+  const of = first.quantities[KEY],
+    tested = first.limits.find(({ limit }) => limit === TESTED);
+  const reached = (key, what) => [valueText(first.quantities[key].p95, quantityOf(key)), what + ', 95\u202f% of draws'];
   return [
-    reached(KEY, 'displacement'),
+    ...(tested ? [[fixed((100 * of.p95) / tested.allowed, 0) + '\u202f%', 'of the tested displacement']] : []),
     reached('shear_over_weight', 'base shear over weight'),
-    [
-      spreadText(of.lot_std_ln),
-      'scatter from the lot; motions ' + spreadText(of.motion_std_ln) +
-        (study.law_std_ln === null ? '' : ', laws ' + spreadText(study.law_std_ln)),
-    ],
+    [spreadText(of.lot_std_ln), 'scatter from the lot' + (study.law_std_ln === null ? '' : '; laws ' + spreadText(study.law_std_ln))],
   ];
 }
 
-function picture(look) {
-  const span = spanOf([first], KEY);
-  const { shapes, annotations } = bounds(look, first, KEY, { labelled: true, span });
-  return {
-    traces: [bars(look, first, KEY)],
-    layout: {
-      shapes,
-      annotations,
-      margin: { l: 54, r: 12, t: 48, b: 44 },
-      bargap: 0,
-      xaxis: { title: axisTitle(quantityOf(KEY)), range: span },
-      yaxis: { title: 'share of draws [%]', rangemode: 'tozero' },
-    },
-  };
+function limits() {
+  const title = ({ limit, quantity }) => (limit === TESTED ? 'Displacement that was tested' : atTheHead(quantityOf(quantity).title));
+  const shown = ({ quantity }, value) => (value === null ? '' : valueText(value, quantityOf(quantity)));
+  return tableOf(
+    [
+      { title: 'Limit', cell: title },
+      { title: 'Allowed', number: true, cell: (row) => shown(row, row.allowed) },
+      { title: 'Nominal', number: true, cell: (row) => shown(row, row.nominal) },
+      { title: 'Bounds', number: true, cell: (row) => shown(row, row.bound) },
+      { title: '95\u202f% of draws', number: true, cell: (row) => shown(row, row.p95) },
+      { title: 'Kept by', number: true, cell: (row) => (row.kept === null ? '' : fixed(100 * row.kept, 1) + '\u202f%') },
+      { title: 'Verdict', cell: ({ keeps }) => element('span', { class: 'sure ' + WORDS[keeps][1] }, WORDS[keeps][0]) },
+    ],
+    first.limits,
+    'Limits of the building',
+    { sorts: false },
+  );
 }
 
 function warnings() {

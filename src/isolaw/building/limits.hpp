@@ -1,0 +1,55 @@
+// Judges whether a building holds: whether its responses keep the limits of the building file, and whether its bearings
+// stay within the displacement of the tests.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+#include "isolaw/building/distribution.hpp"
+
+namespace isolaw::building {
+
+// Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
+// 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
+inline constexpr std::size_t motions_for_a_mean = 7;
+
+struct LimitInfo {
+  std::string_view key;       // in [limits] of a building file
+  std::string_view quantity;  // Quantity::key of the response that it limits
+  std::optional<double> ResponseLimits::*value;
+  std::string_view help;
+};
+inline constexpr LimitInfo limit_rows[]{
+    {"bearing_mm", "isolator_mm", &ResponseLimits::bearing_mm, "largest displacement that a bearing may have"},
+    {"clearance_mm", "corner_mm", &ResponseLimits::clearance_mm, "free way of the base, which its corners may use"},
+    {"base_shear_over_weight", "shear_over_weight", &ResponseLimits::base_shear_over_weight,
+     "force on all bearings over the weight"},
+    {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
+     "acceleration of any floor or of the base"},
+};
+inline constexpr std::string_view tested_mm = "tested_mm";  // Judged::limit if the tests set it
+
+enum class Keeps { yes, no, open };
+std::string_view name(Keeps keeps);
+
+// How the buildings of a law keep one limit. A response is the mean over motions_for_a_mean motions or more, else the
+// largest, as codes take it for design.
+struct Judged {
+  std::string_view limit;     // LimitInfo::key or tested_mm
+  std::string_view quantity;  // Quantity::key
+  double allowed = 0.0;
+  double nominal = 0.0;       // of the nominal building
+  double bound = 0.0;         // the larger of the two bound analyses
+  std::optional<double> p95;  // of the draws, if bearings are drawn
+  // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
+  std::optional<double> kept, kept_low, kept_high;
+  // No: the nominal building or a bound analysis breaks the limit, or fewer than wanted_share of the draws keep it. Open:
+  // the draws are too few to tell.
+  Keeps keeps = Keeps::open;
+};
+Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
+              CasePlaces const& places, bool has_draws);
+
+}  // namespace isolaw::building
