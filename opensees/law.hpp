@@ -35,10 +35,13 @@ struct Law {
   // The factor on the force after the parameter was set to `value`. 1 makes `lower` the lower bound and 0 the nominal
   // law. Not a number if the law has no such bound.
   double factor_of(ParameterKind parameter, double value) const;
+  double value_of(ParameterKind parameter, double factor) const;  // the value that gives this factor; 0 if none does
 };
 
-// Adds the parameter that `words` name to the program's Parameter. Returns what setParameter() returns.
-int set_parameter(Program const& program, void* movable, char const** words, int count, void* parameter);
+// Adds the parameter that `words` name to the program's Parameter, with the value that `factor` has. Returns what
+// setParameter() returns.
+int set_parameter(Program const& program, Law const& law, double factor, void* movable, char const** words, int count,
+                  void* parameter);
 
 void add_material(Program const& program, int tag, IsolawLaw const& law);  // throws Error if the tag exists
 void add_section(Program const& program, int tag, IsolawLaw const& law);

@@ -213,6 +213,7 @@ void Program::find_calls() {
   find(calls_.get_response, "_ZN16UniaxialMaterial11getResponseEiR11Information");
   find(calls_.set_section_response, "_ZN23SectionForceDeformation11setResponseEPPKciR10OPS_Stream");
   find(calls_.get_section_response, "_ZN23SectionForceDeformation11getResponseEiR11Information");
+  find(calls_.set_parameter_value, "_ZN9Parameter8setValueEd");
   find(calls_.add_to_parameter, "_ZN9Parameter9addObjectEiP13MovableObject");
   find(calls_.nodes_of, "_ZN17ZeroLengthSection11getNodePtrsEv");
   find(calls_.displacement_of, "_ZN4Node12getTrialDispEv");

@@ -47,6 +47,7 @@ struct Calls {
   int (*get_response)(void* material, int response, void* information);
   void* (*set_section_response)(void* section, char const* const* words, int count, void* stream);
   int (*get_section_response)(void* section, int response, void* information);
+  void (*set_parameter_value)(void* parameter, double value);
   int (*add_to_parameter)(void* parameter, int which, void* movable);
   void** (*nodes_of)(void* zero_length_section);
   Vector const* (*displacement_of)(void* node);

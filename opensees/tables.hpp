@@ -68,7 +68,9 @@ struct AsMovable {
       object.factor = factor;
       return 0;
     }
-    complain(*object.program, "isolaw: the law has no such bound, or its factor would not be a finite number above 0");
+    complain(*object.program, std::isnan(factor)
+                                  ? "isolaw: the law has no such bound, so its parameter cannot be set"
+                                  : "isolaw: this value makes the factor on the force no finite number above 0");
     return -1;
   }
   static void put_into(TableWithOwn& table) {
@@ -87,7 +89,8 @@ struct AsMovable {
         "8recvSelfEiR7ChannelR16FEM_ObjectBroker", +[](std::byte* self, int, void*, void*) { return refuse(self); });
     table.own_as_movable(
         "12setParameterEPPKciR9Parameter", +[](std::byte* self, char const** words, int count, void* parameter) {
-          return set_parameter(*whole(self)->program, self, words, count, parameter);
+          auto const& object = *whole(self);
+          return set_parameter(*object.program, *object.about, object.factor, self, words, count, parameter);
         });
     table.own_as_movable("15updateParameterEiR11Information", &update);
   }

@@ -689,8 +689,10 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
   } else {
     parameters = parameters_of(law, source);
     steps(refinement);
-    if (!(dead_band_mm >= 0.0))
-      throw Error({.where = "dead_band_mm", .found = fmt::format("{}", dead_band_mm), .allowed = "0 or more"});
+    if (constexpr double most_mm = 1e4; !(dead_band_mm >= 0.0 && dead_band_mm <= most_mm))
+      throw Error({.where = "dead_band_mm",
+                   .found = fmt::format("{}", dead_band_mm),
+                   .allowed = fmt::format("0 to {} mm", most_mm)});
   }
   bool const is_coupled = !is_fitted_as_springs && !laws::no_coupled_form(law_id, parameters);
   if (in_plane && !is_coupled && !law.info.traits.odd)
@@ -977,6 +979,13 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "The compiled part of isolaw; import isolaw instead.";
   m.attr("__version__") = ISOLAW_VERSION;
   using namespace isolaw::python;
+#if PYBIND11_VERSION_HEX < 0x020C0000
+  // This pybind11 reads the arrays of NumPy 2 wrongly, without any error.
+  if (auto const version = py::module_::import("numpy").attr("__version__").cast<std::string>();
+      !version.starts_with("1."))
+    throw py::import_error("isolaw: this build knows NumPy 1 only, and NumPy " + version +
+                           " is installed; try: pip install 'numpy<2'");
+#endif
   translate_errors();
   // Adds a class before the functions that take or return it, because pybind11 writes its name into their docstrings.
   add_records(m);

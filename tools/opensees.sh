@@ -24,4 +24,4 @@ environment() {
 
 environment openseespy "openseespy $version" "openseespy==$version"
 # xara also requires packages for plots and services, which the tests do not need. --no-deps leaves them out.
-[ $# -gt 1 ] || environment xara "opensees $xara" --no-deps "opensees==$xara" numpy platformdirs shps prompt_toolkit wcwidth
+[ $# -gt 1 ] || environment xara "opensees $xara, numpy 1" --no-deps "opensees==$xara" "numpy<2" platformdirs shps prompt_toolkit wcwidth

@@ -23,6 +23,7 @@ from ._error import Error
 __all__ = ["attach", "material", "section"]
 
 _attached = None  # file of the module that attach() proved
+_warned = set()  # sentences that were said: every further element of a law would repeat them
 
 
 class _Law(_ctypes.Structure):  # IsolawLaw in opensees/law.hpp
@@ -96,16 +97,32 @@ def _factor(bound, found):
                 f"bound: {bound!r}; allowed: {', '.join(['nominal', *there])} or a factor on the force above 0 ({found['bounds']})"
             )
         return factor
-    if not (_math.isfinite(bound) and bound > 0.0):
-        raise Error(f"bound: {bound!r}; allowed: nominal, lower, upper or a factor on the force above 0")
-    return float(bound)
+    allowed = "nominal, lower, upper or a factor on the force above 0"
+    factor = _number("bound", bound, float, allowed)
+    if isinstance(bound, bool) or not (_math.isfinite(factor) and factor > 0.0):
+        raise Error(f"bound: {bound!r}; allowed: {allowed}")
+    return factor
+
+
+def _number(name, value, convert, kind):
+    try:
+        return convert(value)
+    except (TypeError, ValueError, OverflowError):
+        raise Error(f"{name}: {value!r}; allowed: {kind}") from None
 
 
 def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes=None):
-    tag = _operator.index(tag)
+    tag = _number("tag", tag, _operator.index, "a whole number")
+    for name, value in (("law", law), ("device", device)):
+        if not isinstance(value, str):
+            raise Error(f"{name}: {value!r}; allowed: a name")
+    if not isinstance(source, (_Campaign, dict)):
+        raise Error(f"source: {source!r}; allowed: a campaign, or a dict of parameters by name; try: isolaw.load(directory)")
+    if isinstance(source, dict) and device != "lot":
+        raise Error(f"device: {device!r} is given with parameters; allowed: only with a campaign")
     if not -(2**31) <= tag < 2**31:
         raise Error(f"tag: {tag}; allowed: whole numbers from -2**31 to 2**31 - 1")
-    if isinstance(units, str) or len(units) != 2:
+    if not isinstance(units, (tuple, list)) or len(units) != 2 or not all(isinstance(unit, str) for unit in units):
         raise Error(f'units: {units!r}; allowed: a unit of force and one of length, such as ("kN", "mm")')
     if _attached is None:
         attach()
@@ -113,15 +130,25 @@ def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, ref
         raise Error("dead_band_mm, refinement: the campaign has its own; allowed: only with parameters")
     given = source._core if isinstance(source, _Campaign) else source
     found = _core.law_for_opensees(
-        law, given, device, tuple(units), call == "isolaw_section", anyway, float(dead_band_mm), _operator.index(refinement)
+        law,
+        given,
+        device,
+        tuple(units),
+        call == "isolaw_section",
+        bool(anyway),
+        _number("dead_band_mm", dead_band_mm, float, "a length in mm, 0 or more"),
+        _number("refinement", refinement, _operator.index, "a whole number, 1 or more"),
     )
-    for sentence in found["warnings"]:
-        _warnings.warn(sentence, stacklevel=3)
+    said = list(found["warnings"])
     if not found["rate_independent"]:
-        _warnings.warn(
-            f"the force of {law} depends on velocity, which is 0 in a static analysis: there it gives the force of an endlessly slow motion",
-            stacklevel=3,
+        said.append(
+            f"the force of {law} depends on velocity, which is 0 in a static analysis: there it gives the force of an endlessly slow motion. "
+            "It is also 0 in a Series material and in a section Aggregator, and wrong in a CoupledZeroLength, which pass no velocity on"
         )
+    said = [sentence for sentence in said if sentence not in _warned]
+    if said:
+        _warned.update(said)
+        _warnings.warn("; ".join(said), stacklevel=3)
     parameters = (_ctypes.c_double * len(found["parameters"]))(*found["parameters"])
     none = float("nan")
     arguments = _Law(

@@ -180,6 +180,8 @@ class Materials(InFolder):
         add("material", 7, "bilinear", self.lot)
         ops.element("zeroLength", 1, 1, 2, "-mat", 7, "-dir", 1)
         ops.parameter(1, "element", 1, "material", 1, "upper")
+        ops.parameter(2, "element", 1, "material", 1, "factor")
+        self.assertEqual([ops.getParamValue(tag) for tag in (1, 2)], [0.0, 1.0])
         force = driven(("force",), d1=PATH)[:, 6]
         tangent = ops.eleResponse(1, "material", 1, "tangent")[0]
         energy = ops.eleResponse(1, "material", 1, "energy")[0]
@@ -286,6 +288,15 @@ print("gives", ops.sensNodeDisp(2, 1, 1))
             ((7, "bilinear", bilinear), {"units": "kN-mm"}, "a unit of force and one of length"),
             ((2**40, "bilinear", bilinear), {}, "tag: 1099511627776"),
             ((7, "bilinear", self.lot), {"device": "c"}, "c"),
+            ((7, "bilinear", bilinear), {"device": "c"}, "device: 'c' is given with parameters"),
+            ((7, "bilinear", "out/lot"), {}, "source: 'out/lot'; allowed: a campaign"),
+            ((7, None, bilinear), {}, "law: None; allowed: a name"),
+            (("7", "bilinear", bilinear), {}, "tag: '7'; allowed: a whole number"),
+            ((7, "bilinear", bilinear), {"bound": True}, "bound: True"),
+            ((7, "bilinear", bilinear), {"bound": None}, "bound: None"),
+            ((7, "bilinear", bilinear), {"units": None}, "units: None"),
+            ((7, "bilinear", bilinear), {"dead_band_mm": "x"}, "dead_band_mm: 'x'"),
+            ((7, "power-masing", usual_parameters("power-masing")), {"dead_band_mm": 1e9}, "0 to 10000"),
             ((7, "bilinear", self.lot), {"dead_band_mm": 1.0}, "dead_band_mm, refinement: the campaign has its own"),
         ):
             with self.subTest(said=said), self.assertRaisesRegex(isolaw.Error, said):
@@ -321,11 +332,13 @@ for one in (opensees, ops, ops.Model, ops.Model(ndm=1, ndf=1)):
 
     def test_what_the_campaign_doubts_is_warned_of(self):
         ops.wipe()
+        isolaw.opensees._warned.clear()
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             isolaw.opensees.material(7, "power-masing-viscous", self.lot)
-        said = " ".join(str(one.message) for one in caught)
-        self.assertIn("depends on velocity, which is 0 in a static analysis", said)
+            isolaw.opensees.material(8, "power-masing-viscous", self.lot)
+        self.assertEqual(len(caught), 1)  # once for a law, whatever it has to say
+        self.assertIn("depends on velocity, which is 0 in a static analysis", str(caught[0].message))
 
     def test_a_model_is_printed_as_json(self):
         two_nodes(1)
@@ -504,6 +517,7 @@ ops.integrator("LoadControl", 1.0); ops.analysis("Static")
 print("code", ops.analyze(1))
 """
         done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+        self.assertRegex(done.stdout, "code -")
         self.assertIn("takes its velocity from a zeroLengthSection, and this is another element", done.stderr)
         self.assertIn("takes its velocity from a zeroLengthSection, whose -orient differs", done.stderr)
 
@@ -556,12 +570,23 @@ class SelfChecks(InFolder):
         for law in LAWS:
             text = self.exported(law, "openseespy-law")
             self.assertTrue(self.passes(text), law)
-            for found in re.finditer(r'^    "(.+)": (\S+),  #|(dead_band_mm)=([^,]+),', text, re.MULTILINE):
+            names = set()
+            for found in re.finditer(r'^    "(.+)": (\S+),  #|"(dead_band_mm)": ([^,]+),', text, re.MULTILINE):
                 name, value = (found[1], 2) if found[1] else (found[3], 4)
+                names.add(name)
                 has_band = name != "dead_band_mm" or "double dead_band" in self.exported(law, "cpp")
                 if has_band and float(found[value]) != 0.0 and (law, name) not in self.IDLE_PARAMETERS:
                     with self.subTest(law=law, parameter=name):
                         self.assertFalse(self.passes(self.changed(text, *found.span(value))))
+            self.assertLessEqual({*usual_parameters(law), "dead_band_mm"}, names)
+
+    def test_a_law_finds_a_changed_bound(self):
+        write_csv(self.path / "b.csv", *arrays(20.4))
+        isolaw.calibrate([self.path / "a.csv", self.path / "b.csv"], ["bilinear"], runs=1, analysis="none", out=self.path / "two")
+        text = program("export", self.path / "two", "--law", "bilinear", "--device", "a", "--to", "openseespy-law")
+        self.assertTrue(self.passes(text))
+        bound = re.search(r'^BOUNDS = .*"upper": ([^,}]+)', text, re.MULTILINE)
+        self.assertFalse(self.passes(self.changed(text, *bound.span(1))))
 
     def test_a_material_finds_every_changed_argument(self):
         number = r"-?\d[\d.e+-]*"
@@ -590,6 +615,7 @@ class SelfChecks(InFolder):
                 for script in (text, tcl) for command in [r"(?!Elastic|zeroLength)\w+"]
             ]  # fmt: skip
             self.assertEqual(*numbers)
+            self.assertTrue(numbers[0])
 
 
 if __name__ == "__main__":

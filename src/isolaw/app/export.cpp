@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
+#include <iterator>
+#include <utility>
 
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
@@ -11,6 +12,8 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/building/building_file.hpp"
+#include "isolaw/building/plausibility.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/programs/exports.hpp"
@@ -21,22 +24,22 @@
 namespace isolaw::app {
 
 int export_law(ExportArguments const& a) {
+  using programs::Target;
   auto const& target = programs::find_target(a.to);
   if (!target.of_model && (!a.model.empty() || !a.seed.empty()))
-    throw Error({.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
-                 .found = fmt::format("is given with --to {}", a.to),
-                 .allowed = "a target that writes a whole model: " + joined(programs::model_targets())});
-  constexpr std::array nameless{"openseespy", "openseespy-law", "json", "sheet", "csv"};
-  if (a.name && std::ranges::find(nameless, target.name) != nameless.end())
+    throw Error(
+        {.where = "--" + std::string(a.model.empty() ? a.seed.begin()->first : a.model.begin()->first),
+         .found = fmt::format("is given with --to {}", a.to),
+         .allowed = "a target that writes a whole model: " + joined(programs::targets_where(&Target::of_model))});
+  if (a.name && !target.is_named)
     throw Error({.where = "--name",
                  .found = fmt::format("is given with --to {}", a.to),
-                 .allowed = "a target whose file has a name: not " + joined(nameless)});
+                 .allowed = "a target whose file has a name: " + joined(programs::targets_where(&Target::is_named))});
   if (a.name) programs::require_export_name(*a.name);
-  constexpr std::array never_refitted{"openseespy-law", "cpp", "opensees-cpp", "abaqus", "csv"};
-  if (!a.motions.empty() && std::ranges::find(never_refitted, target.name) != never_refitted.end())
+  if (!a.motions.empty() && !target.refits)
     throw Error({.where = "--motion",
                  .found = fmt::format("is given with --to {}, which writes the law itself", a.to),
-                 .allowed = "a target that may re-fit the law: not " + joined(never_refitted)});
+                 .allowed = "a target that may re-fit the law: " + joined(programs::targets_where(&Target::refits))});
   auto contents = campaign::Store::read(a.directory / "campaign.sqlite");
   auto const& units = find_unit_system(a.units ? *a.units : std::string(contents.acceptance.report_units));
   apply(a.acceptance, contents.acceptance);
@@ -52,7 +55,15 @@ int export_law(ExportArguments const& a) {
     campaign::apply(a.seed, settings);
     subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
   }
-  for (auto const& file : a.motions) subject.motions.push_back(data::read_ground_motion(file));
+  std::vector<Finding> about_motions;
+  for (auto const& file : a.motions) {
+    auto motion = building::read_motion(file);
+    std::ranges::move(building::motion_doubts(motion), std::back_inserter(about_motions));
+    subject.motions.push_back({.file = std::move(motion.name),
+                               .step_s = motion.step_s,
+                               .acceleration_mm_s2 = std::move(motion.x_mm_s2),
+                               .recognised = {}});
+  }
   auto const exported = programs::write_export(subject, target, units, a.anyway);
   for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
     say("warning: {}\n", printable(warning));
@@ -60,9 +71,10 @@ int export_law(ExportArguments const& a) {
   if (subject.model)
     for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
   for (auto const& caution : exported.cautions) say("warning: {}\n", printable(caution));
-  for (auto const& response : exported.responses)
-    say("{}: {}\n", wording::row(response.kind).severity == wording::Severity::note ? "note" : "warning",
-        printable(wording::sentence(response, units)));
+  std::ranges::copy(exported.responses, std::back_inserter(about_motions));
+  for (auto const& finding : about_motions)
+    say("{}: {}\n", wording::row(finding.kind).severity == wording::Severity::note ? "note" : "warning",
+        printable(wording::sentence(finding, units)));
   for (auto const& objection : exported.let_through) say("{}\n", printable(study::let_through(objection)));
   auto inputs = a.motions;
   for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})

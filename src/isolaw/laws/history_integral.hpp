@@ -54,6 +54,19 @@ struct HistoryIntegral {
     return NoForm{"two memories and softening with the peak so far; fitted as vaiana without them"};
   }
 
+  // The memories in mm and kN, and the elastic stiffness after a peak: the values that a high damping rubber link of
+  // other programs takes.
+  struct Memories {
+    double slow_mm, slow_kN, quick_mm, quick_kN, elastic_kN_per_mm;
+  };
+  static Memories memories(Params<double> const& p, double peak_mm) {
+    return {.slow_mm = p.D,
+            .slow_kN = p.S * (1.0 - p.s),
+            .quick_mm = p.u * p.D,
+            .quick_kN = p.S * p.s,
+            .elastic_kN_per_mm = p.K * std::pow(peak_mm / reference_mm, p.g - 1.0) / reference_mm};
+  }
+
   // [export struct HistoryIntegral]
   template <class N>
   struct State {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "isolaw/base/error.hpp"
 #include "isolaw/programs/header_parts.hpp"
 #include "isolaw/programs/self_check.hpp"
@@ -47,6 +49,23 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   if (subject.bounds.upper)
     text += fmt::format("inline constexpr double upper = {};\n", exactly(subject.bounds.upper->overall));
   return text;
+}
+
+// Lines of the check that compare the factors of the bounds with those that isolaw wrote.
+std::string bounds_check(Subject const& subject, UnitSystem const& units) {
+  auto const space = identifier(subject, units);
+  std::string rows;
+  for (auto const& [name, bound] : {std::pair("lower", &subject.bounds.lower), {"upper", &subject.bounds.upper}})
+    if (*bound) rows += fmt::format(", {{{}::{}, {}}}", space, name, exactly((*bound)->overall));
+  return fmt::format(R"text(  // The factors of the file, and as isolaw wrote them.
+  double const factors[][2] = {{{{{0}::nominal, 1.0}}{1}}};
+  for (auto const& factor : factors)
+    if (!(std::abs(factor[0] - factor[1]) <= {2} * factor[1])) {{
+      std::printf("the factor of a bound was changed: %.10g in place of %.10g\n", factor[0], factor[1]);
+      numbers = false;
+    }}
+)text",
+                     space, rows, exactly(check_tolerance));
 }
 
 }  // namespace
@@ -103,7 +122,7 @@ int main() {{
     peak = std::max(peak, std::abs(expected[i]));
     largest = std::max(largest, std::abs(force - expected[i]));
   }}
-  bool const pass = numbers && peak > 0.0 && largest <= {5} * peak;
+{7}  bool const pass = numbers && peak > 0.0 && largest <= {5} * peak;
   std::printf("isolaw {6}: largest difference %.3g of the peak force (allowed {5}): %s\n", largest / peak,
               pass ? "PASS" : "FAIL");
   return pass ? 0 : 1;
@@ -112,7 +131,7 @@ int main() {{
 )text",
       number_lines(check.disp, ", ", "      "), number_lines(check.velocity, ", ", "      "),
       number_lines(check.force, ", ", "      "), identifier(subject, units), material, exactly(check_tolerance),
-      subject.law->info.id);
+      subject.law->info.id, bounds_check(subject, units));
 }
 
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program) {

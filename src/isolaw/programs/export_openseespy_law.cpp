@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <ranges>
+#include <utility>
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/programs/exports.hpp"
@@ -13,6 +15,20 @@
 #include "isolaw/programs/text.hpp"
 
 namespace isolaw::programs {
+namespace {
+
+// The largest force of each variant along the path of the check, as items of a dict.
+std::string peaks(Subject const& subject, LawCheck const& check) {
+  double nominal = 0.0;
+  for (double const force : check.force) nominal = std::max(nominal, std::abs(force));
+  auto text = fmt::format("\"nominal\": {}", exactly(nominal));
+  for (auto const& [name, bound] : {std::pair("lower", &subject.bounds.lower), {"upper", &subject.bounds.upper}})
+    if (*bound) text += fmt::format(", \"{}\": {}", name, exactly((*bound)->overall * nominal));
+  return text;
+}
+
+}  // namespace
+
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix) {
   auto const check = law_check(subject, units);
   std::string capitals(prefix);
@@ -54,7 +70,7 @@ def {prefix}material(tag, variant="nominal"):
     isolaw.opensees.material(tag, **{prefix}arguments(variant))
 
 
-# The motion of the self-check, and the force of the law along it.
+# The motion of the self-check, the nominal force of the law along it, and the peak force of each variant.
 {capitals}DISP = [
 {disp}
 ]
@@ -64,13 +80,14 @@ def {prefix}material(tag, variant="nominal"):
 {capitals}EXPECTED = [
 {expected}
 ]
+{capitals}PEAKS = {{{peaks}}}
 
 
 def {prefix}self_check():
     """Moves a material of each variant along the motion. What there was is wiped. True where all forces agree."""
     allowed = {tolerance}  # of the peak force
     everything = True
-    for variant, factor in {capitals}BOUNDS.items():
+    for variant in {capitals}BOUNDS:
         ops.wipe()
         {prefix}material(1, variant)
         ops.testUniaxialMaterial(1)
@@ -78,7 +95,8 @@ def {prefix}self_check():
         for disp, velocity in zip({capitals}DISP, {capitals}VELOCITY):
             ops.setStrain(disp, velocity)
             got.append(ops.getStress())
-        peak = factor * max(abs(force) for force in {capitals}EXPECTED)
+        peak = {capitals}PEAKS[variant]
+        factor = peak / max(abs(force) for force in {capitals}EXPECTED)
         worst = max(abs(force - factor * expected) for force, expected in zip(got, {capitals}EXPECTED))
         passed = all(force == force for force in got) and worst <= allowed * peak
         print(
@@ -103,7 +121,7 @@ def {prefix}self_check():
              fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exactly(subject.dead_band_mm)),
              fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(check.disp, ", ", "    ")),
              fmt::arg("velocity", number_lines(check.velocity, ", ", "    ")),
-             fmt::arg("expected", number_lines(check.force, ", ", "    ")),
+             fmt::arg("expected", number_lines(check.force, ", ", "    ")), fmt::arg("peaks", peaks(subject, check)),
              fmt::arg("tolerance", exactly(check_tolerance)));
 }
 

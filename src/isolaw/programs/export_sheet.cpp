@@ -15,7 +15,7 @@
 #include <functional>
 
 #include "isolaw/base/words.hpp"
-#include "isolaw/laws/parts/reference.hpp"
+#include "isolaw/laws/history_integral.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/text.hpp"
 #include "isolaw/wording/words.hpp"
@@ -108,10 +108,7 @@ constexpr std::string_view plastic_wen_link = "Plastic (Wen)";
 using WenSet = std::optional<Set<Wen>>;
 using CornerSet = std::optional<Set<Corner>>;
 
-// The memories of history-integral in mm and kN, and its elastic stiffness after a peak of the tested displacement.
-struct Memories {
-  double slow_mm, slow_kN, quick_mm, quick_kN, elastic_kN_per_mm;
-};
+struct Memories : laws::HistoryIntegral::Memories {};
 
 Memories scaled(Memories v, BoundFactors const& factors) {
   for (double* const strength : {&v.slow_kN, &v.quick_kN}) *strength *= factors.strength;
@@ -167,16 +164,10 @@ CornerSet bilinear(Subject const& subject, BuildingOnLaw const& building) {
 }
 
 std::optional<Set<Memories>> memories(Subject const& subject) {
-  if (subject.law->info.id != "history-integral") return std::nullopt;
-  auto const value = [&](std::string_view name) { return subject.parameters[subject.law->index_of(name)]; };
-  double const peak = subject.tested.disp_mm / laws::reference_mm;
-  return with_bounds(subject,
-                     Memories{.slow_mm = value("D"),
-                              .slow_kN = value("S") * (1.0 - value("s")),
-                              .quick_mm = value("u") * value("D"),
-                              .quick_kN = value("S") * value("s"),
-                              .elastic_kN_per_mm = value("K") * std::pow(peak, value("g") - 1.0) / laws::reference_mm},
-                     "the law's own");
+  using Law = laws::HistoryIntegral;
+  if (subject.law->info.id != Law::info.id) return std::nullopt;
+  auto const parameters = laws::unpack<Law, double>(std::span<double const>(subject.parameters));
+  return with_bounds(subject, Memories{Law::memories(parameters, subject.tested.disp_mm)}, "the law's own");
 }
 
 class Page {
@@ -358,20 +349,21 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;
+  RefitResponse response;  // the last that was computed: all have the same building
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
-    response = set->response;
-    remarks.add(response, subject);
+    remarks.add(set->response, subject);
+    if (set->response.why_not.empty()) response = set->response;
   };
   compare(wen);
   compare(rubber);
   compare(free);
   compare(corner);
-  if (response.mass_from.empty()) remarks.add(response, subject);
+  if (response.mass_from.empty() && remarks.cautions.empty()) remarks.add(response, subject);
   for (auto const& finding : remarks.responses) fact("In a building", wording::remark(finding, units));
   response.finding.reset();
   for (auto const& f : response_facts(subject, response, units)) fact(f.label, f.text);
+  for (auto const& caution : remarks.cautions) fact("In a building", caution);
   if (fitted)
     fact(
         "Errors below",
@@ -401,10 +393,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   page.heading("To compare: one cycle of the law");
   page.line(fmt::format("Second cycle of two, the first at half the amplitude, {:.4g} Hz.\n", subject.frequency_Hz));
   page.line(fmt::format("| displacement, {} | force, {} |\n|---:|---:|", units.length.symbol, units.force.symbol));
-  auto cycle = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
-  cycle.refinement = subject.refinement;
-  cycle.dead_band_mm = subject.dead_band_mm;
-  cycle.law_kN = law_force(*subject.law, subject.parameters, cycle);
+  auto const cycle = tested_cycles(subject);
   auto const count = cycle.disp_mm.size();
   for (std::size_t i = (count - 1) / 2; i < count; i += 10)
     page.line(fmt::format("| {:.5g} | {:.5g} |", units.from_mm(cycle.disp_mm[i]), units.from_kN(cycle.law_kN[i])));

@@ -50,43 +50,61 @@ Realisation realised_model(Subject const& subject, Remarks& remarks) {
 }
 
 constexpr std::array all{
-    Target{"opensees", [](Subject const& s, UnitSystem const& units,
-                          Remarks& remarks) { return opensees_script(s, realised(s, remarks), units); }},
-    Target{"openseespy", [](Subject const& s, UnitSystem const& units,
-                            Remarks& remarks) { return openseespy_script(s, realised(s, remarks), units); }},
-    Target{"openseespy-law",
-           [](Subject const& s, UnitSystem const& units, Remarks&) { return openseespy_law(s, units); }},
-    Target{"opensees-model",
-           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
-             return opensees_model(s, realised_model(s, remarks), units);
-           },
-           true},
-    Target{"openseespy-model",
-           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
-             return openseespy_model(s, realised_model(s, remarks), units);
-           },
-           true},
-    Target{"cpp", [](Subject const& s, UnitSystem const& units, Remarks&) { return cpp_header(s, units); }},
-    Target{"opensees-cpp",
-           [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); }},
-    Target{"abaqus", [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); }},
+    Target{.name = "opensees",
+           .write = [](Subject const& s, UnitSystem const& units,
+                       Remarks& remarks) { return opensees_script(s, realised(s, remarks), units); },
+           .is_named = true,
+           .refits = true},
+    Target{.name = "openseespy",
+           .write = [](Subject const& s, UnitSystem const& units,
+                       Remarks& remarks) { return openseespy_script(s, realised(s, remarks), units); },
+           .refits = true},
+    Target{.name = "openseespy-law",
+           .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return openseespy_law(s, units); }},
+    Target{.name = "opensees-model",
+           .write = [](Subject const& s, UnitSystem const& units,
+                       Remarks& remarks) { return opensees_model(s, realised_model(s, remarks), units); },
+           .of_model = true,
+           .is_named = true,
+           .refits = true},
+    Target{.name = "openseespy-model",
+           .write = [](Subject const& s, UnitSystem const& units,
+                       Remarks& remarks) { return openseespy_model(s, realised_model(s, remarks), units); },
+           .of_model = true,
+           .is_named = true,
+           .refits = true},
+    Target{.name = "cpp",
+           .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return cpp_header(s, units); },
+           .is_named = true},
+    Target{.name = "opensees-cpp",
+           .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return opensees_material(s, units); },
+           .is_named = true},
+    Target{.name = "abaqus",
+           .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); },
+           .is_named = true},
     // The JSON contains the law itself and the error of each substitute, so a poor substitute is no reason to refuse.
-    Target{"json",
-           [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
-             auto const realisation = realise(s);
-             remarks.add(realisation.response, s);
-             return export_json(s, realisation, units);
-           }},
-    Target{"sheet", value_sheet},
-    Target{"csv", [](Subject const& s, UnitSystem const& units, Remarks&) { return protocol_csv(s, units); }}};
+    Target{.name = "json",
+           .write =
+               [](Subject const& s, UnitSystem const& units, Remarks& remarks) {
+                 auto const realisation = realise(s);
+                 remarks.add(realisation.response, s);
+                 return export_json(s, realisation, units);
+               },
+           .refits = true},
+    Target{.name = "sheet", .write = value_sheet, .refits = true},
+    Target{.name = "csv",
+           .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return protocol_csv(s, units); }}};
 
 }  // namespace
 
 void Remarks::add(RefitResponse const& response, Subject const& subject) {
-  if (response.finding && std::ranges::find(responses, *response.finding) == responses.end())
-    responses.push_back(*response.finding);
-  else if (!response.why_not.empty())
-    cautions.push_back("the response of a building was not computed: " + response.why_not);
+  auto const add_new = [](auto& list, auto const& one) {
+    if (std::ranges::find(list, one) == list.end()) list.push_back(one);
+  };
+  if (!response.why_not.empty())
+    add_new(cautions, "the response of a building was not computed: " + response.why_not);
+  else if (response.finding)
+    add_new(responses, *response.finding);
   else if (response.motions.empty() && !subject.motions.empty())
     cautions.emplace_back(
         "--motion is not used: the file has the law itself, so there is no re-fit to compare with it");
@@ -96,10 +114,10 @@ std::span<Target const> targets() {
   return all;
 }
 
-std::vector<std::string_view> model_targets() {
+std::vector<std::string_view> targets_where(bool Target::*is) {
   std::vector<std::string_view> names;
   for (auto const& target : all)
-    if (target.of_model) names.push_back(target.name);
+    if (target.*is) names.push_back(target.name);
   return names;
 }
 

@@ -24,10 +24,12 @@ struct Remarks {
 struct Target {
   std::string_view name;
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
-  bool of_model = false;  // true if it writes a whole building and needs Subject::model
+  bool of_model = false;  // writes a whole building and needs Subject::model
+  bool is_named = false;  // the file defines a name, which the user may choose (Subject::name)
+  bool refits = false;    // may put the re-fit of another law in the law's place
 };
 std::span<Target const> targets();
-std::vector<std::string_view> model_targets();
+std::vector<std::string_view> targets_where(bool Target::*is);
 Target const& find_target(std::string_view name);  // throws Error with a list of the targets
 
 struct Export {

@@ -57,8 +57,9 @@ data::GroundMotion scaled(data::GroundMotion motion, double scale) {
   return motion;
 }
 
-// Scales a motion so that the mass moves to `target_mm`, or up to 2 % less far.
-data::GroundMotion scaled_to(data::GroundMotion const& motion, MassOnBearing const& mass, double target_mm) {
+// Scales a motion so that the mass moves to `target_mm`, or up to 2 % less far. Empty if no factor was found.
+std::optional<data::GroundMotion> scaled_to(data::GroundMotion const& motion, MassOnBearing const& mass,
+                                            double target_mm) {
   constexpr double near = 0.98;
   constexpr int most = 20;
   double low = 0.0, high = 0.0, scale = 1.0;
@@ -66,7 +67,11 @@ data::GroundMotion scaled_to(data::GroundMotion const& motion, MassOnBearing con
     auto const peaks = mass.under(scaled(motion, scale));
     bool const exceeds = !peaks || peaks->disp_mm > target_mm;
     (exceeds ? high : low) = scale;
-    if (!exceeds && peaks->disp_mm >= near * target_mm) break;
+    if (!exceeds && peaks->disp_mm >= near * target_mm) {
+      auto chosen = scaled(motion, scale);
+      chosen.file = fmt::format("{:.3g} x {}", scale, motion.file);
+      return chosen;
+    }
     // The peak is about proportional to the scale, but may change little over a range of it, or leap. So the step that
     // this suggests is doubled until the target lies between two scales, and from then on every other step halves.
     bool const between = low > 0.0 && high > 0.0;
@@ -74,17 +79,12 @@ data::GroundMotion scaled_to(data::GroundMotion const& motion, MassOnBearing con
     scale *= between ? ratio : ratio * ratio;
     if (between && (i % 2 == 1 || scale <= low || scale >= high)) scale = std::sqrt(low * high);
   }
-  auto chosen = scaled(motion, low);
-  chosen.file = fmt::format("{:.3g} x {}", low, motion.file);
-  return chosen;
+  return std::nullopt;
 }
 
 // K_eff of the law in the second of two cycles, which has the tested amplitude.
 double stiffness_of(Subject const& subject) {
-  auto cycles = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
-  cycles.refinement = subject.refinement;
-  cycles.dead_band_mm = subject.dead_band_mm;
-  auto const force = law_force(*subject.law, subject.parameters, cycles);
+  auto const force = tested_cycles(subject).law_kN;
   auto const [low, high] =
       std::minmax_element(force.begin() + static_cast<std::ptrdiff_t>(force.size() / 2), force.end());
   return (*high - *low) / (2.0 * subject.tested.disp_mm);
@@ -108,8 +108,8 @@ BuildingOnLaw::BuildingOnLaw(Subject const& subject) : law_(subject.law->info.id
   if (subject.model) {
     load_kN = subject.model->weight_kN / static_cast<double>(subject.model->bearings.size());
     all.mass_from = "the mean load of the model's isolators";
-  } else if (auto const& tested = subject.tested; tested.load_min_kN && *tested.load_min_kN > 0.0) {
-    load_kN = 0.5 * (*tested.load_min_kN + *tested.load_max_kN);
+  } else if (auto const load = subject.tested.load_mean_kN; load && *load > 0.0) {
+    load_kN = load;
     all.mass_from = "the vertical load of the tests";
   }
   double const rate = 2.0 * std::numbers::pi / usual_period_s;
@@ -126,23 +126,32 @@ BuildingOnLaw::BuildingOnLaw(Subject const& subject) : law_(subject.law->info.id
         "the law moves to the tested displacement";
     for (std::uint32_t i = 0; i < building::example_motions; ++i) {
       auto const motion = building::example_motion(i);
-      motions_.push_back(scaled_to({.file = fmt::format("motion-{}-x", i + 1),
-                                    .step_s = motion.step_s,
-                                    .acceleration_mm_s2 = motion.x_mm_s2,
-                                    .recognised = {}},
-                                   on_law, subject.tested.disp_mm));
+      auto const name = fmt::format("motion-{}-x", i + 1);
+      auto scaled_motion =
+          scaled_to({.file = name, .step_s = motion.step_s, .acceleration_mm_s2 = motion.x_mm_s2, .recognised = {}},
+                    on_law, subject.tested.disp_mm);
+      if (!scaled_motion) {
+        fail(fmt::format("no factor on {} moves the law to the tested displacement", name));
+        return;
+      }
+      motions_.push_back(std::move(*scaled_motion));
     }
   }
-  auto const no_response = [&](data::GroundMotion const& motion) {
+  for (auto const& motion : motions_) {
     auto const peaks = on_law.under(motion);
-    if (peaks && peaks->disp_mm > 0.0) {
-      all.motions.push_back({.motion = motion.file, .law_disp_mm = peaks->disp_mm, .law_shear_kN = peaks->shear_kN});
-      return false;
+    if (!peaks || !(peaks->disp_mm > 0.0)) {
+      fail(peaks ? fmt::format("the law does not move under {}", motion.file)
+                 : fmt::format("the integration with the law came to no end under {}", motion.file));
+      return;
     }
-    all.why_not = fmt::format("the integration with the law came to no end under {}", motion.file);
-    return true;
-  };
-  std::erase_if(motions_, no_response);
+    all.motions.push_back({.motion = motion.file, .law_disp_mm = peaks->disp_mm, .law_shear_kN = peaks->shear_kN});
+  }
+}
+
+void BuildingOnLaw::fail(std::string why) {
+  motions_.clear();
+  on_law_.motions.clear();
+  on_law_.why_not = std::move(why);
 }
 
 RefitResponse BuildingOnLaw::with(std::string_view refit, laws::LawEntry const& law,
@@ -157,6 +166,7 @@ RefitResponse BuildingOnLaw::with(std::string_view refit, laws::LawEntry const& 
     auto const peaks = on_refit.under(motions_[i]);
     if (!peaks) {
       response.why_not = fmt::format("the integration with {} came to no end under {}", refit, each.motion);
+      response.motions.clear();
       return response;
     }
     Peaks const itself{.disp_mm = each.law_disp_mm, .shear_kN = each.law_shear_kN};

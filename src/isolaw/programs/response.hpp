@@ -29,11 +29,12 @@ struct UnderMotion {
 struct RefitResponse {
   std::vector<UnderMotion> motions;
   // refit_response, or refit_response_off: how far the means of the re-fit's peaks over the motions are off those of
-  // the law, and the least and the most under one motion. Empty if a motion has no result.
+  // the law, and the least and the most under one motion. If one motion has no result, there is none, no motion is
+  // listed, and why_not says why.
   std::optional<Finding> finding;
   double mass_Mg = 0.0, period_s = 0.0;
   std::string mass_from, motions_from;
-  std::string why_not;  // why a motion has no result; "" if all have one
+  std::string why_not;
 };
 
 // The building on the law. The motions are Subject::motions, else the one of Subject::model along x. Without either
@@ -47,6 +48,8 @@ class BuildingOnLaw {
   RefitResponse with(std::string_view refit, laws::LawEntry const& law, std::span<double const> parameters) const;
 
  private:
+  void fail(std::string why);
+
   std::string law_;
   std::vector<data::GroundMotion> motions_;
   RefitResponse on_law_;

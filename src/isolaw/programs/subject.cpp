@@ -103,10 +103,12 @@ std::optional<double> own_value(study::Summary const& summary, Subject const& su
 }
 
 rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
-  for (std::string_view const wanted : {"contract band", "statistical, each device"})
-    for (auto const& bound : view.bounds)
-      if (bound.source == wanted) return &bound;
-  return nullptr;
+  rules::Bound const* chosen = nullptr;
+  for (auto const& bound : view.bounds) {
+    if (bound.spread == rules::Spread::contract) return &bound;
+    if (bound.is_tolerance) chosen = &bound;
+  }
+  return chosen;
 }
 
 struct PropertyBounds {
@@ -129,7 +131,7 @@ std::optional<PropertyBounds> ruled_bounds(study::Summary const& summary, Subjec
   if (bound == nullptr || !own || !(*own > 0.0)) return std::nullopt;
   PropertyBounds bounds;
   bounds.own = *own;
-  if (bound->spread == rules::Spread::device) bounds.tolerance_factor = view->tolerance_factor;
+  if (bound->is_tolerance) bounds.tolerance_factor = view->tolerance_factor;
   if (std::isfinite(bound->lower) && bound->lower > 0.0) bounds.lower = bound->lower / *own;
   if (std::isfinite(bound->upper)) bounds.upper = bound->upper / *own;
   bool const stiffness = quantity != rules::Quantity::Q_d;
@@ -191,7 +193,7 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
   };
   bounds.lower = factors(K_d->lower, Q_d->lower);
   bounds.upper = factors(K_d->upper, Q_d->upper);
-  bounds.tolerance_factor = K_d->tolerance_factor;
+  if (K_d->tolerance_factor == Q_d->tolerance_factor) bounds.tolerance_factor = K_d->tolerance_factor;
   bounds.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
                               K_d->text, Q_d->text);
   return bounds;
@@ -256,7 +258,7 @@ void require_finite(Subject const& subject, std::string const& where) {
 }
 
 void add_measured(Subject& subject, study::Summary const& summary) {
-  std::vector<double> stiffness, damping;
+  std::vector<double> stiffness, damping, load;
   study::Ranges ranges;
   for (auto const& device : summary.devices) {
     if (std::ranges::find(subject.histories, device.name, &History::device) == subject.histories.end()) continue;
@@ -265,6 +267,7 @@ void add_measured(Subject& subject, study::Summary const& summary) {
     if (auto const& cycle = device.properties.reported) {
       stiffness.push_back(cycle->K_eff_kN_per_mm);
       damping.push_back(cycle->damping_percent);
+      if (cycle->N_mean_kN) load.push_back(*cycle->N_mean_kN);
       subject.design_disp_mm = std::max(subject.design_disp_mm, cycle->amplitude_mm);
     }
   }
@@ -275,6 +278,7 @@ void add_measured(Subject& subject, study::Summary const& summary) {
     for (double const v : values) sum += v;
     return sum / static_cast<double>(values.size());
   };
+  if (!load.empty()) subject.tested.load_mean_kN = mean(load);
   if (!stiffness.empty()) {
     subject.K_eff_kN_per_mm = mean(stiffness);
     subject.damping_percent = mean(damping);
@@ -296,6 +300,14 @@ History two_cycles(double first_mm, double second_mm, double frequency_Hz, int s
     history.vel_mm_s.push_back(i == 0 ? 0.0 : size * omega * std::cos(phase));
   }
   return history;
+}
+
+History tested_cycles(Subject const& subject) {
+  auto cycles = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
+  cycles.refinement = subject.refinement;
+  cycles.dead_band_mm = subject.dead_band_mm;
+  cycles.law_kN = law_force(*subject.law, subject.parameters, cycles);
+  return cycles;
 }
 
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {

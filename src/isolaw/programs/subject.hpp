@@ -33,6 +33,7 @@ struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
   std::optional<double> load_min_kN, load_max_kN;
+  std::optional<double> load_mean_kN;  // in the reported cycle; for a lot the mean over the devices
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
@@ -51,7 +52,7 @@ struct BoundFactors {
 struct Bounds {
   std::optional<BoundFactors> lower, upper;
   std::string source;  // where the factors come from, or why there are none
-  // k, if the bounds are those that hold 95 % of the devices with confidence 95 %; see num/tolerance_factor.hpp.
+  // k, if all factors are those that hold 95 % of the devices with confidence 95 %; see num/tolerance_factor.hpp.
   std::optional<double> tolerance_factor = {};
 };
 
@@ -92,6 +93,10 @@ struct Subject {
 // where materials of analysis programs start at rest, and that of the sine at the others.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
+
+struct Subject;
+// Two cycles, at half and at the whole tested amplitude, with the force of the subject's law.
+History tested_cycles(Subject const& subject);
 
 // Makes the path of every self-check, without forces: from rest through two growing cycles up to `tested_mm` and
 // through smaller loops within them, so that turning points, peaks, travel and the dead band act on the force. Each

@@ -205,6 +205,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   add("statistical, each device", Spread::device, about_mean(*view.tolerance_factor * *view.cov_percent),
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
+  view.bounds.back().is_tolerance = true;
   if (!lot_size) return;
   auto const tested = static_cast<int>(view.count);
   add("statistical, system", Spread::system,

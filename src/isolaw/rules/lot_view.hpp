@@ -43,6 +43,7 @@ struct Bound {         // factors on the design value (or the lot's mean), and t
   CombinedFactors combined;         // with ageing, environment and test; see combine()
   double lower = 0.0, upper = 0.0;  // combined factors times the design value or the mean
   std::string note;                 // explains the source
+  bool is_tolerance = false;        // a tolerance limit: holds 95 % of the devices with confidence 95 %
   std::string no_lower;             // why there is no lower bound
 };
 

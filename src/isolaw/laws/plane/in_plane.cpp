@@ -8,6 +8,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/laws/plane/plane.hpp"
 
 namespace isolaw::laws {
@@ -110,7 +111,9 @@ InPlane InPlane::coupled(std::string_view law, std::span<double const> parameter
     return Error({.where = fmt::format("law {}, coupled in two directions", law),
                   .found = std::move(found),
                   .allowed = with_a_form(softening),
-                  .advice = "springs, which every law can be"});
+                  .advice = find_law(law).info.traits.odd
+                                ? "springs, which every law of equal force on both sides can be"
+                                : ""});
   };
   if (auto const why = no_coupled_form(law, parameters)) throw refuse(*why);
   std::unique_ptr<Form> form;
