@@ -168,9 +168,7 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
   for (auto const& law : study.laws) doubts.insert(doubts.end(), law.doubts.begin(), law.doubts.end());
   for (auto const& sentence : wording::sentences(doubts, wording::with_building, study.units()))
     say("warning: From the calibration: {}\n", sentence);
-  std::vector<Finding> warnings;
-  for (auto const& motion : study.file.motions)
-    std::ranges::move(building::motion_doubts(motion), std::back_inserter(warnings));
+  auto warnings = building::study_doubts(study);
   print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
   bool all = true;
   for (auto const& law : study.laws)
