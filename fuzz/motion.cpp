@@ -19,9 +19,9 @@ bool all_finite(std::vector<double> const& values) {
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   auto const bytes = fuzz::as_text(data, size);
-  for (auto const step_s : {std::optional<double>(), std::optional(0.01)})
+  for (auto const& stated : {data::StatedMotion{}, data::StatedMotion{.step_s = 0.01, .unit = "g"}})
     fuzz::attempt([&] {
-      auto const motion = data::read_ground_motion_text(bytes, "motion.at2", step_s);
+      auto const motion = data::read_ground_motion_text(bytes, "motion.at2", stated);
       fuzz::require(motion.acceleration_mm_s2.size() >= 2 && all_finite(motion.acceleration_mm_s2),
                     "values are finite");
       fuzz::require(motion.step_s > 0.0 && std::isfinite(motion.step_s), "the step is a time");

@@ -539,7 +539,8 @@ using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 // Reads how the caller gives a ground motion: as a tuple (step in s, accelerations along x in m/s2[, along y]) or as a
 // text for building::read_motion.
 building::Motion motion_of(py::handle const& given, std::size_t place) {
-  if (py::isinstance<py::str>(given)) return building::read_motion(given.cast<std::string>());
+  if (py::isinstance<py::str>(given))
+    return building::read_motion(given.cast<std::string>(), {.how = "its values: (step in s, x in m/s2)"});
   auto const values = given.cast<py::tuple>();
   constexpr double mm_in_m = 1e3;
   auto const component = [&](std::size_t i) {

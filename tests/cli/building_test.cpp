@@ -496,6 +496,7 @@ TEST_F(Building, says_that_motions_of_the_command_line_are_not_scaled) {
   ASSERT_EQ(own.code, 0) << own;
   ASSERT_EQ(given.code, 0) << given;
   EXPECT_FALSE(contains(own.err, "--motion")) << own;
+  EXPECT_TRUE(contains(given.err, "Beyond that the law is extrapolated")) << given;
   EXPECT_TRUE(contains(
       given.err,
       "1 motion of --motion is used as given, with scale 1, in place of 7 motions of case/building.toml, which had scale 0.5"))
@@ -514,6 +515,229 @@ TEST_F(Building, prints_no_progress_for_a_short_study) {
   auto const o = isolaw({"building", "case/building.toml", "--from", "lot", "--out", "B", "--figures", "none"});
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_FALSE(contains(o.err, "% done")) << o;
+}
+
+// A file of one column without a header states neither its step nor its unit. The user states them, by options or in the
+// building file; a part remembers the options for the merge.
+TEST_F(Building, takes_step_and_unit_of_a_motion_as_stated) {
+  campaign();
+  ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+  auto text = read("case/building.toml");
+  text.replace(text.find("draws = 1000"), 12, "draws = 2");
+  text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
+  text.erase(text.find("[[motion]]", text.find("[[motion]]") + 5));
+  write("case/building.toml", text);
+  std::string column;
+  std::istringstream rows(read("case/motion-1-x.csv"));
+  for (std::string row; std::getline(rows, row);)
+    if (auto const comma = row.find(','); std::isdigit(row.front()) != 0) column += row.substr(comma + 1) + "\n";
+  write("one.txt", column);
+  Words const study{"building", "case/building.toml", "--from", "lot", "--figures", "none"};
+  Words const stated{"--motion", "one.txt", "--motion-dt", "0.01", "--motion-unit", "m/s2"};
+  expect_refused(isolaw(study + Words{"--motion", "one.txt"}),
+                 {"one.txt: no column with a unit", "try: --motion-dt SECONDS and --motion-unit UNIT"});
+  expect_refused(isolaw(study + Words{"--motion-dt", "0.01"}), {"--motion-dt: is given alone"});
+  expect_refused(isolaw(study + Words{"--motion", "one.txt", "--motion-dt", "0.01", "--motion-unit", "mm"}),
+                 {"--motion-unit: 'mm'", "m/s2"});
+  auto const whole = isolaw(study + stated + Words{"--out", "W"});
+  ASSERT_EQ(whole.code, 0) << whole;
+  ASSERT_EQ(isolaw(study + Words{"--motion", "case/motion-1-x.csv", "--out", "T"}).code, 0);
+  EXPECT_EQ(json("W/building.json")["laws"][0]["peak_mm"], json("T/building.json")["laws"][0]["peak_mm"]);
+  for (auto const* part : {"1/2", "2/2"})
+    ASSERT_EQ(isolaw(study + stated + Words{"--part", part, "--out", std::string("P") + part[0]}).code, 0);
+  ASSERT_EQ(isolaw({"merge", "O", "P1", "P2", "--figures", "none"}).code, 0);
+  EXPECT_TRUE(read("O/building.json") == read("W/building.json"));
+  auto const script = isolaw(Words{"parts", "case/building.toml", "2", "--to", "make", "--campaign", "lot"} + stated);
+  EXPECT_TRUE(contains(script.out, "--motion-dt") && contains(script.out, "--motion-unit")) << script;
+  text.replace(text.find("x = \"motion-1-x.csv\""), 20, "x = \"../one.txt\"");
+  text.erase(text.find("y = \"motion-1-y.csv\""), 20);
+  text.replace(text.find("scale = 0.5"), 11, "scale = 1.0");
+  write("case/building.toml", text);
+  expect_refused(isolaw(study + Words{"--out", "F"}), {"one.txt: ", "try: step_s and unit in its [[motion]]"});
+  write("case/building.toml", text + "\nstep_s = 0.01\nunit = \"m/s2\"\n");
+  ASSERT_EQ(isolaw(study + Words{"--out", "F"}).code, 0);
+  EXPECT_EQ(json("F/building.json")["laws"][0]["peak_mm"], json("T/building.json")["laws"][0]["peak_mm"]);
+}
+
+// Building files and motions that are wrong. Each is refused by one complaint, which names the place and the fault, or
+// is computed with a finding.
+class WrongBuilding : public Building {
+ protected:
+  static constexpr char const* grid = "[grid]\nalong = 2\nacross = 1\nspacing_x_m = 6.0\nspacing_y_m = 6.0\n";
+  static std::string text() {
+    return std::string("[building]\ndraws = 2\nlower = 0.9\nupper = 1.1\nstep_s = 0.02\nrest_s = 0.0\n") +
+           "laws = [\"bilinear\"]\n[base]\nmass_Mg = 400.0\ngyration_m = 5.0\n" + grid +
+           "[plan]\nleft_m = -4.0\nright_m = 4.0\nfront_m = -3.0\nback_m = 3.0\n[[motion]]\nx = \"m.csv\"\n";
+  }
+  static std::string motion(int samples = 200, double step_s = 0.01, double peak = 2.0,
+                            std::string const& names = "time [s],acceleration [m/s2]") {
+    auto rows = names + "\n";
+    for (int i = 0; i < samples; ++i)
+      rows += fmt::format("{:.4f},{:.5g}\n", i * step_s,
+                          peak * std::sin(0.1 * i) * std::sin(std::numbers::pi * (i + 1) / samples));
+    return rows;
+  }
+  static std::string peer(std::string const& last) {
+    return "PEER\nA\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 12, DT= .005 SEC\n .1 .2 .3 .1 .2 .3 .1 .2 .3 .1 .2" +
+           last + "\n";
+  }
+};
+
+TEST_F(WrongBuilding, files_are_refused_each_by_one_complaint) {
+  campaign();
+  fs::create_directory(path("empty"));
+  ASSERT_EQ(
+      isolaw({"calibrate", "a.csv", "--laws", "bilinear", "--runs", "1", "--analysis", "none", "--out", "bare"}).code,
+      0);
+  struct Row {
+    char const* name;
+    std::pair<std::string, std::string> change;  // of the building file: one text for another
+    std::string where, found;
+    std::string motion = {};  // m.csv, if not the usual one
+    Words words = {};         // of the command
+  };
+  auto const with = [](std::string const& line, std::string const& more) {
+    return std::pair(line, line + "\n" + more);
+  };
+  std::string const x = "x = \"m.csv\"", mass = "mass_Mg = 400.0", draws = "draws = 2", laws = "[\"bilinear\"]",
+                    floors = "[floors]\ncount = 2\nmass_Mg = 1\ngyration_m = 5\nperiod_y_s = 0.5\nperiod_x_s = ",
+                    endless(100'000, 'x');
+  std::pair<std::string, std::string> const none;
+  Row const rows[]{
+      {"mass in kg by another key", with(mass, "mass_kg = 400000"), "b.toml:10", "unknown key 'mass_kg'"},
+      {"mass negative", {mass, "mass_Mg = -400.0"}, "b.toml:9", "mass_Mg: -400"},
+      {"mass zero", {mass, "mass_Mg = 0"}, "b.toml:9", "mass_Mg: 0"},
+      {"mass missing", {mass + "\n", ""}, "b.toml:8", "[base] has no mass_Mg"},
+      {"mass with its unit", {mass, "mass_Mg = \"400 t\""}, "b.toml:9", "'400 t' is not a number"},
+      {"mass nan", {mass, "mass_Mg = nan"}, "b.toml:9", "mass_Mg: nan"},
+      {"mass inf", {mass, "mass_Mg = inf"}, "b.toml:9", "mass_Mg: inf"},
+      {"mass in a list", {mass, "mass_Mg = [400.0]"}, "b.toml:9", "[400.0] is not a number"},
+      {"mass tiny", {"gyration_m = 5.0", "gyration_m = 1e-6"}, "base", "a radius of gyration of 0.001 mm"},
+      {"gyration in mm", {"gyration_m = 5.0", "gyration_m = 5000.0"}, "b.toml:16", "radius of gyration of 5000 m"},
+      {"mass beside the plan", with(mass, "x_m = 500"), "b.toml:17", "centre of mass of [base] at (500, 0) m"},
+      {"key misspelt", {draws, "drawz = 2"}, "b.toml:2", "unknown key 'drawz'"},
+      {"key twice", with(draws, draws), "b.toml:3", "draws"},
+      {"table twice", {"[grid]", "[base]"}, "b.toml:11", "base"},
+      {"lower missing", {"lower = 0.9\n", ""}, "b.toml:1", "[building] has no lower"},
+      {"lower above one", {"lower = 0.9", "lower = 1.2"}, "b.toml:3", "lower: 1.2"},
+      {"decimal comma", {"lower = 0.9", "lower = 0,9"}, "b.toml:3", "','"},
+      {"draws none", {draws, "draws = 0"}, "b.toml:2", "draws: 0"},
+      {"draws broken", {draws, "draws = 2.5"}, "b.toml:2", "2.5 is not a whole number"},
+      {"draws of many populations", with(draws, "populations = 10000\ndraws_of_each = 10000"), "b.toml:1",
+       "100000002 buildings"},
+      {"damping in percent", with(draws, "damping = 5"), "b.toml:3", "damping: 5"},
+      {"step in ms", {"step_s = 0.02", "step_s = 20"}, "b.toml:5", "step_s: 20"},
+      {"rest endless", {"rest_s = 0.0", "rest_s = 1e9"}, "b.toml:6", "rest_s: 1000000000"},
+      {"law unknown", {laws, "[\"bilinaer\"]"}, "b.toml:7", "no such law"},
+      {"law twice", {laws, "[\"bilinear\", \"bilinear\"]"}, "b.toml:7", "'bilinear'"},
+      {"law not calibrated", {laws, "[\"bouc-wen\"]"}, "lot, law bouc-wen", "not in this campaign"},
+      {"law is a number", {laws, "[3]"}, "b.toml:7", "3 is not text"},
+      {"no bearings", {grid, ""}, "b.toml:1", "no bearings"},
+      {"no list of bearings", {"[building]", "bearing = 3\n[building]"}, "b.toml:1", "'bearing' is no list of tables"},
+      {"grid of none", {"along = 2", "along = 0"}, "b.toml:12", "along: 0"},
+      {"grid beyond the plan", {"along = 2", "along = 3"}, "b.toml:16", "bearing 1 at (-6, 0) m stands outside"},
+      {"plan with swapped edges", {"left_m = -4.0", "left_m = 5.0"}, "b.toml:16", "edges in the wrong order"},
+      {"plan in mm", {"left_m = -4.0", "left_m = -4000000"}, "b.toml:17", "left_m: -4000000"},
+      {"bearing without place", {"[plan]", "[[bearing]]\nx_m = 1.0\n[plan]"}, "b.toml:16", "[[bearing]] has no y_m"},
+      {"device unknown", {"spacing_y_m = 6.0", "spacing_y_m = 6.0\nis = \"D99\""}, "law bilinear", "no device 'D99'"},
+      {"floors negative", {"[plan]", floors + "0.5\ncount = -2\n[plan]"}, "b.toml:22", "count"},
+      {"period in ms", {"[plan]", floors + "500\n[plan]"}, "b.toml:21", "period_x_s: 500"},
+      {"no base", {"[base]\nmass_Mg = 400.0\ngyration_m = 5.0\n", ""}, "b.toml:1", "no [base]"},
+      {"bracket missing", {"[base]", "[base"}, "b.toml:8", "expected ']'"},
+      {"quote missing", {x, "x = \"m.csv"}, "b.toml:22", "string"},
+      {"no TOML", {text(), "hello"}, "b.toml:1", "Error while parsing"},
+      {"JSON", {text(), "{\"building\": {}}"}, "b.toml:1", "saw '{'"},
+      {"nested endlessly", {text(), "a = " + std::string(5000, '[')}, "b.toml:1", "nested deeper"},
+      {"title endless", with(draws, "title = \"" + endless + "\""), "b.toml:3", "100000 bytes long"},
+      {"title of control characters", with(draws, "title = \"a\\u001b[31m\""), "b.toml:3", "control characters"},
+      {"file endless", with(draws, std::string(2'000'000, '#')), "b.toml", "above 1 MiB"},
+      {"no motion", {"[[motion]]\n" + x + "\n", ""}, "b.toml:1", "no motions"},
+      {"motion is a table", {"[[motion]]", "[motion]"}, "b.toml:21", "'motion' is no list of tables"},
+      {"motion without x", {x, "y = \"m.csv\""}, "b.toml:21", "[[motion]] has no x"},
+      {"motion without name", {x, "x = \"\""}, "b.toml:22", "x: ''"},
+      {"motion is a number", {x, "x = 3"}, "b.toml:22", "3 is not text"},
+      {"motion not there", {x, "x = \"none.csv\""}, "none.csv", "no such file"},
+      {"motion is a folder", {x, "x = \"empty\""}, "empty", "is a directory"},
+      {"motion is a device", {x, "x = \"/dev/zero\""}, "/dev/zero", "is a device"},
+      {"scale zero", with(x, "scale = 0"), "b.toml:23", "scale: 0"},
+      {"scale too large", with(x, "scale = 1e9"), "b.toml:23", "scale: 1000000000"},
+      {"step is another", with(x, "step_s = 0.02"), "m.csv", "a step of 0.02 s is stated"},
+      {"unit is another", with(x, "unit = \"g\""), "m.csv", "not the stated 'g'"},
+      {"unit unknown", with(x, "unit = \"furlong/s2\""), "b.toml:23", "'furlong/s2'"},
+      {"empty", none, "m.csv", "is empty", "\n"},
+      {"header alone", none, "m.csv", "no rows of numbers", "time [s],acceleration [g]\n"},
+      {"one sample", none, "m.csv", "1 sample", motion(1)},
+      {"nan", none, "m.csv:202", "'nan' is no number", motion() + "2.0,nan\n"},
+      {"word", none, "m.csv:202", "'off' is no number", motion() + "2.0,off\n"},
+      {"gap in time", none, "m.csv", "sample 200 is at 1.99 s and sample 201 at 2.5 s", motion() + "2.5,0.1\n"},
+      {"time goes back", none, "m.csv", "sample 200 is at 1.99 s and sample 201 at 1 s", motion() + "1.0,0.1\n"},
+      {"time stands", none, "m.csv", "the time does not increase", motion(200, 0.0)},
+      {"no motion in it", none, "m.csv", "zero throughout", motion(200, 0.01, 0.0)},
+      {"no unit", none, "m.csv", "no column with a unit", motion(200, 0.01, 2.0, "time [s],acceleration")},
+      {"unit of length", none, "m.csv", "no column with a unit", motion(200, 0.01, 2.0, "time [s],disp [mm]")},
+      {"two accelerations", none, "m.csv", "several columns", motion(200, 0.01, 2.0, "a [g],b [g]")},
+      {"value huge", none, "motion 'm'", "an acceleration of", motion(200, 0.01, 1e30)},
+      {"step too long", none, "motion 'm'", "a step of 20 s", motion(200, 20.0)},
+      {"PEER cut short", none, "m.csv", "11 values", peer("")},
+      {"PEER with stars", none, "m.csv:5", "'****' is no number", peer(" ****")},
+      {"page of a portal", none, "m.csv", "no rows of numbers", "<!DOCTYPE html>\n<html><body>log in</body></html>\n"},
+      {"workbook", none, "m.csv", "binary file", std::string("PK\3\4\0\0", 6)},
+      {"component of another file", {x, "x = \"m.csv#2\""}, "m.csv#2", "component"},
+      {"two steps", with(x, "y = \"n.csv\""), "n.csv", "samples every 0.02 s"},
+      {"campaign without analysis", none, "bare, law bilinear", "no analysis was made", {}, {"--from", "bare"}},
+      {"campaign not there", none, "nowhere/campaign.sqlite", "no such file", {}, {"--from", "nowhere"}},
+      {"option without a file", none, "motion", "''", {}, {"--motion", ""}},
+      {"option of three files", none, "motion", "'m.csv,m.csv,m.csv'", {}, {"--motion", "m.csv,m.csv,m.csv"}}};
+  write("n.csv", motion(100, 0.02));
+  for (auto const& row : rows) {
+    SCOPED_TRACE(row.name);
+    auto changed = text();
+    auto const at = changed.find(row.change.first);
+    ASSERT_NE(at, std::string::npos);
+    write("b.toml", changed.replace(at, row.change.first.size(), row.change.second));
+    write("m.csv", row.motion == "\n" ? "" : row.motion.empty() ? motion() : row.motion);
+    Words command{"building", "b.toml", "--json", "--out", "O"};
+    if (row.words.empty() || row.words.front() != "--from") command = command + Words{"--from", "lot"};
+    auto const o = isolaw(command + row.words);
+    auto const complaints = expect_refused_as_object(o, {})["error"]["complaints"];
+    ASSERT_EQ(complaints.size(), 1u) << o;
+    EXPECT_EQ(complaints[0]["where"], row.where) << o;
+    EXPECT_TRUE(contains(complaints[0]["found"].get<std::string>(), row.found)) << o;
+    EXPECT_FALSE(complaints[0]["allowed"].get<std::string>().empty()) << o;
+    EXPECT_FALSE(exists("O"));
+  }
+  for (auto const* file : {"none.toml", "empty", "/dev/zero"}) {
+    auto const o = isolaw({"building", file, "--from", "lot", "--json"});
+    EXPECT_EQ(expect_refused_as_object(o, {file})["error"]["complaints"].size(), 1u) << o;
+  }
+}
+
+TEST_F(WrongBuilding, values_that_may_be_meant_are_computed_with_a_finding) {
+  campaign();
+  struct Row {
+    std::string change, to, finding;
+    std::string motion = {};
+  } const rows[]{{"mass_Mg = 400.0", "mass_Mg = 400000.0", "period-implausible"},
+                 {"mass_Mg = 400.0", "mass_Mg = 0.4", "period-implausible"},
+                 {"", "", "ground-too-strong", motion(200, 0.01, 200.0)},
+                 {"scale = 1.0", "scale = 100.0", "ground-too-strong"},
+                 {"", "", "displacement-beyond-tests", motion(400, 0.02, 5.0)},
+                 {"x = \"m.csv\"", "x = \"m.csv\"\ny = \"n.csv\"", "ground-padded"},
+                 {"", "", "ground-off-zero", motion() + "2.0,9\n2.01,9\n2.02,9\n2.03,9\n2.04,9\n"}};
+  write("n.csv", motion(150));
+  for (auto const& row : rows) {
+    SCOPED_TRACE(row.finding);
+    auto changed = text() + "scale = 1.0\n";
+    write("b.toml", changed.replace(changed.find(row.change), row.change.size(), row.to));
+    write("m.csv", row.motion.empty() ? motion() : row.motion);
+    auto const o =
+        isolaw({"building", "b.toml", "--from", "lot", "--json", "--figures", "none", "--out", "O", "--fresh"});
+    ASSERT_EQ(o.code, 0) << o;
+    EXPECT_TRUE(contains(Json::parse(o.out)["findings"].dump(), "\"" + row.finding + "\"")) << o;
+    auto const nominal = isolaw({"building", "b.toml", "--from", "lot", "--nominal", "--out", "N"});
+    EXPECT_EQ(nominal.code, 0) << nominal;
+    EXPECT_TRUE(contains(nominal.err, "warning: ")) << nominal;
+  }
 }
 
 }  // namespace

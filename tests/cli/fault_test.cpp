@@ -27,8 +27,8 @@ class Fault : public InFreshDirectory {
   Words campaign(Words const& more = {}) const {
     return Words{"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--out", "O"} + more;
   }
-  Outcome with_fault(std::string const& mode, long at, Words const& command) {
-    return start(command, {"LD_PRELOAD=" ISOLAW_FAULT_LIBRARY, "ISOLAW_FAULT_DIR=" + path("O").string(),
+  Outcome with_fault(std::string const& mode, long at, Words const& command, fs::path const& below = "O") {
+    return start(command, {"LD_PRELOAD=" ISOLAW_FAULT_LIBRARY, "ISOLAW_FAULT_DIR=" + path(below).string(),
                            "ISOLAW_FAULT_MODE=" + mode, "ISOLAW_FAULT_AT=" + std::to_string(at),
                            "ISOLAW_FAULT_COUNT=" + path("count").string(), "ASAN_OPTIONS=verify_asan_link_order=0"})
         .wait();
@@ -152,6 +152,36 @@ TEST_F(Fault, a_kill_in_the_middle_of_a_write) {
 }
 
 // --fresh must remove the former campaign only when the new store is complete.
+// A merge puts its store in order in one transaction over two files, of which SQLite keeps a list while it commits. A
+// kill at that moment leaves the list and the new version of the store, and the next merge removes both.
+TEST_F(Fault, a_kill_while_a_merge_commits_leaves_nothing_for_good) {
+  for (auto const* part : {"1/2", "2/2"})
+    ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--part", part, "--out",
+                      std::string("P") + part[0]})
+                  .code,
+              0);
+  Words const merge{"merge", "O", "P1", "P2", "--figures", "none"};
+  auto const left = [&] {
+    std::size_t files = 0;
+    for (auto const& entry : fs::directory_iterator(path("O")))
+      files += entry.path().filename().string().find(".part") != std::string::npos;
+    return files;
+  };
+  fs::path const list = "O/campaign.sqlite.part-mj";  // SQLite adds a random number
+  ASSERT_EQ(with_fault("count", 0, merge, list).code, 0);
+  EXPECT_EQ(left(), 0u);
+  auto const operations = std::stol(read("count"));
+  EXPECT_GT(operations, 2) << "SQLite made no such list";
+  for (long at = 1; at <= operations; ++at) {
+    fs::remove_all(path("O"));
+    EXPECT_EQ(with_fault("kill", at, merge, list).code, 128 + SIGKILL);
+    EXPECT_GT(left(), at > 1 ? 1u : 0u) << at;
+    auto const again = isolaw(merge);
+    EXPECT_EQ(again.code, 0) << again;
+    EXPECT_EQ(left(), 0u) << "after a kill before operation " << at << " on the list";
+  }
+}
+
 TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const before = all_rows(path("O/campaign.sqlite"));

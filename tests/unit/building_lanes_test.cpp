@@ -55,6 +55,27 @@ TEST(BuildingLanes, lanes_are_the_scalar_path) {
   }
 }
 
+// A run that is asked to end does so long before its end. An explicit run asks every 4096 steps, and once behind the
+// last one; an implicit run, such as one of springs, asks at every step.
+TEST(BuildingLanes, an_interrupted_run_ends_within_the_run) {
+  auto const model = usual_model();
+  auto const motion = shaking();
+  auto const values = scattered("bilinear", usual_bilinear(bearings), 0.2);
+  std::size_t asked = 0;
+  Options const options{.longest_step_s = 0.001, .rest_s = 50.0, .interrupted = [&] { return ++asked >= 2; }};
+  ASSERT_GT(steps_of(motion, options.longest_step_s, options.rest_s).count, std::size_t{8 * 4096});
+  auto sets = num::available_instruction_sets();
+  sets.push_back(num::InstructionSet::scalar);
+  for (auto const set : sets) {
+    asked = 0;
+    EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::coupled, set), Interrupted);
+    EXPECT_EQ(asked, 3u) << num::name(set);
+  }
+  asked = 0;
+  EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::springs), Interrupted);
+  EXPECT_EQ(asked, 2u);
+}
+
 TEST(BuildingLanes, no_draw_notices_another) {
   auto const model = usual_model();
   auto const motion = shaking();

@@ -25,9 +25,9 @@ std::string columns(std::string const& header, int samples = 20, double step = 0
   return text;
 }
 
-std::string complaint(std::string const& bytes, std::optional<double> step_s = {}) {
+std::string complaint(std::string const& bytes, StatedMotion const& stated = {}) {
   try {
-    read_ground_motion_text(bytes, "g.txt", step_s);
+    read_ground_motion_text(bytes, "g.txt", stated);
   } catch (Error const& error) {
     return error.what();
   }
@@ -165,20 +165,47 @@ TEST(GroundMotion, columns_are_read_by_the_units_of_their_header) {
   EXPECT_NEAR(read_ground_motion_text(columns("t [ms];a [g]", 20, 10.0, ';'), "g.csv").step_s, 0.01, 1e-12);
   std::string one = "acceleration [g]\n";
   for (int i = 0; i < 20; ++i) one += fmt::format("{:.4f}\n", 0.1 * std::cos(i));
-  EXPECT_EQ(read_ground_motion_text(one, "g.csv", 0.02).step_s, 0.02);
-  EXPECT_TRUE(contains(complaint(one), "no column of time")) << complaint(one);
-  EXPECT_TRUE(contains(complaint(one), "try: --ground-motion-dt")) << complaint(one);
+  EXPECT_EQ(read_ground_motion_text(one, "g.csv", {.step_s = 0.02}).step_s, 0.02);
+  EXPECT_TRUE(contains(complaint(one, {.how = "the keys"}), "no column of time")) << complaint(one);
+  EXPECT_TRUE(contains(complaint(one, {.how = "the keys"}), "try: the keys")) << complaint(one);
+}
+
+// A file without a header is refused until its step and its unit are stated.
+TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
+  std::string one, two, three;
+  for (int i = 0; i < 20; ++i) {
+    one += fmt::format("{:.4f}\n", 0.1 * std::cos(i));
+    two += fmt::format("{:.3f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i));
+    three += fmt::format("{:.3f} {:.4f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i), 0.1);
+  }
+  StatedMotion const both{.step_s = 0.02, .unit = "m/s2", .how = "the keys"};
+  for (auto const& text : {one, two, "time,acceleration\n" + two, "acceleration\n" + one}) {
+    auto const motion = read_ground_motion_text(text, "g.txt", both);
+    EXPECT_EQ(motion.acceleration_mm_s2.size(), 20u);
+    EXPECT_NEAR(motion.acceleration_mm_s2[1], 54.0, 1e-9);
+    EXPECT_NEAR(motion.step_s, 0.02, 1e-12);
+    EXPECT_TRUE(contains(complaint(text, {.how = "the keys"}), "try: the keys")) << complaint(text);
+  }
+  EXPECT_TRUE(contains(complaint(one, {.unit = "m/s2", .how = "the keys"}), "no column of time; "));
+  EXPECT_TRUE(contains(complaint(two, {.step_s = 0.01, .unit = "g"}), "samples every 0.02 s, and a step of 0.01 s"));
+  EXPECT_TRUE(contains(complaint(three, both), "3 columns that may be the acceleration"));
+  EXPECT_TRUE(contains(complaint(columns("time [s],a [g]"), {.unit = "m/s2"}), "it is not the stated 'm/s2'"));
+  EXPECT_TRUE(contains(complaint(at2(), {.unit = "gal"}), "it is not the stated 'gal'"));
+  EXPECT_TRUE(contains(complaint(one, {.step_s = 0.02, .unit = "furlong"}), "the unit 'furlong'"));
+  EXPECT_NEAR(
+      read_ground_motion_text(at2("NPTS= 12, DT= .005 SEC", "FURLONGS"), "g", {.unit = "g"}).acceleration_mm_s2[11],
+      0.012 * 9806.65, 1e-9);
 }
 
 TEST(GroundMotion, what_is_wrong_is_refused_with_its_place) {
-  auto const says = [](std::string const& bytes, std::string const& words, std::optional<double> step_s = {}) {
-    EXPECT_TRUE(contains(complaint(bytes, step_s), words)) << complaint(bytes, step_s);
+  auto const says = [](std::string const& bytes, std::string const& words, StatedMotion const& stated = {}) {
+    EXPECT_TRUE(contains(complaint(bytes, stated), words)) << complaint(bytes, stated);
   };
   says(at2("NPTS=     13, DT=   .0050 SEC"), "g.txt: 12 values; allowed: 13 values, as the head of the file says");
   says(at2("NPTS= 12, DT= .005 SEC", "FURLONGS"), "no unit of the acceleration");
   says(at2() + " nan\n", "g.txt:8: 'nan' is no number");
   says(at2() + " 1.0 broken\n", "'broken' is no number");
-  says(at2(), "--ground-motion-dt: 0.02 s, and g.txt has samples every 0.005 s", 0.02);
+  says(at2(), "g.txt: samples every 0.005 s, and a step of 0.02 s is stated", {.step_s = 0.02});
   says(columns("time [s],displacement [mm]"), "no column with a unit of acceleration");
   says(columns("time,acceleration [g]"), "column 'time' has no unit of time");
   auto text = columns("time [s],acceleration [g]");

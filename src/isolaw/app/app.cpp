@@ -28,6 +28,7 @@
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/building/building_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/programs/exports.hpp"
@@ -282,6 +283,7 @@ void add_parts(Commands& commands) {
   c.add_option("--campaign", a.campaign,
                "for a building file: directory of the campaign whose lot supplies the bearings");
   c.add_option("--motion", a.motions, "for a building file: motions, as in isolaw building");
+  for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   add_campaign(c, a.calibrate);
 }
 
@@ -370,6 +372,7 @@ void add_building(Commands& commands) {
   c.add_option(
       "--motion", a.motions,
       "motions to use instead of the file's, as they are, without its scales: FILE, or FILE,FILE for two components; several may follow");
+  for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);

@@ -191,9 +191,7 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
   for (auto const& law : study.laws) doubts.insert(doubts.end(), law.doubts.begin(), law.doubts.end());
   for (auto const& sentence : wording::sentences(doubts, wording::with_building, study.units()))
     say("warning: From the calibration: {}\n", sentence);
-  std::vector<Finding> warnings;
-  for (auto const& motion : study.file.motions)
-    std::ranges::move(building::motion_doubts(motion), std::back_inserter(warnings));
+  auto warnings = building::study_doubts(study);
   print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
   bool all = true;
   for (auto const& law : study.laws)
@@ -246,7 +244,7 @@ building::Study building_study(BuildingArguments const& a) {
                                    : "no building file and no campaign is given",
                  .allowed = "isolaw building BUILDING.toml --from CAMPAIGN",
                  .advice = "isolaw building --template"});
-  auto file = building::read_building(*a.file, {.motions = building::read_motions(a.motions)});
+  auto file = building::read_building(*a.file, {.motions = building::read_motions(a.motions, a.stated)});
   auto study = isolaw::building_study(std::move(file), campaign::Store::read(*a.from / store_name), a.from->string());
   if (a.report_units) study.report_units = find_unit_system(*a.report_units, "--report-units").id;
   return study;
@@ -278,7 +276,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   say_motions(study.file, *a.file);
   if (a.nominal) return nominal_alone(study, out);
   BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh};
-  if (part) options.part = {*part, full_name(*a.file), full_name(*a.from), full_names(a.motions)};
+  if (part) options.part = {*part, full_name(*a.file), full_name(*a.from), full_names(a.motions), a.stated};
   options.interrupted = interrupted;
   auto const studied = [&] {
     SignalGuard const guard;
@@ -416,6 +414,7 @@ int merge_buildings(MergeArguments const& arguments) {
                                 .from = merged.part.campaign,
                                 .out = directory,
                                 .motions = merged.part.motions,
+                                .stated = merged.part.stated,
                                 .jobs = arguments.jobs,
                                 .part = {},
                                 .figures = arguments.figures,

@@ -52,6 +52,7 @@ struct PartsArguments {
   CalibrateArguments calibrate;                   // `inputs` stays empty: `lot` replaces it
   std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file
   std::vector<std::string> motions;
+  Values stated;                   // of the motions: from building::stated_table()
   std::vector<std::string> given;  // names of all options given
   int count = 0;
   std::string to;  // one of part_script_kinds
@@ -125,6 +126,7 @@ struct BuildingArguments {
   // `file`: BUILDING.toml; `from`: a campaign's directory; `out`: the directory for the results.
   std::optional<std::filesystem::path> file, from, out = {};
   std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
+  Values stated = {};                     // of the motions: from building::stated_table()
   std::optional<int> jobs = {};
   std::optional<std::string> part = {};  // such as "3/40"
   std::optional<std::string> report_units = {};

@@ -57,14 +57,14 @@ std::string program_of(std::string const& word) {
 
 // Refuses options that would have no effect: building options without a building file, and lot options with one.
 void require_used(PartsArguments const& arguments) {
-  if (!arguments.campaign && !arguments.motions.empty())
-    throw Error({.where = "--motion",
+  if (!arguments.campaign && (!arguments.motions.empty() || !arguments.stated.empty()))
+    throw Error({.where = arguments.motions.empty() ? "--" + arguments.stated.begin()->first : "--motion",
                  .found = "is given for a lot",
                  .allowed = "for a building file, with --campaign",
                  .advice = "--campaign DIR, the campaign whose lot supplies the bearings"});
   if (!arguments.campaign) return;
-  constexpr std::array<std::string_view, 7> of_building{"lot",      "count", "--to",  "--campaign",
-                                                        "--motion", "--out", "--jobs"};
+  constexpr std::array<std::string_view, 9> of_building{
+      "lot", "count", "--to", "--campaign", "--motion", "--motion-dt", "--motion-unit", "--out", "--jobs"};
   auto others = arguments.given;
   std::erase_if(others,
                 [&](std::string const& name) { return std::ranges::find(of_building, name) != of_building.end(); });
@@ -77,7 +77,8 @@ void require_used(PartsArguments const& arguments) {
 
 // Makes the script for a building study. To estimate the times it computes one block of runs for each law.
 std::string script_of_building(PartsArguments const& arguments, std::string const& program) {
-  auto const study = building_study({.file = arguments.lot, .from = arguments.campaign, .motions = arguments.motions});
+  auto const study = building_study(
+      {.file = arguments.lot, .from = arguments.campaign, .motions = arguments.motions, .stated = arguments.stated});
   building::Runs const runs(study);
   auto const& blocks = runs.blocks();
   auto const of_law = blocks.count() / study.laws.size();
@@ -92,6 +93,9 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
   int const jobs = std::max(1, arguments.calibrate.jobs.value_or(1));
   std::vector<std::string> words{"--from", arguments.campaign->string()};
   for (auto const& motion : arguments.motions) words.push_back("--motion=" + motion);
+  for (auto const& option : building::stated_table())
+    if (auto const found = arguments.stated.find(option.key); found != arguments.stated.end())
+      for (auto& word : words_of(option, found->second)) words.push_back(std::move(word));
   words.insert(words.end(), {"--", arguments.lot.string()});
   auto const& title = study.file.settings.title;
   return part_script(arguments.to, {.program = program,

@@ -342,8 +342,7 @@ void add_warnings(Answers& answers, Study const& study) {
   auto const warn = [&](FindingKind kind, std::string const& law, std::vector<FindingNumber> numbers = {}) {
     answers.warnings.push_back({.kind = kind, .law = law, .numbers = std::move(numbers)});
   };
-  for (auto const& motion : study.file.motions)
-    std::ranges::move(motion_doubts(motion), std::back_inserter(answers.warnings));
+  answers.warnings = study_doubts(study);
   for (std::size_t i = 0; i < answers.laws.size(); ++i) {
     auto const& law = answers.laws[i];
     for (auto const& checked : law.checked) std::ranges::copy(checked.doubts, std::back_inserter(answers.warnings));

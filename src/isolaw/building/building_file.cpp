@@ -20,6 +20,8 @@ namespace isolaw::building {
 namespace {
 
 constexpr double mm_in_m = 1e3;
+constexpr double most_drawn = 2e6;  // buildings in a study
+constexpr double most_g = 1e3;      // acceleration of the ground that is computed at all
 
 struct TableInfo {
   std::string_view name, help;
@@ -32,15 +34,16 @@ constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masse
     floor_info{"floor", "One floor and the storey below it, instead of [floors].", 100},
     grid_info{"grid", "Bearings on a regular grid; or one [[bearing]] for each."},
     bearing_info{"bearing", "One bearing, instead of or besides [grid].", 2000},
-    plan_info{"plan",
-              "The edges of the slab. Its corners are where displacements are reported; no bearing may stand outside."},
+    plan_info{
+        "plan",
+        "The edges of the slab. Its corners are where displacements are reported; no bearing and no centre of mass may stand outside."},
     motion_info{
         "motion",
         "One ground motion each; files relative to this one. isolaw building --motion replaces them and their scales.",
         1000};
 
 Limits positive(double most = 1e9) {
-  return {.least = 1e-9, .most = most, .words = "a number above 0"};
+  return {.least = 1e-9, .most = most, .words = fmt::format("a number above 0, {:g} at most", most)};
 }
 
 std::vector<FileKey> make_keys() {
@@ -60,7 +63,10 @@ std::vector<FileKey> make_keys() {
   auto const text = [&](std::string_view key, std::string_view help, auto place, bool is_required = false) {
     keys.push_back({{{.key = key, .help = std::string(help)},
                      [place](F const& from) -> Json { return place(from); },
-                     [place](F& to, Json const& value) { place(to) = text_in(value); }},
+                     [place, is_required](F& to, Json const& value) {
+                       if (is_required && text_in(value).empty()) refuse(value, "a text that is not empty");
+                       place(to) = text_in(value);
+                     }},
                     table,
                     is_required});
   };
@@ -83,9 +89,13 @@ std::vector<FileKey> make_keys() {
                     .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
                    [](F const& f) -> Json { return f.building.laws; },
                    [](F& f, Json const& value) {
-                     f.building.laws.clear();
-                     for (auto const& law : value.is_array() ? value : Json::array({value}))
-                       f.building.laws.emplace_back(laws::find_law(text_in(law)).info.id);
+                     auto& laws = f.building.laws;
+                     laws.clear();
+                     for (auto const& law : value.is_array() ? value : Json::array({value})) {
+                       std::string id(laws::find_law(text_in(law)).info.id);
+                       if (std::ranges::find(laws, id) != laws.end()) refuse(law, "each law once");
+                       laws.push_back(std::move(id));
+                     }
                    }},
                   table});
   keys.back().decides = false;
@@ -156,7 +166,8 @@ std::vector<FileKey> make_keys() {
        required);
   text("y", "and along y; leave out for a single component", at(&F::motion, &MotionRow::y));
   real("scale", "factor on both accelerations", at(&F::motion, &MotionRow::scale), positive(1e3));
-  real("step_s", "seconds between samples, for files without time", at(&F::motion, &MotionRow::step_s), positive(10.0));
+  for (auto& stated : data::stated_options<F>("step_s", "unit", at(&F::motion, &MotionRow::stated)))
+    keys.push_back({std::move(stated), table});
   return keys;
 }
 
@@ -202,11 +213,12 @@ class FileReader {
 
  private:
   void read_row(toml::table const& from, TableInfo const& info) {
-    TomlTable table(from, file_, fmt::format("[{}]", info.name), complaints);
+    auto const name = info.most > 0 ? fmt::format("[[{}]]", info.name) : fmt::format("[{}]", info.name);
+    TomlTable table(from, file_, name, complaints);
     for (auto const& key : keys_of(info.name)) {
       table.json(key.key, [&](Json const& value) { key.set(tables, value); });
       if (key.required && table.find(key.key) == nullptr)
-        table.complain(fmt::format("[{}] has no {}", info.name, key.key),
+        table.complain(fmt::format("{} has no {}", name, key.key),
                        key.limits ? key.limits->text() : std::string("a value"));
     }
     table.refuse_unknown();
@@ -227,7 +239,7 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
     std::filesystem::path const path(name);
     return path.is_absolute() ? path : folder / path;
   };
-  auto const x = data::read_ground_motion(in(row.x), row.step_s);
+  auto const x = data::read_ground_motion(in(row.x), row.stated);
   Motion motion{
       .name = std::filesystem::path(row.x).stem().string(), .step_s = x.step_s, .x_mm_s2 = x.acceleration_mm_s2};
   auto const note_zero = [&](data::GroundMotion const& component, std::string axis) {
@@ -238,7 +250,7 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   };
   note_zero(x, "x");
   if (!row.y.empty()) {
-    auto const y = data::read_ground_motion(in(row.y), row.step_s);
+    auto const y = data::read_ground_motion(in(row.y), row.stated);
     note_zero(y, "y");
     if (std::abs(y.step_s - x.step_s) > 1e-6 * x.step_s)
       throw Error(
@@ -288,9 +300,14 @@ toml::array array_of(Json const& value, int depth) {
   return array;
 }
 
-MotionRow row_of(std::string const& files) {
+MotionRow row_of(std::string const& files, data::StatedMotion const& stated) {
   auto const comma = files.find(',');
-  return {.x = files.substr(0, comma), .y = comma == std::string::npos ? "" : files.substr(comma + 1)};
+  if (comma == 0 || comma + 1 == files.size() || files.empty() || comma != files.rfind(','))
+    throw Error({.where = "motion",
+                 .found = in_quotes(files),
+                 .allowed = "FILE, or FILE,FILE for the components along x and y"});
+  return {
+      .x = files.substr(0, comma), .y = comma == std::string::npos ? "" : files.substr(comma + 1), .stated = stated};
 }
 
 void write_value(std::string& out, Json const& value) {
@@ -312,7 +329,7 @@ void write_table(std::string& out, TableInfo const& info, FileTables const& tabl
     auto const value = key.get(tables);
     out += fmt::format("{}{} = ", value.is_null() || !in_use ? "# " : "", key.key);
     if (value.is_null())
-      out += "0.01";
+      out += key.kind == Kind::text ? "\"g\"" : "0.01";
     else
       write_value(out, value);
     if (!key.help.empty()) out += fmt::format("  # {}", key.help);
@@ -375,16 +392,26 @@ std::span<FileKey const> settings_table() {
   return keys_of(settings_info.name);
 }
 
-Motion read_motion(std::string const& files) {
-  return motion_of({}, row_of(files));
+std::span<Option<data::StatedMotion> const> stated_table() {
+  static auto const table = data::stated_options<data::StatedMotion>(
+      "motion-dt", "motion-unit", [](auto& stated) -> auto& { return stated; });
+  return table;
 }
 
-std::vector<Motion> read_motions(std::vector<std::string> const& files) {
+Motion read_motion(std::string const& files, data::StatedMotion const& stated) {
+  return motion_of({}, row_of(files, stated));
+}
+
+std::vector<Motion> read_motions(std::vector<std::string> const& files, isolaw::Values const& given) {
+  data::StatedMotion stated{.how = "--motion-dt SECONDS and --motion-unit UNIT"};
+  lay_over(stated_table(), given, stated);
+  if (files.empty() && !given.empty())
+    throw Error({.where = "--" + given.begin()->first, .found = "is given alone", .allowed = "with --motion FILES"});
   std::vector<Motion> motions;
   std::vector<Complaint> complaints;
   for (auto const& file : files) {
     try {
-      motions.push_back(read_motion(file));
+      motions.push_back(read_motion(file, stated));
     } catch (Error const& error) {
       complaints.insert(complaints.end(), error.complaints().begin(), error.complaints().end());
     }
@@ -401,6 +428,11 @@ void require_sound(Motion const& motion) {
   constexpr double longest_step_s = 10.0;
   if (!(motion.step_s > 0.0 && motion.step_s <= longest_step_s))
     refuse(fmt::format("a step of {} s", motion.step_s), fmt::format("above 0, to {} s", longest_step_s));
+  for (auto const* component : {&motion.x_mm_s2, &motion.y_mm_s2})
+    for (double const a : *component)
+      if (std::abs(a) > most_g * data::gravity_mm_s2)
+        refuse(fmt::format("an acceleration of {:.3g} g", a / data::gravity_mm_s2),
+               fmt::format("up to {:.0f} g: the ground never moves so", most_g));
   if (motion.x_mm_s2.size() < 2) refuse(counted(motion.x_mm_s2.size(), "sample"), "two or more");
   if (!motion.y_mm_s2.empty() && motion.y_mm_s2.size() != motion.x_mm_s2.size())
     refuse(fmt::format("{} samples along x and {} along y", motion.x_mm_s2.size(), motion.y_mm_s2.size()),
@@ -433,9 +465,10 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   reader.read(limits_info);
   bool const has_base = reader.read(base_info), has_floors = reader.read(floors_info);
   auto const floors = reader.read_list(floor_info, &FileTables::floor);
+  auto const before_places = complaints.size();
   bool const has_grid = reader.read(grid_info);
   auto const bearings = reader.read_list(bearing_info, &FileTables::bearing);
-  bool const has_plan = reader.read(plan_info);
+  bool const has_plan = reader.read(plan_info), places_are_known = complaints.size() == before_places;
   auto const motions = reader.read_list(motion_info, &FileTables::motion);
   root.refuse_unknown();
   auto const lacks = [&](TableInfo const& info, std::string const& allowed) {
@@ -444,7 +477,7 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (!has_settings) lacks(settings_info, "what is asked, with the bounds' factors");
   if (!has_base) lacks(base_info, "the slab on the bearings");
   if (has_floors && !floors.empty()) root.complain("[floors] and [[floor]]", "one of them");
-  if (!has_grid && bearings.empty())
+  if (root.find(grid_info.name) == nullptr && root.find(bearing_info.name) == nullptr)
     root.complain("no bearings", "[grid], or [[bearing]] with their places", "isolaw building --template");
 
   auto const diaphragm = [](Slab const& slab) {
@@ -452,8 +485,12 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
                      .gyration_mm = slab.gyration_m * mm_in_m,
                      .centre = {slab.x_m * mm_in_m, slab.y_m * mm_in_m}};
   };
+  auto const& s = file.settings;
   if (has_settings) file.settings = tables.building;
   file.limits = tables.limits;
+  if (auto const drawn = s.draws + 1.0 * s.populations * s.draws_of_each; drawn > most_drawn)
+    root.complain(fmt::format("{:.0f} buildings: draws + populations * draws_of_each", drawn),
+                  fmt::format("{:.0f} at most", most_drawn));
   if (has_base) file.frame.base = diaphragm(tables.base);
   file.frame.damping = {file.settings.damping};
   if (has_floors) {
@@ -483,19 +520,33 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   for (auto const& b : bearings) file.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
   if (file.bearings.size() > bearing_info.most)
     root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", bearing_info.most));
-  if (file.plan_mm)
-    for (std::size_t i = 0; i < file.bearings.size(); ++i) {
-      auto const [x, y] = file.bearings[i].at;
-      auto const [left, right, front, back] = *file.plan_mm;
-      if (x < left || x > right || y < front || y > back) {
+  if (file.plan_mm && places_are_known && plan.left_m < plan.right_m && plan.front_m < plan.back_m) {
+    auto const [left, right, front, back] = *file.plan_mm;
+    auto const stands = [&](std::string const& what, Point const& at) {
+      bool const inside = at.x_mm >= left && at.x_mm <= right && at.y_mm >= front && at.y_mm <= back;
+      if (!inside)
         root.complain(
             *root.find(plan_info.name),
-            fmt::format("bearing {} at ({:g}, {:g}) m stands outside the plan", i + 1, x / mm_in_m, y / mm_in_m),
+            fmt::format("{} at ({:g}, {:g}) m stands outside the plan", what, at.x_mm / mm_in_m, at.y_mm / mm_in_m),
             fmt::format("{:g} to {:g} m along x, {:g} to {:g} m along y", left / mm_in_m, right / mm_in_m,
                         front / mm_in_m, back / mm_in_m));
-        break;
-      }
-    }
+      return inside;
+    };
+    for (std::size_t i = 0; i < file.bearings.size(); ++i)
+      if (!stands(fmt::format("bearing {}", i + 1), file.bearings[i].at)) break;
+    // A mass that lies within the plan has a radius of gyration below half the diagonal. A floor may reach beyond.
+    double const most_mm = std::hypot(right - left, back - front);
+    auto const lies = [&](std::string const& what, Diaphragm const& slab) {
+      stands("the centre of mass of " + what, slab.centre);
+      if (slab.gyration_mm > most_mm)
+        root.complain(*root.find(plan_info.name),
+                      fmt::format("{} has a radius of gyration of {:g} m", what, slab.gyration_mm / mm_in_m),
+                      fmt::format("up to {:.3g} m, the diagonal of the plan", most_mm / mm_in_m));
+    };
+    if (has_base) lies("[base]", file.frame.base);
+    for (std::size_t i = 0; i < file.frame.floors.size(); ++i)
+      lies(fmt::format("floor {}", i + 1), file.frame.floors[i].slab);
+  }
   auto const take = [&](auto const& sound) {
     try {
       file.motions.push_back(sound());
@@ -507,8 +558,9 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
     for (auto const& row : motions) file.replaced_scales.push_back(row.scale);
   for (auto const& given : in_place.motions) take([&] { return (require_sound(given), given); });
   if (in_place.motions.empty())
-    for (auto const& row : motions) take([&] { return motion_of(folder, row); });
-  if (in_place.motions.empty() && motions.empty())
+    for (auto const& row : motions)
+      if (!row.x.empty()) take([&] { return motion_of(folder, row); });
+  if (in_place.motions.empty() && root.find(motion_info.name) == nullptr)
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
   return file;

@@ -12,6 +12,7 @@
 
 #include "isolaw/base/option.hpp"
 #include "isolaw/building/integrate.hpp"
+#include "isolaw/data/channels/ground_motion.hpp"
 
 namespace isolaw::building {
 
@@ -85,7 +86,7 @@ struct PlanRow {
 struct MotionRow {
   std::string x, y;
   double scale = 1.0;
-  std::optional<double> step_s = {};
+  data::StatedMotion stated = {.how = "step_s and unit in its [[motion]]"};
 };
 struct FileTables {
   Settings building = {};
@@ -113,10 +114,13 @@ struct ReplacedKeys {
   isolaw::Values settings = {};      // new values by key of [building]
 };
 
+// The options of the command line that state what the files of --motion do not.
+std::span<Option<data::StatedMotion> const> stated_table();
 // Reads a motion along x from one file, "x.AT2", or along x and y from two, "x.AT2,y.AT2". Throws Error.
-Motion read_motion(std::string const& files);
-// Reads several motions. Throws one Error with the complaints about all of them.
-std::vector<Motion> read_motions(std::vector<std::string> const& files);
+Motion read_motion(std::string const& files, data::StatedMotion const& stated = {});
+// Reads several motions. `stated` holds values of stated_table(). Throws one Error with the complaints about all of
+// them.
+std::vector<Motion> read_motions(std::vector<std::string> const& files, isolaw::Values const& stated = {});
 // Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
 // different length.
 void require_sound(Motion const& motion);

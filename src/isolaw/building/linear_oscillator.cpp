@@ -57,28 +57,33 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
   return {k, energy / (2.0 * pi * k * amplitude_mm * amplitude_mm)};
 }
 
+Effective effective(Devices const& devices, std::span<double const> bearings, double amplitude_mm, double period_s) {
+  auto const& source = devices.source();
+  std::size_t const each = source.lot.size();
+  Effective all, bearing;
+  for (std::size_t at = 0; at + each <= bearings.size(); at += each) {
+    auto const values = bearings.subspan(at, each);
+    if (at == 0 || !std::ranges::equal(values, bearings.subspan(at - each, each)))
+      bearing = effective(source.law, values, amplitude_mm, period_s, devices.coupling());
+    all.stiffness_kN_mm += bearing.stiffness_kN_mm;
+    all.damping += bearing.stiffness_kN_mm * bearing.damping;
+  }
+  all.damping /= all.stiffness_kN_mm;
+  return all;
+}
+
 // Iterates to the displacement D and the period T for which a linear oscillator with the bearings' effective stiffness
 // and damping at D and T has the peak displacement D and the period T.
 EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
                                    double mass) {
   EquivalentLinear linear;
-  auto const& source = devices.source();
-  std::size_t const each = source.lot.size(), count = bearings.size() / each;
   double amplitude_mm = 100.0;
   linear.period_s = 2.0;
   for (int i = 0; i < 60; ++i) {
-    double k = 0.0, weighted = 0.0;
-    Effective bearing;
-    for (std::size_t j = 0; j < count; ++j) {
-      auto const values = std::span(bearings).subspan(j * each, each);
-      if (j == 0 || !std::ranges::equal(values, std::span(bearings).subspan((j - 1) * each, each)))
-        bearing = effective(source.law, values, amplitude_mm, linear.period_s, devices.coupling());
-      k += bearing.stiffness_kN_mm;
-      weighted += bearing.stiffness_kN_mm * bearing.damping;
-    }
-    if (!(k > 0.0)) break;
-    linear.period_s = 2.0 * pi * std::sqrt(mass / k);
-    linear.damping = std::min(0.6, weighted / k);
+    auto const all = effective(devices, bearings, amplitude_mm, linear.period_s);
+    if (!(all.stiffness_kN_mm > 0.0)) break;
+    linear.period_s = 2.0 * pi * std::sqrt(mass / all.stiffness_kN_mm);
+    linear.damping = std::min(0.6, all.damping);
     double const next = linear_peak(motion, linear.period_s, linear.damping);
     double const change = next - amplitude_mm;
     amplitude_mm = std::max(1e-3, amplitude_mm + 0.5 * change);

@@ -15,11 +15,15 @@ struct Effective {
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, double period_s,
                     Coupling coupling);
 
+// The sum of the stiffnesses of all bearings, and the mean of their damping, weighted by stiffness. `bearings` holds the
+// parameters of all bearings, one after the other.
+Effective effective(Devices const& devices, std::span<double const> bearings, double amplitude_mm, double period_s);
+
 // The linear oscillator whose stiffness and damping are the bearings' effective ones at its own peak displacement.
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };
-// `bearings` holds the parameters of all bearings, one after the other; `mass` is that of the building in kN s2/mm.
+// `bearings` as above; `mass` is that of the building in kN s2/mm.
 EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
                                    double mass);
 

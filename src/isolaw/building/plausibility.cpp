@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <utility>
 
+#include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/data/channels/ground_motion.hpp"
 
 namespace isolaw::building {
@@ -47,6 +50,28 @@ std::vector<Finding> motion_doubts(Motion const& motion) {
       doubt(FindingKind::ground_off_zero, {{"mean_percent", 100.0 * mean}});
     else if (final > largest_final_share)
       doubt(FindingKind::ground_keeps_moving, {{"final_mm_s", found.final_mm_s}, {"largest_mm_s", found.largest_mm_s}});
+  }
+  return doubts;
+}
+
+std::vector<Finding> study_doubts(Study const& study) {
+  std::vector<Finding> doubts;
+  for (auto const& motion : study.file.motions) std::ranges::move(motion_doubts(motion), std::back_inserter(doubts));
+  double mass_Mg = study.file.frame.base.mass_Mg;
+  for (auto const& floor : study.file.frame.floors) mass_Mg += floor.slab.mass_Mg;
+  for (auto const& law : study.laws) {
+    Devices const devices(law, study.file, study.file.motions.front());
+    double const amplitude_mm = law.tested_mm > 0.0 ? 0.5 * law.tested_mm : 100.0;
+    constexpr double usual_s = 2.0;  // of a cycle, for laws that depend on the velocity
+    double const k = effective(devices, devices.of({}), amplitude_mm, usual_s).stiffness_kN_mm;
+    double const period_s = 2.0 * std::numbers::pi * std::sqrt(Mg_in_mass * mass_Mg / k);
+    if (period_s < least_period_s || period_s > most_period_s)
+      doubts.push_back({.kind = FindingKind::period_implausible,
+                        .law = law.law,
+                        .numbers = {{"period_s", period_s},
+                                    {"amplitude_mm", amplitude_mm},
+                                    {"least_s", least_period_s},
+                                    {"most_s", most_period_s}}});
   }
   return doubts;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "isolaw/base/finding.hpp"
-#include "isolaw/building/integrate.hpp"
+#include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
 
@@ -18,9 +18,14 @@ inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
 // percent, rotation of the base up to which its displacements are those of small rotations.
 inline constexpr double largest_energy_error = 1e-3, largest_difference_percent = 1.0, largest_rotation_rad = 0.1;
 
+// Periods on the bearings beyond these show masses in another unit, or bearings that are missing.
+inline constexpr double least_period_s = 0.3, most_period_s = 15.0;
+
 // How a ground motion was changed when it was read, and doubts about it: ground_too_strong, ground_off_zero,
 // ground_keeps_moving.
 std::vector<Finding> motion_doubts(Motion const& motion);
+// Doubts about the inputs of a study: those about its motions, and period_implausible for each law.
+std::vector<Finding> study_doubts(Study const& study);
 // Doubts about the implicit analysis of the nominal building with a law: displacement_beyond_tests if `tested_mm` is
 // above 0 and the run goes beyond it, energy_error_large, rotation_large.
 std::vector<Finding> run_doubts(Response const& run, std::string const& law, std::string const& motion,

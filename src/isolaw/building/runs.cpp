@@ -47,6 +47,7 @@ void create(Path const& file, std::vector<StudyProperty> const& properties, Stud
       campaign::write_meta(db, "file", part.building_file);
       campaign::write_meta(db, "from", part.campaign);
       campaign::write_meta(db, "motions", Json(part.motions).dump());
+      campaign::write_meta(db, "stated", Json(part.stated).dump());
     }
     Statement insert(db, "INSERT INTO study VALUES (?, ?, ?)");
     for (auto const& [kind, name, value] : properties)
@@ -62,6 +63,8 @@ StudyPart read_study_part(Connection const& db) {
   part.building_file = campaign::meta(db, "file");
   part.campaign = campaign::meta(db, "from");
   part.motions = Json::parse(campaign::meta(db, "motions")).get<std::vector<std::string>>();
+  auto const stated = Json::parse(campaign::meta(db, "stated"));
+  for (auto const& [key, value] : stated.items()) part.stated[key] = value;
   return part;
 }
 

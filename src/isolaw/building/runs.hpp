@@ -39,6 +39,7 @@ struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};
   std::vector<std::string> motions = {};
+  isolaw::Values stated = {};  // of the motions, from stated_table()
 };
 
 // Cuts the runs of a study into blocks of cases of one law and motion. Threads and parts share out whole blocks.

@@ -108,10 +108,10 @@ void add_vertical_stiffness(Model& model, ModelOptions const& options, std::vect
 }
 
 void add_motions(Model& model, ModelOptions const& options) {
-  model.motions.push_back(data::read_ground_motion(*options.ground_motion, options.ground_motion_dt));
+  model.motions.push_back(data::read_ground_motion(*options.ground_motion, options.stated));
   model.scale = options.scale;
   if (!options.ground_motion_y) return;
-  model.motions.push_back(data::read_ground_motion(*options.ground_motion_y, options.ground_motion_dt));
+  model.motions.push_back(data::read_ground_motion(*options.ground_motion_y, options.stated));
   auto const &x = model.motions[0], &y = model.motions[1];
   auto const text = [](data::GroundMotion const& motion) {
     return fmt::format("{} has {} samples every {:.6g} s", motion.file, motion.acceleration_mm_s2.size(),
@@ -146,6 +146,8 @@ void add_draws(Model& model, ModelOptions const& options, campaign::Contents con
 }  // namespace
 
 std::vector<Option<ModelOptions>> const& model_table() {
+  auto [dt, unit] =
+      data::stated_options<ModelOptions>("ground-motion-dt", "ground-motion-unit", at(&ModelOptions::stated));
   static std::vector<Option<ModelOptions>> const table{
       words(
           "layout",
@@ -163,9 +165,8 @@ std::vector<Option<ModelOptions>> const& model_table() {
             &ModelOptions::ground_motion),
       words("ground-motion-y", "ground acceleration along y: a file like that of --ground-motion",
             &ModelOptions::ground_motion_y),
-      number<ModelOptions>("ground-motion-dt", "seconds between samples, for files without time",
-                           at(&ModelOptions::ground_motion_dt), {.least = 1e-6, .most = 10.0})
-          .under(Heading::model),
+      std::move(dt).under(Heading::model),
+      std::move(unit).under(Heading::model),
       number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
                            {.least = 1e-6, .most = 1e6})
           .under(Heading::model),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/build_summary.hpp"
 #include "isolaw/study/doubts.hpp"
@@ -38,7 +39,10 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   auto const where = fmt::format("{}, law {}", place, law_id);
   auto const law = std::ranges::find(summary.laws, law_id, &LawResult::id);
   if (law == summary.laws.end())
-    throw Error({.where = where, .found = "the law is not in this campaign", .allowed = "one of its laws"});
+    throw Error({.where = where,
+                 .found = "the law is not in this campaign",
+                 .allowed = joined(contents.settings.laws),
+                 .advice = fmt::format("isolaw calibrate ... --laws {}", law_id)});
   building::LawSource source;
   source.law = law_id;
   for (std::size_t d = 0; d < contents.devices.size(); ++d)

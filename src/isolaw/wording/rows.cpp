@@ -342,6 +342,10 @@ std::span<Row const> rows() {
           each_alone, with_building, none,
           "the ground still moves at {final_mm_s:3} when the motion {motion} ends along {axis}; its largest velocity is {largest_mm_s:3}. Was it cut off, or its baseline not corrected?"),
       campaign(
+          period_implausible, "period-implausible", "building", serious, "Check masses and bearings", each_alone,
+          with_building, law,
+          "the building swings on its bearings with a period of {period_s:2} s at {amplitude_mm:.0f}. Isolated buildings have one of {least_s} s to {most_s} s: are the masses in Mg, and are all bearings there?"),
+      campaign(
           energy_error_large, "energy-error-large", "accuracy", caution, "Take a smaller step_s", each_alone,
           with_building, law,
           "the energy of the nominal building does not balance: {error:2} of it is missing under {motion}, more than {limit}."),

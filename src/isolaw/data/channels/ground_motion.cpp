@@ -11,6 +11,7 @@
 #include "isolaw/data/files/column_names.hpp"
 #include "isolaw/data/files/dialect.hpp"
 #include "isolaw/data/files/header.hpp"
+#include "isolaw/data/files/sheet_choice.hpp"
 #include "isolaw/data/files/text.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -228,14 +229,33 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
-GroundMotion read_agency(LineList const& lines, Agency const& header, std::string const& name) {
+// The unit that the user states in mm/s2. Complains if the file states another one.
+std::optional<double> stated_unit(StatedMotion const& stated, std::optional<double> of_file_mm_s2,
+                                  std::string const& name, std::vector<Complaint>& complaints) {
+  if (!stated.unit) return std::nullopt;
+  auto const unit_mm_s2 = parse_acceleration(*stated.unit);
+  if (!unit_mm_s2)
+    complaints.push_back(
+        {.where = name, .found = "the unit " + in_quotes(*stated.unit), .allowed = std::string(known_accelerations)});
+  else if (of_file_mm_s2 && *of_file_mm_s2 != *unit_mm_s2)
+    complaints.push_back(
+        {.where = name,
+         .found = "the file states the unit of its acceleration, and it is not the stated " + in_quotes(*stated.unit),
+         .allowed = "the unit of the file, or none for a file that states one"});
+  return unit_mm_s2;
+}
+
+GroundMotion read_agency(LineList const& lines, Agency header, std::string const& name, StatedMotion const& stated) {
   GroundMotion motion{.file = name, .step_s = header.step_s, .acceleration_mm_s2 = {}, .recognised = {}};
   auto& values = motion.acceleration_mm_s2;
   std::vector<Complaint> complaints;
+  auto const unit_mm_s2 = stated_unit(stated, header.unit_mm_s2, name, complaints);
+  if (!header.unit_mm_s2) header.unit_mm_s2 = unit_mm_s2;
   if (!header.unit_mm_s2)
     complaints.push_back({.where = name,
                           .found = "no unit of the acceleration above its values",
-                          .allowed = fmt::format("{} ({})", header.unit_stated, known_accelerations)});
+                          .allowed = fmt::format("{} ({})", header.unit_stated, known_accelerations),
+                          .advice = std::string(stated.how)});
   std::size_t bad = 0, bad_line = 0;
   std::string first_bad;
   std::vector<std::string_view> cells;
@@ -280,39 +300,72 @@ struct MotionColumns {
   double time_s = 1.0, unit_mm_s2 = 1.0;  // the file's units, in s and in mm/s2
 };
 
-MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name) {
+MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name,
+                             StatedMotion const& stated) {
   MotionColumns columns;
   std::vector<Complaint> complaints;
   std::vector<std::string> accelerations;
-  for (std::size_t i = 0; i < std::min(count, header.names.size()); ++i) {
+  std::vector<std::size_t> others;
+  std::optional<double> of_file_mm_s2;
+  // A header may lack. Of two columns without a header the first is then the time, which the stated step proves.
+  auto names = header.names;
+  if (names.empty() && count == 2 && stated.step_s) names = {"time [s]", ""};
+  names.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
     auto const unit =
-        i < header.units.size() && !header.units[i].empty() ? header.units[i] : dissect_name(header.names[i]).unit;
+        i < header.units.size() && !header.units[i].empty() ? header.units[i] : dissect_name(names[i]).unit;
     if (auto const in_mm_s2 = parse_acceleration(unit)) {
       columns.acceleration = i;
       columns.unit_mm_s2 = *in_mm_s2;
-      accelerations.push_back(in_quotes(header.names[i]));
-    } else if (!columns.time && meaning_of(header.names[i]).channel == Channel::time) {
+      of_file_mm_s2 = in_mm_s2;
+      accelerations.push_back(in_quotes(names[i]));
+    } else if (!columns.time && meaning_of(names[i]).channel == Channel::time) {
       columns.time = i;
       auto const time = parse_unit(unit);
       if (time && time->dimension == Dimension::time)
         columns.time_s = time->in_record_units;
-      else
+      else if (!stated.step_s)
         complaints.push_back({.where = name,
-                              .found = fmt::format("column {} has no unit of time", in_quotes(header.names[i])),
-                              .allowed = known_units(Dimension::time)});
+                              .found = fmt::format("column {} has no unit of time", in_quotes(names[i])),
+                              .allowed = known_units(Dimension::time),
+                              .advice = std::string(stated.how)});
+    } else {
+      others.push_back(i);
     }
   }
-  if (accelerations.empty())
-    complaints.push_back({.where = name,
-                          .found = "no column with a unit of acceleration",
-                          .allowed = std::string(columns_allowed) + "; " + std::string(known_accelerations)});
-  if (accelerations.size() > 1)
+  auto const unit_mm_s2 = stated_unit(stated, of_file_mm_s2, name, complaints);
+  if (accelerations.empty() && unit_mm_s2 && others.size() == 1) {
+    columns.acceleration = others.front();
+    columns.unit_mm_s2 = *unit_mm_s2;
+  } else if (accelerations.empty()) {
+    complaints.push_back(
+        {.where = name,
+         .found = unit_mm_s2 ? fmt::format("{} that may be the acceleration", counted(others.size(), "column"))
+                             : std::string("no column with a unit of acceleration"),
+         .allowed = std::string(columns_allowed) + "; " + std::string(known_accelerations),
+         .advice = std::string(unit_mm_s2 ? "" : stated.how)});
+  } else if (accelerations.size() > 1) {
     complaints.push_back({.where = name,
                           .found = "several columns of acceleration: " + joined(accelerations),
                           .allowed = "one component in a file",
-                          .advice = "a file for each, the second as --ground-motion-y"});
+                          .advice = "a file for each component"});
+  }
   if (!complaints.empty()) throw Error(std::move(complaints));
   return columns;
+}
+
+// Says which time differs most clearly from those before it: most steps are equal, as a rule.
+std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwise) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
+  double const usual = num::median(steps);
+  constexpr double off = 0.2;  // two rounded times
+  auto const found = std::ranges::find_if(steps, [&](double s) { return std::abs(s - usual) > off * std::abs(usual); });
+  auto const i = found == steps.end() ? otherwise : static_cast<std::size_t>(found - steps.begin()) + 1;
+  return fmt::format(
+      "the times are not equally spaced: sample {} is at {:.6g} s and sample {} at {:.6g} s, "
+      "and most are {:.4g} s apart",
+      i, time_s[i - 1], i + 1, time_s[i], usual);
 }
 
 // The step of equally spaced times. A file may round each time, for example to three decimals.
@@ -322,26 +375,21 @@ double step_of(std::vector<double> const& time_s, std::string const& name) {
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     double const expected = time_s.front() + static_cast<double>(i) * step;
     if (step > 0.0 && std::abs(time_s[i] - expected) <= allowed * step) continue;
-    throw Error(
-        {.where = name,
-         .found =
-             step > 0.0
-                 ? fmt::format(
-                       "the times are not equally spaced: sample {} is at {} s, {:.6g} s in equal steps of {:.4g} s",
-                       i + 1, time_s[i], expected, step)
-                 : std::string("the time does not increase"),
-         .allowed = "equal steps",
-         .advice = "the motion interpolated to equal steps"});
+    throw Error({.where = name,
+                 .found = step > 0.0 ? unequal_step(time_s, std::max<std::size_t>(i, 1))
+                                     : std::string("the time does not increase"),
+                 .allowed = "equal steps",
+                 .advice = "the motion interpolated to equal steps"});
   }
   return step;
 }
 
-GroundMotion read_columns(LineList const& lines, std::string const& name, std::optional<double> step_s) {
+GroundMotion read_columns(LineList const& lines, std::string const& name, StatedMotion const& stated) {
   auto dialect = recognise_dialect(lines);
   if (!dialect) dialect = one_column_dialect(lines);
   if (!dialect) throw Error({.where = name, .found = "no rows of numbers", .allowed = std::string(columns_allowed)});
   auto const header = recognise_header(lines, *dialect);
-  auto const columns = motion_columns(header, dialect->columns, name);
+  auto const columns = motion_columns(header, dialect->columns, name, stated);
   GroundMotion motion{.file = name, .step_s = 0.0, .acceleration_mm_s2 = {}, .recognised = {}};
   std::vector<double> time_s;
   std::vector<std::string_view> cells;
@@ -369,17 +417,35 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, std::o
                  .found = not_numbers(bad, first_bad),
                  .allowed = "finite numbers"});
   if (motion.acceleration_mm_s2.size() >= 2 && columns.time) motion.step_s = step_of(time_s, name);
-  if (!columns.time && !step_s)
+  if (!columns.time && !stated.step_s)
     throw Error({.where = name,
                  .found = "no column of time",
                  .allowed = "a column such as 'time [s]'",
-                 .advice = "--ground-motion-dt SECONDS, the step between two samples; in a building file step_s of the "
-                           "[[motion]]"});
-  if (!columns.time) motion.step_s = *step_s;
-  motion.recognised =
-      fmt::format("column {}, {} samples every {:.6g} s", in_quotes(header.names[*columns.acceleration]),
-                  motion.acceleration_mm_s2.size(), motion.step_s);
+                 .advice = std::string(stated.how)});
+  if (!columns.time) motion.step_s = *stated.step_s;
+  auto const at = *columns.acceleration;
+  motion.recognised = fmt::format(
+      "column {}, {} samples every {:.6g} s",
+      at < header.names.size() ? in_quotes(header.names[at]) : fmt::format("{} in {}", at + 1, *stated.unit),
+      motion.acceleration_mm_s2.size(), motion.step_s);
   return motion;
+}
+
+// Calls read(). Records of devices may have other formats than motions, so its complaints name those of motions.
+template <class Read>
+auto as_motion(Read const& read) {
+  try {
+    return read();
+  } catch (Error const& error) {
+    auto complaints = error.complaints();
+    for (auto& complaint : complaints)
+      if (complaint.allowed == accepted_formats) complaint.allowed = columns_allowed;
+    throw Error(std::move(complaints));
+  }
+}
+
+std::string text_of(std::filesystem::path const& file) {
+  return as_motion([&] { return load_text(file); });
 }
 
 }  // namespace
@@ -401,27 +467,28 @@ std::optional<double> parse_acceleration(std::string_view unit) {
   return length->in_record_units;
 }
 
-GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s) {
+GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated) {
   auto const name = file.generic_string();
   std::error_code unknown;
   if (auto const mark = name.rfind('#'); mark != std::string::npos && !std::filesystem::exists(file, unknown))
     if (auto const component = number_in<std::size_t>(std::string_view(name).substr(mark + 1))) {
       auto const whole = name.substr(0, mark);
-      return read_ground_motion_text(load_text(whole), whole, step_s, *component);
+      return read_ground_motion_text(text_of(whole), whole, stated, *component);
     }
-  return read_ground_motion_text(load_text(file), name, step_s);
+  return read_ground_motion_text(text_of(file), name, stated);
 }
 
-GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, std::optional<double> step_s,
+GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, StatedMotion const& stated,
                                      std::optional<std::size_t> component) {
-  check_text(name, bytes);
+  as_motion([&] { return check_text(name, bytes), true; });
   auto const lines = split_lines(bytes).lines;
   auto const agency = agency_header(lines, name, component);
-  auto motion = agency ? read_agency(lines, *agency, name) : read_columns(lines, name, step_s);
-  if (step_s && !(std::abs(*step_s - motion.step_s) <= 1e-3 * motion.step_s))
-    throw Error({.where = "--ground-motion-dt",
-                 .found = fmt::format("{} s, and {} has samples every {:.6g} s", *step_s, name, motion.step_s),
-                 .allowed = "the step of the file, or none for a file that has one"});
+  auto motion = agency ? read_agency(lines, *agency, name, stated) : read_columns(lines, name, stated);
+  if (stated.step_s && !(std::abs(*stated.step_s - motion.step_s) <= 1e-3 * motion.step_s))
+    throw Error(
+        {.where = name,
+         .found = fmt::format("samples every {:.6g} s, and a step of {} s is stated", motion.step_s, *stated.step_s),
+         .allowed = "the step of the file, or none for a file that states one"});
   if (motion.acceleration_mm_s2.size() < fewest_accelerations)
     throw Error({.where = name,
                  .found = counted(motion.acceleration_mm_s2.size(), "sample"),

@@ -2,11 +2,14 @@
 // that name their units.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "isolaw/base/option.hpp"
 
 namespace isolaw::data {
 
@@ -25,12 +28,37 @@ struct GroundMotion {
   std::optional<double> zero_mm_s2 = {};   // the mean that was subtracted from values as an instrument gave them
 };
 
+// The user states the time step and the unit of acceleration of a file that does not. If the file does, they must be
+// the same.
+struct StatedMotion {
+  std::optional<double> step_s = {};
+  std::optional<std::string> unit = {};
+  std::string_view how = {};  // names the two options or keys in messages; empty if the user has none
+};
+
+// The two options that set the StatedMotion at `place`.
+template <class Target, class Access>
+std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::string_view unit_key, Access place) {
+  return {number<Target>(step_key, "seconds between samples, for files without time",
+                         [place](auto& from) -> auto& { return place(from).step_s; }, {.least = 1e-6, .most = 10.0})
+              .under(Heading::everyday),
+          {{.key = unit_key,
+            .help = "unit of the acceleration, for files that name none: " + std::string(known_accelerations),
+            .heading = Heading::everyday},
+           [place](Target const& from) { return or_null(place(from).unit); },
+           [place](Target& to, Json const& value) {
+             if (!parse_acceleration(text_in(value))) refuse(value, std::string(known_accelerations));
+             place(to).unit = text_in(value);
+           }}};
+}
+
 // Throws one Error with all problems: values, unequal time steps, not exactly one column of acceleration, missing
-// samples. `step_s` gives the time step of a file without time; where the file states a step, it must be the same.
+// samples. If the step and the unit are stated, a file may be rows of one number, or of time in s and acceleration,
+// without a header.
 // A file of an agency may hold several components. `component`, from 1, chooses one of them; in a file's name it stands
 // behind a #, as in FILE.V2#2.
-GroundMotion read_ground_motion(std::filesystem::path const& file, std::optional<double> step_s = {});
-GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, std::optional<double> step_s = {},
+GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated = {});
+GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, StatedMotion const& stated = {},
                                      std::optional<std::size_t> component = {});
 
 }  // namespace isolaw::data
