@@ -270,6 +270,7 @@ class Collector {
   }
 
   void outliers() {
+    if (auto const& left_out = summary_.not_compared) add(*left_out);
     for (auto const& outlier : summary_.outliers) {
       bool const on_other_law = scope_.law && !outlier.law.empty() && outlier.law != *scope_.law;
       if (on_other_law || !scope_.covers_device(outlier.device)) continue;
@@ -361,6 +362,8 @@ std::vector<Finding> Collector::shared_records(Summary const& summary) {
     if (std::ranges::any_of(group, [&](auto const* device) { return !is_same_record(*group.front(), *device); }))
       finding.words = {{"altered", "yes"}};
   }
+  if (summary.devices.size() > most_compared)
+    found.push_back({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(most_compared)}}});
   for (auto const& group : devices_of_one_compression(summary))
     found.push_back({.kind = same_compression_test,
                      .devices = names_of(group),
