@@ -92,6 +92,8 @@ class Collector {
     for (auto& finding : shared_records(summary_))
       if (std::ranges::any_of(finding.devices, [&](auto const& name) { return scope_.covers_device(name); }))
         add(std::move(finding));
+    if (summary_.devices.size() > most_compared)
+      add({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(most_compared)}}});
   }
 
   bool is_given(std::string_view setting) const {
@@ -362,8 +364,6 @@ std::vector<Finding> Collector::shared_records(Summary const& summary) {
     if (std::ranges::any_of(group, [&](auto const* device) { return !is_same_record(*group.front(), *device); }))
       finding.words = {{"altered", "yes"}};
   }
-  if (summary.devices.size() > most_compared)
-    found.push_back({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(most_compared)}}});
   for (auto const& group : devices_of_one_compression(summary))
     found.push_back({.kind = same_compression_test,
                      .devices = names_of(group),
