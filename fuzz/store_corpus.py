@@ -60,6 +60,7 @@ FAULTS = {
     "name-no-utf8": "UPDATE device SET name = CAST(x'ff9b' AS TEXT), serial = CAST(x'c3' AS TEXT)",
     "name-blob": "UPDATE device SET name = x'00ff00', message = x'00'",
     "title-html": "UPDATE meta SET value = '</script><script>{{data}}' WHERE key = 'title'",
+    "faults-elsewhere": "UPDATE meta SET value = '[{\"device\":7,\"corrected\":true,\"samples\":[0],\"finding\":[]}]' WHERE key = 'faults'",
     "device-id-gap": "UPDATE device SET id = 7",
     "device-refused": "UPDATE device SET status = 'refused', message = ''",
     "devices-none": "DELETE FROM device",

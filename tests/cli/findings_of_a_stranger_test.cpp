@@ -330,6 +330,19 @@ TEST_F(SmallThings, init_tells_of_records_that_calibrate_will_refuse) {
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.err, "spike: isolaw calibrate will leave it out: the force has a single-sample spike")) << o;
   EXPECT_EQ(count_of("will leave it out", o.err), 1u) << o;
+  // Laws are fitted to the other block of a record with a spike in one of two.
+  auto stages = record();
+  auto const whole = stages.size() - 1;
+  for (std::size_t i = 1; i <= whole; ++i) {
+    auto next = stages[i];
+    next.time_s += stages[whole].time_s;
+    next.disp_mm *= 2.0, next.force_kN *= 2.0;
+    stages.push_back(next);
+  }
+  stages[whole + 150].force_kN += 120.0;
+  write("stages.csv", csv(stages));
+  auto const of_two = isolaw({"init", "a.csv", "stages.csv", "--out", "two.toml"});
+  EXPECT_TRUE(contains(of_two.err, "stages: isolaw calibrate will not fit laws to block 2: the force has a")) << of_two;
 }
 
 // The velocity falls to zero before each reversal, so a force that depends on it falls too. This happens within the

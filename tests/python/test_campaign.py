@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import isolaw
-from devices import InFolder, arrays, files_in, program
+from devices import InFolder, arrays, files_in, program, write_csv
 
 LAWS = ["bilinear", "bouc-wen"]
 
@@ -60,6 +60,14 @@ class Campaigns(InFolder):
         for law, printed in zip(campaign.summary["laws"], self.printed["laws"]):
             self.assertEqual(law["objective"], printed["objective"])
             self.assertEqual(law["beta"], printed["beta"])
+
+    def test_the_temperature_in_the_header_of_a_record_is_known(self):
+        header = "Temperature: {}\ntime [s],displacement [mm],force [kN]"
+        for name, temperature, strength_kN in (("cold.csv", "-10 C", 24.0), ("warm.csv", "20 C", 20.0)):
+            write_csv(self.path / name, *arrays(strength_kN), header=header.format(temperature))
+        records = [isolaw.read_record(self.path / name) for name in ("cold.csv", "warm.csv")]
+        campaign = isolaw.calibrate(records, "bilinear", runs=1, analysis=False)
+        self.assertIn("temperature -10 to 20", str(campaign.summary["warnings"]))
 
     def test_corrections_are_known_with_the_campaign(self):
         how = {"rules": "ntc-2018", "design": {"K_eff": 0.8, "damping": 16.0, "disp": 100.0}, "lot_size": 2}

@@ -159,6 +159,14 @@ inline void expect_same(Device const& a, Device const& b) {
   EXPECT_EQ(a.raw.recognised, b.raw.recognised);
   EXPECT_EQ(a.raw.corrections, b.raw.corrections);
   EXPECT_EQ(a.raw.warnings, b.raw.warnings);
+  ASSERT_EQ(a.raw.faults.size(), b.raw.faults.size()) << a.name;
+  for (std::size_t i = 0; i < a.raw.faults.size(); ++i) {
+    auto const &fault = a.raw.faults[i], &other = b.raw.faults[i];
+    EXPECT_EQ(fault.kind, other.kind);
+    EXPECT_EQ(fault.channel, other.channel);
+    EXPECT_EQ(fault.samples, other.samples);
+    EXPECT_EQ(fault.finding, other.finding);
+  }
   expect_same(a.raw.time_s, b.raw.time_s, a.name + " raw time");
   expect_same(a.raw.disp_mm, b.raw.disp_mm, a.name + " raw disp");
   expect_same(a.raw.force_kN, b.raw.force_kN, a.name + " raw force");

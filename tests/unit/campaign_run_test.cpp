@@ -19,6 +19,7 @@
 #include "isolaw/api/merge.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/objective.hpp"
@@ -81,6 +82,27 @@ bool sorted(std::vector<Run> const& runs) {
 }
 
 // --- preparing a campaign ---
+
+// A skew that is no whole number of samples spreads a spike over two, which are no spike any more.
+TEST_F(CampaignTest, TheStoreHoldsTheFaultsOfTheSignalsBeforeTheirCorrection) {
+  std::string text = "time [s],disp [mm],force [kN]\n";
+  for (int i = 0; i <= 1200; ++i) {
+    double const phase = std::numbers::pi * i / 100.0, amplitude = i < 600 ? 100.0 : 50.0;
+    text += fmt::format("{:.4f},{:.4f},{:.4f}\n", 0.01 * i, amplitude * std::sin(phase),
+                        amplitude * (std::sin(phase) + 0.3 * std::cos(phase)) + (i == 815 ? 20.0 : 0.0));
+  }
+  auto of = lot("bilinear");
+  of.devices = {device_input("D1", {write("d1.csv", text)})};
+  of.devices.front().tests.front().read.corrections.skew_s = 0.0033;
+  auto const contents = prepare(of);
+  Store::create(file(), contents);
+  auto const stored = Store::read(file());
+  expect_same(stored, contents);
+  auto const blocks = data::cyclic_properties(stored.devices.front().raw).blocks;
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[1].fault, "the force is disturbed by spikes");
+  EXPECT_EQ(check(file()).faults, std::vector<std::string>{});
+}
 
 TEST_F(CampaignTest, PrepareMakesASearchForEveryDeviceAndLaw) {
   auto const contents = prepare(lot());

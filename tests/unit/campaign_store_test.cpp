@@ -77,6 +77,12 @@ Contents full() {
   first.raw.disp_mm = {-0.0, std::numeric_limits<double>::denorm_min(), -1e308};
   first.raw.force_kN = {1.0 / 3.0, infinity, -2.0};
   first.raw.load_kN = {1632.0, 1633.0, 1634.0};
+  first.raw.faults = {{.kind = data::FaultKind::spike,
+                       .channel = "force",
+                       .samples = {0, 2},
+                       .finding = {.kind = FindingKind::signal_spike,
+                                   .numbers = {{"count", 2.0}, {"value_kN", 0.1 + 0.2}},
+                                   .words = {{"channel", "force"}, {"unit", "kN"}}}}};
   first.raw.recognised = {data::decision(FindingKind::file_format, attack), data::decision(FindingKind::rows_read, ""),
                           data::decision(FindingKind::units_given, unicode, "--units")};
   first.raw.corrections = {{.kind = FindingKind::friction_removed, .numbers = {{"friction_kN", 0.1 + 0.2}}}};
@@ -443,6 +449,22 @@ TEST_F(StoreTest, RefusesAnotherSchemaAndChangesNothing) {
                              fmt::format("schema {}", schema_version), std::string("--fresh")})
       EXPECT_NE(said.find(part), std::string::npos) << said;
     EXPECT_EQ(bytes_of(file()), before);
+  }
+}
+
+// A store of an earlier build holds no faults of signals. They are then found in its samples.
+TEST_F(StoreTest, AStoreWithoutFaultsIsRead) {
+  make();
+  sql(file(), "DELETE FROM meta WHERE key = 'faults'");
+  auto const contents = Store::read(file());
+  EXPECT_TRUE(contents.devices.front().raw.faults.empty());
+  EXPECT_EQ(Store::foreign_rows(file(), contents), std::vector<std::string>{});
+  for (std::string const faults :
+       {"[{}]", R"([{"device":7,"corrected":true,"samples":[0],"finding":[{"kind":"signal-spike"}]}])",
+        R"([{"device":0,"corrected":true,"samples":[3],"finding":[{"kind":"signal-spike"}]}])",
+        R"([{"device":0,"corrected":true,"samples":[0],"finding":[{"kind":"drift"}]}])"}) {
+    sql(file(), "INSERT OR REPLACE INTO meta VALUES ('faults', '" + faults + "')");
+    EXPECT_THROW(Store::read(file()), Error) << faults;
   }
 }
 

@@ -281,6 +281,7 @@ TEST(ChannelChanges, no_delay_is_claimed_that_the_samples_cannot_show) {
         }
   std::cout << claimed << " of " << estimated << "\n";
   EXPECT_EQ(claimed, 0) << "of " << estimated;
+  EXPECT_GT(estimated, 100);
 }
 
 // --- how often they are reported of sound records ---

@@ -240,16 +240,62 @@ TEST_F(ColumnsTest, RowsWithMissingValues) {
   EXPECT_TRUE(says(filled.recognised, "2 of 5 rows lack a value, at most 1 in a row: 1 left out, 1 filled"));
 }
 
-TEST_F(ColumnsTest, ALastColumnThatIsMostlyEmpty) {
-  std::string text = "Time [s],Disp [mm],Force [kN]\n";
-  for (int i = 0; i <= 40; ++i)
-    text += i % 5 == 0 ? fmt::format("{},{},{}\n", i, i % 7, i) : fmt::format("{},{},\n", i, i % 7);
+// Rows that are left out keep their time.
+TEST_F(ColumnsTest, RowsWithMissingValuesTakeTime) {
+  ReadOptions told;
+  told.dt_s = 0.5;
+  for (auto const missing : {MissingValues::left_out, MissingValues::interpolated}) {
+    told.missing = missing;
+    auto const record = read("Disp [mm];Force [kN]\n1;\n2;4\n3;\n4;10\n5;3\n", told);
+    EXPECT_EQ(record.time_s, missing == MissingValues::left_out ? (std::vector<double>{0.5, 1.5, 2.0})
+                                                                : (std::vector<double>{0.5, 1.0, 1.5, 2.0}));
+    EXPECT_TRUE(says(record.recognised, "sampling interval 0.5 s"));
+  }
+  told.from_s = 1.2;
+  EXPECT_EQ(read("Disp [mm];Force [kN]\n1;\n2;4\n3;1\n4;10\n5;3\n6;4\n", told).time_s,
+            (std::vector<double>{1.5, 2.0, 2.5}));
+}
+
+TEST_F(ColumnsTest, ARowWithoutTimeFillsNoOther) {
   ReadOptions told;
   told.missing = MissingValues::interpolated;
-  told.checks_physics = false;
-  auto const record = read(text, told);
-  ASSERT_EQ(record.size(), 41u);
-  EXPECT_DOUBLE_EQ(record.force_kN[13], 13.0);
+  auto const record = read("Disp [mm];Force [kN];Time [s]\n1;2;0\n2;9;\n3;;2\n4;8;3\n5;3;4\n", told);
+  EXPECT_EQ(record.force_kN, (std::vector<double>{2, 6, 8, 3}));
+  EXPECT_EQ(record.time_s, (std::vector<double>{0, 2, 3, 4}));
+}
+
+TEST_F(ColumnsTest, ALastColumnThatIsMostlyEmpty) {
+  for (char const delimiter : {',', '\t'}) {
+    std::string text = "Time [s],Disp [mm],Force [kN]\n";
+    for (int i = 0; i <= 40; ++i)
+      text += i % 5 == 0 ? fmt::format("{},{},{}\n", i, i % 7, i) : fmt::format("{},{},\n", i, i % 7);
+    std::ranges::replace(text, ',', delimiter);
+    ReadOptions told;
+    told.missing = MissingValues::interpolated;
+    told.checks_physics = false;
+    auto const record = read(text, told);
+    ASSERT_EQ(record.size(), 41u);
+    EXPECT_DOUBLE_EQ(record.force_kN[13], 13.0);
+  }
+}
+
+TEST_F(ColumnsTest, ThatNumberTheCyclesMayBeLeftOut) {
+  auto const record = read("Cycle;Cycle no;Disp [mm];Force [kN]\n1;1;1;2\n1;1;2;3\n1;1;3;1\n");
+  EXPECT_TRUE(record.logged_cycle.empty());
+  EXPECT_TRUE(says(record.recognised, "may each number the cycles, so neither is read: --columns cycle=1 or"));
+  EXPECT_NE(refusal("Cycle;Disp [mm];Force [kN]\n1;1;2\n;2;3\n1;3;1\n").find("--columns cycle=none"),
+            std::string::npos);
+  EXPECT_NE(refusal("Cycle;Disp [mm];Force [kN]\n1;1;2\n3e9;2;3\n1;3;1\n")
+                .find("in column 1 'Cycle' is no number of a cycle"),
+            std::string::npos);
+}
+
+TEST_F(ColumnsTest, AScaleThatWouldHaveNoEffectIsRefused) {
+  ReadOptions told;
+  told.scales = parse_scales("time=0.001");
+  EXPECT_NE(refusal("Time;Disp [mm];Force [kN]\n10:00:00;1;2\n10:00:01;2;3\n10:00:02;3;1\n", told)
+                .find("--channel-scale time: a factor, but column 1 'Time' holds time stamps"),
+            std::string::npos);
 }
 
 // --- refusals, whose message names the option to type ---

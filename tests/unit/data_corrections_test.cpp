@@ -50,6 +50,18 @@ std::string refusal(Corrections const& corrections, TestRecord record = bearing(
   return refusal_of([&] { correct(record, corrections); });
 }
 
+// An early force leaves no force for the first samples, which are dropped.
+TEST(Corrections, ASkewMovesFaultsWithTheirSamples) {
+  auto record = bearing();
+  auto const size = record.size();
+  record.faults = {{.kind = FaultKind::spike, .channel = "force", .samples = {3, 300}},
+                   {.kind = FaultKind::spike, .channel = "displacement", .samples = {4}}};
+  correct(record, {.skew_s = -0.05});
+  ASSERT_LT(record.size(), size);
+  ASSERT_EQ(record.faults.size(), 1u);
+  EXPECT_EQ(record.faults[0].samples, std::vector<std::size_t>{300 - (size - record.size())});
+}
+
 TEST(Corrections, NoneLeaveTheRecordAlone) {
   auto record = bearing();
   auto const before = record.force_kN;

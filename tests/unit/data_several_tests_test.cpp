@@ -120,6 +120,29 @@ TEST(TestsOfADevice, KeepFaultsWarningsAndCorrectionsOfEach) {
   EXPECT_EQ(record.corrections[0].word("part"), "b");
 }
 
+// A fault lies in one test, and takes nothing of the others.
+TEST(TestsOfADevice, AreFaultyEachByItself) {
+  auto const first = cyclic(50.0);
+  auto second = cyclic(60.0);
+  second.faults = {{.kind = FaultKind::stuck,
+                    .channel = "displacement",
+                    .samples = {300},
+                    .finding = {.kind = FindingKind::signal_stuck, .words = {{"channel", "displacement"}}}}};
+  auto const record = joined_record({first, second});
+  auto const properties = cyclic_properties(record);
+  EXPECT_EQ(properties.blocks[0].counted().size(), 3u);
+  EXPECT_TRUE(properties.blocks[1].counted().empty());
+  auto const apart = tests_of(record);
+  EXPECT_TRUE(apart[0].faults.empty());
+  ASSERT_EQ(apart[1].faults.size(), 1u);
+  EXPECT_EQ(apart[1].faults[0].samples, std::vector<std::size_t>{300});
+  std::vector<int> blocks;
+  for (auto const& step : clean(record, {}).cleaning)
+    if (step.kind == FindingKind::faulty_not_scored)
+      blocks.insert(blocks.end(), step.blocks.begin(), step.blocks.end());
+  EXPECT_EQ(blocks, std::vector<int>{2});
+}
+
 TEST(TestsOfADevice, AreCutIntoCyclesEachByItself) {
   auto const small = cyclic(50.0), large = cyclic(100.0, 3.0);
   auto const both = cyclic_properties(joined_record({small, large}));

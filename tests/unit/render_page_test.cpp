@@ -7,12 +7,14 @@
 #include <regex>
 #include <string>
 
+#include "isolaw/data/read.hpp"
 #include "isolaw/render/page/html.hpp"
 #include "isolaw/render/page/page_data.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
 #include "page_data.hpp"
 #include "unit/analysed_fixture.hpp"
+#include "unit/motions.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
@@ -130,6 +132,23 @@ TEST(PageData, ConstantAndNonFiniteCurves) {
   force[5] = std::numeric_limits<double>::quiet_NaN();
   auto const values = decoded(Json::parse(page_data_json(summary))["laws"][0]["devices"][0]["force_kN"]);
   for (double const value : values) EXPECT_EQ(value, 3.0);
+}
+
+// The third cycle is larger and does not count. The remainder of the block has no value there.
+TEST(PageData, TheRemainderHasGapsBetweenItsCycles) {
+  auto summary = fixture::lot();
+  auto const motion = data::testing::Motion().sine(100.0, 0.5, 3).sine(110.0, 0.5, 1).sine(100.0, 0.5, 3).end().loop();
+  auto& device = summary.devices[0];
+  device.raw = data::record_of_values("test", {motion.disp_mm, motion.force_kN, motion.time_s, {}});
+  device.properties = data::cyclic_properties(device.raw);
+  device.raw.warnings = {{.kind = FindingKind::offset_steps, .blocks = {1}, .words = {{"channel", "force"}}}};
+  auto const remainder = Json::parse(page_data_json(summary))["devices"][0]["remainder"];
+  std::vector<std::size_t> within;
+  for (auto const& gap : remainder["gaps"])
+    within.push_back(remainder["first"].get<std::size_t>() + gap.get<std::size_t>());
+  ASSERT_EQ(remainder["stride"], 1);
+  EXPECT_GT(within.size(), 190u);
+  for (auto const sample : within) EXPECT_TRUE(sample >= 600 && sample <= 800) << sample;
 }
 
 TEST(PageData, LongRecordsAreThinnedEvenlyWithBothEnds) {

@@ -6,9 +6,11 @@
 #include <string>
 
 #include "contains.hpp"
+#include "isolaw/render/terminal/inspection_text.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
 #include "isolaw/study/findings.hpp"
 #include "unit/analysed_fixture.hpp"
+#include "unit/motions.hpp"
 #include "unit/study_fixture.hpp"
 
 namespace isolaw::render {
@@ -28,6 +30,18 @@ std::size_t times_in(std::string const& text, std::string const& part) {
   std::size_t times = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++times;
   return times;
+}
+
+// The cycles of the last stage are complete, and have lost their force.
+TEST(Inspection, SaysThatNoCompleteCycleCounts) {
+  auto motion = data::testing::Motion().sine(20.0, 0.5, 3).sine(40.0, 0.5, 3).end().loop();
+  for (std::size_t i = 600; i < motion.force_kN.size(); ++i) motion.force_kN[i] *= 0.01;
+  auto summary = fixture::lot(1, 1);
+  summary.devices.resize(1);
+  summary.devices[0].properties = motion.properties();
+  auto const text = inspection_text(summary, false);
+  EXPECT_NE(text.find("Block 2: no cycle counts"), std::string::npos) << text;
+  EXPECT_EQ(text.find("no complete cycle"), std::string::npos);
 }
 
 TEST(Findings, PublishedLotHasThePublishedFront) {

@@ -8,6 +8,7 @@
 
 #include "isolaw/data/read.hpp"
 #include "isolaw/study/acceptance.hpp"
+#include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/study/verdict.hpp"
 #include "motions.hpp"
 
@@ -76,6 +77,37 @@ TEST(Blocks, TheVariationOverLoadsIsAssessedAndTheDesignLoadChooses) {
       std::ranges::find(acceptance.assessments, "K_eff over vertical load", &rules::Assessment::quantity);
   ASSERT_NE(found, acceptance.assessments.end());
   EXPECT_EQ(found->verdict, Verdict::pass) << found->reason;
+}
+
+// Two blocks of one amplitude: the sound one has the design load, the faulty one another.
+TEST(Blocks, AFaultyBlockOfAnotherLoadIsNotChosen) {
+  auto motion = Motion().sine(150.0, 0.5, 4).sine(150.0, 0.5, 4).end().loop();
+  std::vector<double> load(motion.disp_mm.size(), 2000.0);
+  for (std::size_t i = 0; i < 800; ++i) load[i] = 1000.0;
+  for (std::size_t i = 440; i < 460; ++i) motion.force_kN[i] = 0.0;
+  auto const properties = read(motion, load);
+  ASSERT_FALSE(properties.blocks[0].fault.empty());
+  EXPECT_EQ(assessed(properties, "disp=150,load=2000").block, 2);
+  EXPECT_EQ(assessed(properties, "disp=150,load=1000").block, 1);
+}
+
+// With two devices at 100 mm and two at 200 mm, the usual amplitude is that of a device, and the others are named.
+TEST(Lot, OutliersAreSoughtAmongDevicesOfOneAmplitude) {
+  auto const usual = usual_amplitude({100.0, 200.0, 101.0, 201.0}, {}, {});
+  EXPECT_EQ(usual.mm, 101.0);
+  EXPECT_TRUE(usual.has(100.0));
+  EXPECT_FALSE(usual.has(200.0));
+  EXPECT_TRUE(usual_amplitude({100.0, 108.0}, {}, {.amplitude_percent = 10.0}).has(108.0));
+  std::vector<data::Properties> properties;
+  std::vector<AssessedTest> tests;
+  for (double const amplitude : {100.0, 100.0, 100.0, 100.0, 150.0})
+    properties.push_back(read(Motion().sine(amplitude, 0.5, 3).end().loop()));
+  for (auto const& one : properties)
+    tests.push_back({.device = "D" + std::to_string(tests.size() + 1), .properties = &one});
+  std::vector<DeviceAcceptance> devices;
+  auto const lot = assess_lot({}, {}, std::nullopt, tests, devices).lot;
+  EXPECT_TRUE(lot.quantities.front().outliers.empty());
+  EXPECT_EQ(lot.quantities.front().outlier_note, "not compared, as tested at another amplitude: D5");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "isolaw/study/findings.hpp"
 #include "isolaw/study/value_doubts.hpp"
 #include "isolaw/study/warnings.hpp"
 
@@ -152,6 +153,30 @@ TEST(OverallVerdict, PassesOnlyWhereEveryRequirementAndEveryDeviceIsAssessed) {
   auto shear = verified_lot();
   add(shear, "D01", {line("K_v", Verdict::pass)});
   EXPECT_EQ(overall_verdict(shear).word, "INCOMPLETE");
+}
+
+// The copy of a record is not assessed, for whatever its device would have been withheld.
+TEST(OverallVerdict, NamesACopyThatIsWithheldOnce) {
+  auto summary = verified_lot();
+  for (auto const* name : {"D01", "D02"}) {
+    add(summary, name, {line("K_eff", Verdict::not_assessed)});
+    summary.devices.back().acceptance.withheld = "block 2 is faulty: the force is clipped";
+  }
+  summary.devices[1].acceptance.copy_of = "D01";
+  auto const overall = overall_verdict(summary);
+  ASSERT_EQ(overall.not_assessed.size(), 2u);
+  EXPECT_EQ(overall.not_assessed[1].device, "D02");
+  EXPECT_EQ(overall.not_assessed[1].remark, rules::same_record_as("D01"));
+}
+
+TEST(Warnings, SayThatAlteredCopiesAreNotSoughtInLargeLots) {
+  auto const is_said = [](std::size_t devices) {
+    Summary summary;
+    summary.devices.resize(devices);
+    return std::ranges::count(warnings(summary), FindingKind::copies_not_sought, &Finding::kind);
+  };
+  EXPECT_EQ(is_said(most_compared), 0);
+  EXPECT_EQ(is_said(most_compared + 1), 1);
 }
 
 TEST(OverallVerdict, APassThatRestsOnCorrectionsSaysSo) {

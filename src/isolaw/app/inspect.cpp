@@ -163,8 +163,15 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
              counted(record.size(), "sample"));
   for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
   auto const properties = data::cyclic_properties(record);
-  if (auto const& why = properties.is_false ? properties.refusal : properties.faulty; !why.empty())
-    say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(why));
+  if (properties.is_false)
+    say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(properties.refusal));
+  else if (!properties.faulty.empty()) {
+    std::vector<std::string> blocks;
+    for (auto const& block : properties.blocks)
+      if (!block.fault.empty()) blocks.push_back(fmt::to_string(block.number));
+    say("{}: isolaw calibrate will not fit laws to block{} {}: {}\n", printable(device.name),
+        blocks.size() == 1 ? "" : "s", joined(blocks), wording::reasons(properties.faulty));
+  }
 }
 
 // Throws Error if no test can be read.

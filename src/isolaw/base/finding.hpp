@@ -17,10 +17,10 @@ namespace isolaw {
 enum class FindingKind {
   // [campaign]
   runs_missing, analyses_missing, device_refused, rule_set_not_kept_by_device, rule_set_not_kept_by_lot,
-  verdict_rests_on_corrections, devices_not_in_lot_law, same_record, same_compression_test,
+  verdict_rests_on_corrections, devices_not_in_lot_law, same_record, copies_not_sought, same_compression_test,
   stiffness_unlike_design, strain_implausible, energy_falls, law_refused, runs_failed,
   evaluations_failed, law_inadequate, law_runs_away, law_faulty, held_by_box, prediction_poor, prediction_unusable, searches_disagree, runs_differ,
-  not_determined, prediction_not_asked, outlier, at_bound, lot_law_at_bound, integration_coarse,
+  not_determined, prediction_not_asked, outlier, not_compared, at_bound, lot_law_at_bound, integration_coarse,
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
   prediction_unknown, verdict_without_corrections_same, conditions_differ,
   // [answers]

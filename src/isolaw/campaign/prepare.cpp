@@ -196,6 +196,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
                 .raw = std::move(given.record),
                 .uncorrected = std::move(given.uncorrected)};
   device.vertical = prepare_vertical(given.vertical, {});
+  take_temperature(device);
   try {
     clean(device, cleaning, FalseSignals::refused);
   } catch (Error const& error) {

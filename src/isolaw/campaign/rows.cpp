@@ -16,6 +16,7 @@
 #include "isolaw/campaign/schema.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/checks.hpp"
+#include "isolaw/data/signals/signal_faults.hpp"
 #include "isolaw/wording/finding_json.hpp"
 
 namespace isolaw::campaign {
@@ -77,6 +78,37 @@ void take_tests(std::string const& json, Device& device) {
     if (!test.contains("first_uncorrected")) continue;
     device.uncorrected.starts.push_back(test.at("first_uncorrected").get<std::size_t>());
     device.uncorrected.tests.push_back(device.raw.tests.back());
+  }
+}
+
+// The faults of the signals of all records as a JSON array. They were found before the corrections, so they cannot be
+// found again in the stored samples.
+std::string faults_to_json(Contents const& contents) {
+  auto faults = nlohmann::ordered_json::array();
+  for (std::size_t id = 0; id < contents.devices.size(); ++id)
+    for (bool const corrected : {true, false})
+      for (auto const& fault : (corrected ? contents.devices[id].raw : contents.devices[id].uncorrected).faults)
+        faults.push_back({{"device", id},
+                          {"corrected", corrected},
+                          {"samples", fault.samples},
+                          {"finding", nlohmann::ordered_json::parse(wording::findings_json({fault.finding}))}});
+  return faults.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+void take_faults(std::string const& json, Contents& contents) {
+  for (auto const& fault : nlohmann::ordered_json::parse(json)) {
+    auto const id = fault.at("device").get<std::size_t>();
+    auto const samples = fault.at("samples").get<std::vector<std::size_t>>();
+    auto const findings = wording::findings_of(fault.at("finding").dump());
+    auto const kind = findings.size() == 1 ? data::fault_kind(findings.front().kind) : std::nullopt;
+    auto* const record = id >= contents.devices.size()       ? nullptr
+                         : fault.at("corrected").get<bool>() ? &contents.devices[id].raw
+                                                             : &contents.devices[id].uncorrected;
+    if (record == nullptr || !kind || samples.empty() || std::ranges::max(samples) >= record->size())
+      throw Error({.found = "a fault that lies in no signal of the campaign"});
+    record->faults.push_back({.kind = *kind,
+                              .channel = std::string(findings.front().word("channel")),
+                              .samples = samples,
+                              .finding = findings.front()});
   }
 }
 
@@ -301,6 +333,7 @@ void read_descriptions(Connection const& db, Contents& contents) {
 void write_campaign(Connection const& db, Contents const& contents, std::vector<Maker> const& makers) {
   campaign_store().begin(db, makers, contents.part);
   for (auto const& [key, value] : descriptions(contents)) write_meta(db, key, value);
+  write_meta(db, "faults", faults_to_json(contents));
   Statement setting(db, "INSERT INTO setting VALUES (?, ?, ?)");
   std::size_t position = 0;
   for (auto const& [key, json] : to_pairs(contents.settings)) setting.bind(position++, key, json).insert();
@@ -419,8 +452,11 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
 Contents read_campaign_and_series(Connection const& db) {
   auto contents = read_campaign(db);
   read_series(db, contents);
-  for (auto& device : contents.devices)
-    for (auto* record : {&device.raw, &device.uncorrected}) data::find_faults(*record);
+  if (auto const faults = meta(db, "faults"); !faults.empty())
+    take_faults(faults, contents);
+  else
+    for (auto& device : contents.devices)
+      for (auto* record : {&device.raw, &device.uncorrected}) data::find_faults(*record);
   return contents;
 }
 

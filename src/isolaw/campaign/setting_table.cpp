@@ -235,10 +235,10 @@ void set_rules(Acceptance& to, Json const& value) {
 }
 
 Option<Acceptance> alike(std::string_view key, std::string_view what, std::optional<double> Alike::*member,
-                         std::string usual) {
+                         double usual) {
   auto help = fmt::format("{} by which tests of devices may differ and still be of one condition", what);
   return number<Acceptance>(key, std::move(help), at(&Acceptance::alike, member), {.least = 0, .most = 1000},
-                            std::move(usual))
+                            fmt::format("{}", usual))
       .under(Heading::acceptance);
 }
 
@@ -277,10 +277,10 @@ std::vector<Option<Acceptance>> make_acceptance() {
          to.letterhead_file = text_in(value);
          to.letterhead.clear();
        }},
-      alike("alike-temperature-C", "degrees Celsius", &Alike::temperature_C, "2"),
-      alike("alike-frequency-percent", "percent of frequency", &Alike::frequency_percent, "10"),
-      alike("alike-load-percent", "percent of vertical load", &Alike::load_percent, "10"),
-      alike("alike-amplitude-percent", "percent of amplitude", &Alike::amplitude_percent, "5"),
+      alike("alike-temperature-C", "degrees Celsius", &Alike::temperature_C, Alike::own_temperature_C),
+      alike("alike-frequency-percent", "percent of frequency", &Alike::frequency_percent, Alike::own_frequency_percent),
+      alike("alike-load-percent", "percent of vertical load", &Alike::load_percent, Alike::own_load_percent),
+      alike("alike-amplitude-percent", "percent of amplitude", &Alike::amplitude_percent, Alike::own_amplitude_percent),
   };
 }
 
@@ -338,7 +338,10 @@ std::span<Option<Acceptance> const> acceptance_table() {
 }
 
 std::span<Option<Acceptance> const> alike_table() {
-  return acceptance_table().last(4);
+  auto const table = acceptance_table();
+  auto const is_alike = [](Option<Acceptance> const& option) { return option.key.starts_with("alike-"); };
+  auto const first = std::ranges::find_if(table, is_alike);
+  return {first, std::find_if_not(first, table.end(), is_alike)};
 }
 
 int parse_lot_size(std::string_view text) {

@@ -254,8 +254,8 @@ void remove_unfinished(std::filesystem::path const& file) {
   // put_in_order() works on two files in one transaction. While it commits, SQLite keeps a list of both beside them.
   auto const list = std::filesystem::path(aside).filename().string() + "-mj";
   std::vector<std::filesystem::path> lists;
-  for (std::filesystem::directory_iterator at(std::filesystem::absolute(file).parent_path(), ignored), end; at != end;
-       at.increment(ignored))
+  for (std::filesystem::directory_iterator at(std::filesystem::absolute(file, ignored).parent_path(), ignored), end;
+       at != end; at.increment(ignored))
     if (at->path().filename().string().starts_with(list)) lists.push_back(at->path());
   for (auto const& left : lists) std::filesystem::remove(left, ignored);
 }

@@ -232,13 +232,14 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   fill(ours, contents, contents.makers);
   write_results(ours, contents);
   std::vector<std::string> faults;
-  char const* settings = "key, json FROM setting";  // may lack rows that read() does not require
-  for (auto const* table :
-       {settings, "key, value FROM meta WHERE key <> 'schema'", "* FROM maker", "* FROM device",
-        "device, kind, channel, count FROM series", "* FROM search", "* FROM search_parameter", "* FROM run",
-        "* FROM run_parameter", "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
+  // These two may lack rows that read() does not require.
+  char const *settings = "key, json FROM setting", *meta = "key, value FROM meta WHERE key <> 'schema'";
+  for (auto const* table : {settings, meta, "* FROM maker", "* FROM device", "device, kind, channel, count FROM series",
+                            "* FROM search", "* FROM search_parameter", "* FROM run", "* FROM run_parameter",
+                            "* FROM device_analysis", "* FROM lot_analysis", "* FROM left_out"}) {
     auto const there = rows_of(theirs, table), made = rows_of(ours, table);
-    if (table == settings ? std::includes(made.begin(), made.end(), there.begin(), there.end()) : made == there)
+    if (table == settings || table == meta ? std::includes(made.begin(), made.end(), there.begin(), there.end())
+                                           : made == there)
       continue;
     auto const name = std::string_view(table).substr(std::string_view(table).find("FROM ") + 5);
     faults.push_back(

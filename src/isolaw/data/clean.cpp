@@ -90,16 +90,24 @@ struct Chosen {  // which samples of the raw record the objective counts, and th
 
 // Takes the samples in [first, last] out of what the objective counts and predicts.
 void take_out(Chosen& chosen, double first, double last) {
+  auto const size = chosen.scored.size();
   auto const begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first)));
-  auto const end = std::min(chosen.scored.size(), static_cast<std::size_t>(std::max(0.0, std::floor(last))) + 1);
+  last = std::clamp(std::floor(last), 0.0, static_cast<double>(size));
+  auto const end = std::min(size, static_cast<std::size_t>(last) + 1);
   for (auto* values : {&chosen.scored, &chosen.block})
     if (!values->empty() && begin < end)
       std::fill(values->begin() + static_cast<std::ptrdiff_t>(begin),
                 values->begin() + static_cast<std::ptrdiff_t>(end), 0.0);
 }
 
-// A law is not fitted to blocks with a signal or loop that cannot be true, nor to what a device did after it failed.
-Chosen chosen_by(Selection const& selection, TestRecord const& raw, Properties const& properties) {
+bool is_outside(SignalFault const& fault) {
+  return !fault.finding.word("outside").empty();
+}
+
+// A law is not fitted to blocks with a signal or loop that cannot be true, nor to faulty samples outside the blocks and
+// those that are averaged with them, nor to what a device did after it failed.
+Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties const& properties) {
+  auto const& selection = options.scored;
   Chosen chosen;
   if (!selection.all()) {
     auto const segmentation =
@@ -107,14 +115,23 @@ Chosen chosen_by(Selection const& selection, TestRecord const& raw, Properties c
     chosen = {.scored = scored_samples(selection, segmentation, raw.size()),
               .block = block_numbers(selection, segmentation, raw.size())};
   }
-  bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); });
+  bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); }) ||
+                          std::ranges::any_of(properties.faults, is_outside);
   // If no block is sound the device is refused as a whole, with the reason.
   if (properties.is_false || (!any_faulty && !properties.failure)) return chosen;
   if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
   for (auto const& block : properties.blocks)
     if (!block.fault.empty() && !block.cycles.empty())
       take_out(chosen, block.cycles.front().first, block.cycles.back().last);
-  if (properties.failure) take_out(chosen, properties.failed_from, static_cast<double>(raw.size()));
+  double const thinned =
+      options.samples_per_cycle ? properties.samples_per_cycle.value_or(0.0) / *options.samples_per_cycle : 0.0;
+  double const reach = std::ceil((options.smooth + thinned) / 2.0);
+  for (auto const& fault : properties.faults)
+    for (std::size_t k = 0; is_outside(fault) && k < fault.samples.size(); ++k) {
+      auto const at = static_cast<double>(fault.samples[k]);
+      take_out(chosen, at - reach, at + static_cast<double>(fault.longest()) - 1.0 + reach);
+    }
+  for (auto const& [first, last] : properties.lost) take_out(chosen, first, last);
   return chosen;
 }
 
@@ -122,18 +139,22 @@ void note_unsound(FitRecord& record, Properties const& properties) {
   for (auto const& block : properties.blocks)
     if (!block.fault.empty())
       record.cleaning.push_back({.kind = FindingKind::faulty_not_scored, .blocks = {block.number}});
-  if (properties.failure)
-    record.cleaning.push_back({.kind = FindingKind::failed_not_scored,
-                               .blocks = properties.failure->blocks,
-                               .numbers = {{"cycle", properties.failure->number("cycle")}}});
+  if (std::ranges::any_of(properties.faults, is_outside))
+    record.cleaning.push_back(
+        {.kind = FindingKind::faulty_not_scored, .words = {{"outside", "the samples outside the blocks"}}});
+  if (!properties.failure) return;
+  bool const for_good = std::isinf(properties.lost.back().second);
+  record.cleaning.push_back(
+      {.kind = FindingKind::failed_not_scored,
+       .blocks = properties.failure->blocks,
+       .words = {{for_good ? "for_good" : "for_a_time", std::string(properties.failure->word("where"))}}});
 }
 
 void choose_scored(FitRecord& record, std::span<double const> scored, std::span<double const> block,
-                   Selection const& selection, Properties const& properties) {
+                   Selection const& selection) {
   if (scored.empty()) return;
   record.scored.assign(scored.begin(), scored.end());
   record.block.assign(block.begin(), block.end());
-  note_unsound(record, properties);
   if (selection.all()) return;
   record.cleaning.push_back({.kind = FindingKind::scored_in_part,
                              .numbers = {{"samples", static_cast<double>(std::ranges::count(record.scored, 1.0))},
@@ -205,7 +226,7 @@ FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::s
   } else {
     record.cleaning.push_back({.kind = FindingKind::not_smoothed});
   }
-  choose_scored(record, scored, block, options.scored, properties);
+  choose_scored(record, scored, block, options.scored);
   auto const step = thinning_step(record, properties, options.samples_per_cycle);
   int const window = static_cast<int>(step % 2 == 0 ? step + 1 : step);
   if (step >= 2) average(record, window);
@@ -258,7 +279,7 @@ FitRecord clean(TestRecord const& raw, CleanOptions const& options) {
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options) {
   if (raw.size() == 0)
     throw Error({.where = raw.file, .found = "a record of 0 samples", .allowed = "a record with samples"});
-  auto const chosen = chosen_by(options.scored, raw, properties);
+  auto const chosen = chosen_by(options, raw, properties);
   FitRecord record;
   if (raw.starts.empty()) {
     record = clean_test(raw, properties, chosen.scored, chosen.block, options);
@@ -273,6 +294,7 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
       if (!of_test.blocks.empty()) blocks += of_test.blocks.back().number;
     }
   }
+  if (!chosen.scored.empty()) note_unsound(record, properties);
   weigh(record, raw.has_time(), raw.tests, options.weights);
   return record;
 }

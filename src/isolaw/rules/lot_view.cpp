@@ -23,6 +23,8 @@ struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<std::string> without;
+  std::vector<std::string> usual_names, other_names;  // see DeviceValues::usual
+  std::vector<double> usual_values;
 };
 
 std::size_t without_copies(std::span<DeviceValues const> devices) {
@@ -37,6 +39,9 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
+      bool const usual = device.usual || quantity == Quantity::K_v;
+      (usual ? collected.usual_names : collected.other_names).push_back(device.name);
+      if (usual) collected.usual_values.push_back(*value);
     } else {
       collected.without.push_back(device.name);
     }
@@ -239,10 +244,13 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   view.without = found.without;
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);
-  view.outliers = find_outliers(found.names, found.values);
-  if (found.values.size() < num::fewest_for_outliers)
-    view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed", found.values.size(),
-                                    num::fewest_for_outliers);
+  view.outliers = find_outliers(found.usual_names, found.usual_values);
+  if (found.usual_values.size() < num::fewest_for_outliers)
+    view.outlier_note = fmt::format("too few devices to name outliers: {}, at least {} needed",
+                                    found.usual_values.size(), num::fewest_for_outliers);
+  if (!found.other_names.empty() && found.values.size() >= num::fewest_for_outliers)
+    view.outlier_note += fmt::format("{}not compared, as tested at another amplitude: {}",
+                                     view.outlier_note.empty() ? "" : "; ", fmt::join(found.other_names, ", "));
   add_limit_of_each(rules, view);
   assess_mean(rules, lot, devices, design, view);
   add_test_factors(devices, view);

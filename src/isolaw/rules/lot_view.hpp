@@ -18,6 +18,7 @@ struct DeviceValues {
   // The device whose record is the same as this one's; else empty. A copy is no tested device: it enters neither the
   // means nor the spread, except those of K_v, which comes from another test.
   std::string copy_of = {};
+  bool usual = true;  // of the usual amplitude in the lot; no outliers are sought among other devices, except in K_v
 };
 
 struct Outlier {
@@ -64,8 +65,8 @@ struct LotQuantity {
   std::optional<double> tolerance_low, tolerance_high;  // mean +- tolerance_factor std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is missing
   std::vector<Outlier> outliers;
-  std::string outlier_note;                            // why no outliers are named; empty if there are enough devices
-  std::string limit_individual;                        // the rule set's limit on every single device
+  std::string outlier_note;      // why no outliers are named, or among which devices none is sought
+  std::string limit_individual;  // the rule set's limit on every single device
   std::optional<double> lower_percent, upper_percent;  // that limit, relative to the design value
   std::vector<Assessment> mean_limits;                 // the rule set's limits on the lot's mean
   std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
@@ -21,6 +23,14 @@ rules::BlockValues values_of(data::Block const& block, AssessedTest const& test)
   if (test.rubber_thickness_mm) values.shear_strain_percent = 100.0 * block.amplitude_mm / *test.rubber_thickness_mm;
   for (auto const* cycle : block.counted()) values.cycles.push_back(*cycle);
   return values;
+}
+
+std::optional<double> mean_load(std::vector<data::Cycle const*> const& cycles) {
+  double sum = 0.0;
+  int count = 0;
+  for (auto const* cycle : cycles)
+    if (cycle->N_mean_kN) sum += *cycle->N_mean_kN, ++count;
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
 data::Block const* find_block(data::Properties const& properties, std::optional<int> number) {
@@ -44,9 +54,9 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
 
 // A faulty block that is larger than every sound one is the one on which a verdict would rest without its fault.
 void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen) {
-  constexpr double larger = 1.02;
   for (auto const& block : properties.blocks)
-    if (!block.fault.empty() && block.amplitude_mm > larger * find_block(properties, chosen.block)->amplitude_mm)
+    if (!block.fault.empty() &&
+        block.amplitude_mm > (1.0 + data::same_nominal) * find_block(properties, chosen.block)->amplitude_mm)
       chosen.block = block.number;
 }
 
@@ -67,18 +77,18 @@ DeviceAcceptance choose_block(data::Properties const& properties, rules::Design 
     if (has_rules) choose_faulty(properties, chosen);
     return chosen;
   }
-  constexpr double alike = 0.02;  // fraction of the design displacement; blocks of one nominal amplitude differ by less
   data::Block const* nearest = nullptr;
   auto const off = [&](data::Block const& block) { return std::abs(block.amplitude_mm - *design.disp_mm); };
   auto const load_off = [&](data::Block const& block) {
-    auto const load = mean_load_kN(block);
-    return design.load_kN && load ? std::abs(*load - *design.load_kN) : 0.0;
+    auto const load = mean_load(block.whole());
+    if (!design.load_kN) return 0.0;
+    return load ? std::abs(*load - *design.load_kN) : std::numeric_limits<double>::infinity();
   };
   for (auto const& block : properties.blocks) {
     if (block.counted().empty() && (block.fault.empty() || !has_rules)) continue;
     double const farther = nearest == nullptr ? 0.0 : off(block) - off(*nearest);
-    bool const same =
-        nearest != nullptr && std::abs(farther) <= alike * *design.disp_mm && load_off(block) != load_off(*nearest);
+    bool const same = nearest != nullptr && std::abs(farther) <= data::same_nominal * *design.disp_mm &&
+                      load_off(block) != load_off(*nearest);
     if (nearest == nullptr || (same ? load_off(block) < load_off(*nearest) : farther < 0.0)) nearest = &block;
   }
   chosen.block = nearest->number;
@@ -90,8 +100,7 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
   if (!block.fault.empty()) return fmt::format("block {} is faulty: {}", block.number, block.fault);
   auto const& failure = properties.failure;
   if (!failure) return {};
-  return fmt::format("cycle {} of block {} has lost {:.0f} % of the force", failure->number("cycle"),
-                     failure->blocks.front(), 100.0 - failure->number("percent"));
+  return fmt::format("{} has lost {:.0f} % of the force", failure->word("where"), 100.0 - failure->number("percent"));
 }
 
 // A device may fail all the same, where a limit compares the cycles before and after.
@@ -107,11 +116,7 @@ void withhold_passes(std::vector<rules::Assessment>& assessments, std::string co
 }  // namespace
 
 std::optional<double> mean_load_kN(data::Block const& block) {
-  double sum = 0.0;
-  int count = 0;
-  for (auto const* cycle : block.counted())
-    if (cycle->N_mean_kN) sum += *cycle->N_mean_kN, ++count;
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
+  return mean_load(block.counted());
 }
 
 bool any_failed(std::vector<rules::Assessment> const& assessments) {
@@ -163,7 +168,8 @@ data::Cycle const* counting_cycle(data::Properties const& properties, std::optio
 }
 
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
-                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices) {
+                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices,
+                         campaign::Alike const& alike) {
   LotAcceptance result{.rules = rules, .design = design, .lot = {}};
   devices.clear();
   std::vector<rules::DeviceValues> measured;
@@ -176,10 +182,14 @@ LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& desig
       if (!test.copy_of.empty()) rules::withhold_verdicts(device.assessments, rules::same_record_as(test.copy_of));
       device.withheld = why_withheld(*test.properties, *block);
       if (!device.withheld.empty()) withhold_passes(device.assessments, device.withheld);
-      if (!values.cycles.empty()) measured.push_back({test.device, values, test.copy_of});
+      if (!values.cycles.empty()) measured.push_back({.name = test.device, .block = values, .copy_of = test.copy_of});
     }
     devices.push_back(std::move(device));
   }
+  std::vector<double> amplitudes;
+  for (auto const& one : measured) amplitudes.push_back(one.block.amplitude_mm);
+  auto const usual = usual_amplitude(std::move(amplitudes), rules, alike);
+  for (auto& one : measured) one.usual = usual.has(one.block.amplitude_mm);
   result.lot = rules::lot_view(rules, measured, design, lot_size);
   return result;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/campaign/contents.hpp"
 #include "isolaw/data/properties/properties.hpp"
 #include "isolaw/rules/assess.hpp"
 #include "isolaw/rules/lot_view.hpp"
@@ -45,7 +46,8 @@ data::Cycle const* counting_cycle(data::Properties const& properties, std::optio
 std::optional<double> mean_load_kN(data::Block const& block);
 // Fills `devices` with one entry for each test. Throws Error if `lot_size` is below the number of devices.
 LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& design, std::optional<int> lot_size,
-                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices);
+                         std::vector<AssessedTest> const& tests, std::vector<DeviceAcceptance>& devices,
+                         campaign::Alike const& alike = {});
 
 struct DesignValue {
   std::string name;

@@ -88,7 +88,8 @@ inline constexpr Result<rules::LotQuantity> quantity_results[]{
      get<&rules::LotQuantity::lower_percent>},
     {"upper_percent", "%", "", "largest deviation that it allows", get<&rules::LotQuantity::upper_percent>},
     {"mean_limits", "", "", "assessments of the lot's mean", nested<rules::LotQuantity>},
-    {"outlier_note", "", "", "why no outliers are named; empty otherwise", get<&rules::LotQuantity::outlier_note>},
+    {"outlier_note", "", "", "why no outliers are named, or which devices are not compared; empty otherwise",
+     get<&rules::LotQuantity::outlier_note>},
 };
 
 template <auto member>

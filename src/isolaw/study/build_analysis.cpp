@@ -17,6 +17,7 @@
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/opt/pareto.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
@@ -338,7 +339,6 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
   if (count > 0) law.loo_objective = sum / static_cast<double>(count);
 }
 
-constexpr double alike_amplitude = 0.05;       // relative difference from the median amplitude of the devices
 constexpr double least_misfit_percent = 10.0;  // above the median; the misfit of a device that is an outlier
 
 void add_outliers(Summary& summary) {
@@ -351,17 +351,21 @@ void add_outliers(Summary& summary) {
     auto& row = values.emplace_back();
     for (auto const& device : summary.devices) row.push_back(value_on(device).value_or(std::nan("")));
   };
-  // Properties at another amplitude than that of most devices, as of a device whose largest stage is faulty, would make
-  // it an outlier for a reason that is not its own.
   std::vector<double> amplitudes;
   for (auto const& device : summary.devices)
     if (auto const& cycle = device.properties.reported) amplitudes.push_back(cycle->amplitude_mm);
-  double const usual_mm = amplitudes.empty() ? 0.0 : num::median(amplitudes);
-  auto const reported = [usual_mm](double data::Cycle::*member) {
-    return [usual_mm, member](DeviceResult const& device) {
+  auto const usual = usual_amplitude(amplitudes, summary.acceptance.rules, summary.asked.alike);
+  Finding left_out{.kind = FindingKind::not_compared,
+                   .numbers = {{"usual_mm", usual.mm}, {"allowed", usual.allowed_percent}}};
+  for (auto const& device : summary.devices)
+    if (auto const& cycle = device.properties.reported; cycle && !usual.has(cycle->amplitude_mm))
+      left_out.devices.push_back(device.name);
+  if (!left_out.devices.empty() && amplitudes.size() >= num::fewest_for_outliers)
+    summary.not_compared = std::move(left_out);
+  auto const reported = [usual](double data::Cycle::*member) {
+    return [usual, member](DeviceResult const& device) {
       auto const& cycle = device.properties.reported;
-      bool const alike = cycle && std::abs(cycle->amplitude_mm / usual_mm - 1.0) <= alike_amplitude;
-      return alike ? std::optional((*cycle).*member) : std::nullopt;
+      return cycle && usual.has(cycle->amplitude_mm) ? std::optional((*cycle).*member) : std::nullopt;
     };
   };
   add("effective stiffness", "kN/mm", "", reported(&data::Cycle::K_eff_kN_per_mm));

@@ -362,7 +362,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
         tests[static_cast<std::size_t>(device - summary.devices.data())].copy_of = (*assessed)->name;
   }
   std::vector<DeviceAcceptance> devices;
-  summary.acceptance = assess_lot(rules, design, lot_size, tests, devices);
+  summary.acceptance = assess_lot(rules, design, lot_size, tests, devices, summary.asked.alike);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
   summary.conditions_differ = conditions_differ(summary);
   if (summary.conditions_differ) withhold_lot_verdicts(summary.acceptance);

@@ -93,7 +93,7 @@ inline constexpr Result<data::Block> block_results[]{
 };
 
 inline constexpr Result<data::Stability> stability_results[]{
-    {"ratio_to_third", "", "", "value in each counted cycle over that in the third", nested<data::Stability>},
+    {"ratio_to_third", "", "", "value in each counted cycle over that in cycle 3", nested<data::Stability>},
     {"min_2_10", "-", "least of cycles 2-10", "least of these ratios over cycles 2 to 10, or as many as there are",
      get<&data::Stability::min_2_10>},
     {"max_2_10", "-", "largest of cycles 2-10", "largest over these cycles", get<&data::Stability::max_2_10>},

@@ -320,7 +320,6 @@ bool is_same_record(DeviceResult const& one, DeviceResult const& other) {
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> find_altered_copies(Summary const& summary) {
-  constexpr std::size_t most_compared = 1000;  // devices; the time grows with the square of their number
   std::vector<std::pair<std::size_t, std::size_t>> found;
   auto const& devices = summary.devices;
   if (devices.size() > most_compared) return found;

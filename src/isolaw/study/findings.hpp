@@ -55,6 +55,9 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
 // Whether two devices have the same samples or, if both were refused, the same file.
 bool is_same_record(DeviceResult const& one, DeviceResult const& other);
+// Among more devices only exact copies are looked for, because the time to find altered ones grows with the square of
+// the number of devices.
+inline constexpr std::size_t most_compared = 1000;
 // The devices, as pairs of indices, of which one has a record made from the other's (data/signals/copies.hpp).
 std::vector<std::pair<std::size_t, std::size_t>> find_altered_copies(Summary const& summary);
 // Groups of two or more devices with the same record: the same samples, or samples made from those of the first

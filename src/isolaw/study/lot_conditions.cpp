@@ -32,6 +32,24 @@ struct Tolerance {
   std::string source;
 };
 
+std::string set_text(rules::RuleSet const& rules, std::string const& clause) {
+  return clause.empty() ? "the rule set " + rules.id : fmt::format("the rule set {}, {}", rules.id, clause);
+}
+
+// Each test may differ from the design by the tolerance, so two tests may differ by twice as much.
+Tolerance tolerance(rules::RuleSet const& rules, std::optional<double> own, std::optional<double> from_design,
+                    std::optional<double> lot, double otherwise) {
+  if (own) return {*own, set_text(rules, rules.same_condition.clause)};
+  if (from_design) return {2.0 * *from_design, "twice that of " + set_text(rules, rules.test.clause)};
+  if (lot) return {*lot, "as stated for this lot"};
+  return {otherwise, "isolaw's own"};
+}
+
+Tolerance amplitude_tolerance(rules::RuleSet const& rules, campaign::Alike const& alike) {
+  return tolerance(rules, rules.same_condition.amplitude_percent, rules.test.displacement_tolerance_percent,
+                   alike.amplitude_percent, alike.own_amplitude_percent);
+}
+
 }  // namespace
 
 std::optional<Finding> conditions_differ(Summary const& summary) {
@@ -62,28 +80,33 @@ std::optional<Finding> conditions_differ(Summary const& summary) {
   auto const& test = rules.test;
   auto const& same = rules.same_condition;
   auto const& alike = summary.asked.alike;
-  auto const set = [&](std::string const& clause) {
-    return clause.empty() ? "the rule set " + rules.id : fmt::format("the rule set {}, {}", rules.id, clause);
-  };
-  // Each test may differ from the design by the tolerance, so two tests may differ by twice as much.
-  auto const tolerance = [&](std::optional<double> own, std::optional<double> from_design, std::optional<double> lot,
-                             double otherwise) -> Tolerance {
-    if (own) return {*own, set(same.clause)};
-    if (from_design) return {2.0 * *from_design, "twice that of " + set(test.clause)};
-    if (lot) return {*lot, "as stated for this lot"};
-    return {otherwise, "isolaw's own"};
-  };
-  auto const amplitude =
-      tolerance(same.amplitude_percent, test.displacement_tolerance_percent, alike.amplitude_percent, 5.0);
-  compare(temperatures, "C", tolerance(same.temperature_C, {}, alike.temperature_C, 2.0), false);
+  auto const amplitude = amplitude_tolerance(rules, alike);
+  compare(temperatures, "C", tolerance(rules, same.temperature_C, {}, alike.temperature_C, alike.own_temperature_C),
+          false);
   compare(frequencies, "Hz",
-          tolerance(same.frequency_percent, test.frequency_tolerance_percent, alike.frequency_percent, 10.0));
-  compare(loads, "kN", tolerance(same.load_percent, test.load_tolerance_percent, alike.load_percent, 10.0));
+          tolerance(rules, same.frequency_percent, test.frequency_tolerance_percent, alike.frequency_percent,
+                    alike.own_frequency_percent));
+  compare(loads, "kN",
+          tolerance(rules, same.load_percent, test.load_tolerance_percent, alike.load_percent, alike.own_load_percent));
   compare(amplitudes, "mm", amplitude);
   compare(earlier, "earlier_mm", amplitude);
   if (found.numbers.empty()) return std::nullopt;
   found.words = {{"tolerances", joined(sources, "; ")}};
   return found;
+}
+
+bool UsualAmplitude::has(double amplitude_mm) const {
+  return std::abs(amplitude_mm - mm) <= allowed_percent / 100.0 * std::max(amplitude_mm, mm);
+}
+
+UsualAmplitude usual_amplitude(std::vector<double> amplitudes_mm, rules::RuleSet const& rules,
+                               campaign::Alike const& alike) {
+  UsualAmplitude usual{.allowed_percent = amplitude_tolerance(rules, alike).value};
+  if (amplitudes_mm.empty()) return usual;
+  auto const middle = amplitudes_mm.begin() + static_cast<std::ptrdiff_t>((amplitudes_mm.size() - 1) / 2);
+  std::ranges::nth_element(amplitudes_mm, middle);
+  usual.mm = *middle;
+  return usual;
 }
 
 void withhold_lot_verdicts(LotAcceptance& acceptance) {

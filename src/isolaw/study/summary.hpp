@@ -220,6 +220,7 @@ struct Summary {
   std::vector<std::pair<std::size_t, std::size_t>> altered_copies;  // devices whose record was made from another's
   std::optional<Finding> conditions_differ;    // the conditions in which the devices' tests differ, if any
   std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
+  std::optional<Finding> not_compared;         // the devices that were not searched for outliers among measured values
   std::vector<OutlyingDevice> outliers;
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign

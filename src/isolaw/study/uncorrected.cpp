@@ -66,7 +66,7 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   }
   auto const& [rules, design, lot] = summary.acceptance;
   std::vector<DeviceAcceptance> devices;
-  without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices);
+  without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices, summary.asked.alike);
   if (without.conditions_differ) withhold_lot_verdicts(without.acceptance);
   std::vector<std::string> corrected;
   bool all_are_known = true;

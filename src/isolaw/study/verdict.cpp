@@ -89,7 +89,7 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
       add(overall.requirements, property_of(a), a.verdict);
   auto const own = device_verdict(device.acceptance);
   auto const& withheld = device.acceptance.withheld;
-  if (own.verdict != Verdict::fail && !withheld.empty())
+  if (copy_of.empty() && own.verdict != Verdict::fail && !withheld.empty())
     overall.not_assessed.push_back({.device = name, .remark = withheld});
   else if (own.verdict == Verdict::fail)
     overall.failing.push_back({.device = name, .remark = own.failures_text(" and ")});
@@ -112,7 +112,7 @@ void say_failures(OverallVerdict const& overall, std::size_t devices, std::vecto
   if (!lot_failures.empty()) parts.push_back(fmt::format("the lot fails: {}", fmt::join(lot_failures, "; ")));
 }
 
-std::string not_compared(LotAcceptance const& acceptance, std::vector<Requirement> const& requirements) {
+std::string values_not_compared(LotAcceptance const& acceptance, std::vector<Requirement> const& requirements) {
   auto const& test = acceptance.rules.test;
   std::vector<std::string> names;
   for (auto const& [name, value, unit] : design_values(acceptance.design)) {
@@ -277,7 +277,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
                            summary.without_corrections->kind == FindingKind::verdict_rests_on_corrections;
     overall.sentence = nothing ? fmt::format("{}: no verdict, the set limits nothing of these tests", title)
                                : fmt::format("{}: {}", title, sentence_of(overall, summary.devices.size()));
-    for (auto const& more : {not_compared(acceptance, overall.requirements), in_doubt(summary)})
+    for (auto const& more : {values_not_compared(acceptance, overall.requirements), in_doubt(summary)})
       if (!nothing && !more.empty()) overall.sentence += "; " + more;
     if (overall.word != "PASS") overall.mark = overall.word, overall.is_red = !nothing;
   }

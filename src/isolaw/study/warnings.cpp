@@ -92,6 +92,8 @@ class Collector {
     for (auto& finding : shared_records(summary_))
       if (std::ranges::any_of(finding.devices, [&](auto const& name) { return scope_.covers_device(name); }))
         add(std::move(finding));
+    if (summary_.devices.size() > most_compared)
+      add({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(most_compared)}}});
   }
 
   bool is_given(std::string_view setting) const {
@@ -270,6 +272,7 @@ class Collector {
   }
 
   void outliers() {
+    if (auto const& left_out = summary_.not_compared) add(*left_out);
     for (auto const& outlier : summary_.outliers) {
       bool const on_other_law = scope_.law && !outlier.law.empty() && outlier.law != *scope_.law;
       if (on_other_law || !scope_.covers_device(outlier.device)) continue;

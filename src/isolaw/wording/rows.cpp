@@ -84,6 +84,9 @@ std::span<Row const> rows() {
       campaign(
           same_record, "same-record", "copies", serious, records, each_alone, signed_too, none,
           "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ In the means and spreads of laws' parameters it counts {times} times.]"),
+      campaign(copies_not_sought, "copies-not-sought", "copies", caution, records, each_alone, signed_too, none,
+               "the lot has more than {most:,} devices: only exact copies of records are looked for, no record that was "
+               "scaled, shifted, sampled anew or given noise."),
       campaign(same_compression_test, "same-compression-test", "copies", serious, records, each_alone, signed_too, none,
                "{devices} hold the same compression test: its K_v counts {times} times."),
       campaign(
@@ -133,6 +136,9 @@ std::span<Row const> rows() {
       campaign(
           outlier, "outlier", "outlier", caution, records, by_device, everywhere, none,
           "{devices} is an outlier in its lot: ~{property} {value:4 unit} ({percent:+.0f} % from the median)~."),
+      campaign(not_compared, "not-compared", "outlier", caution, records, each_alone, everywhere, none,
+               "{devices} {is|are} in no search for outliers among the measured values: tested at another amplitude "
+               "than the usual {usual_mm:4}, by more than {allowed:3} %."),
       campaign(at_bound, "at-bound", "at bound", caution, parameters, by_law, everywhere, law,
                "~{parameters} at its {side} bound on [all {all_devices} devices][{some}{devices}][ ({set} moves it)]~."),
       campaign(lot_law_at_bound, "lot-law-at-bound", "at bound", caution, parameters, by_law, everywhere, law,
@@ -407,7 +413,7 @@ std::span<Row const> rows() {
           "the file mentions acceleration ('{line}'), but isolaw needs the displacement of the device, one face against the other, over time."),
       doubt(
           force_lost, "force-lost", serious, one_sentence,
-          "the force is suddenly lost: <cycle {cycle} of block {block} has {percent:3} % of the peak force in the cycle before it>. The specimen failed, or its channel did. No verdict passes the device until someone finds which; --rows or --to leaves the rest of the record out."),
+          "the force is suddenly lost: <{where} has {percent:3} % of {of}>. The specimen failed, or its channel did. No verdict passes the device until someone finds which; --rows or --to leaves the rest of the record out."),
       doubt(
           cycle_unlike_neighbours, "cycle-unlike-neighbours", caution, one_sentence,
           "a force differs from those of its neighbours: <the peak of cycle {cycle} of block {block} has {percent:3} % of the force in the cycles beside it>. A channel may have dropped out or changed its range in that cycle, and the values of the cycle are wrong."),
@@ -552,9 +558,10 @@ std::span<Row const> rows() {
           scored_in_part, "scored-in-part",
           "laws are judged by {samples} of {of} samples (blocks {blocks}, cycles {cycles}); the rest of the history only acts on their state"),
       fact(faulty_not_scored, "faulty-not-scored",
-           "laws are not fitted to <block {block}>, in which a signal or a loop cannot be true"),
+           "laws are not fitted to [block {block}][{outside}], in which a signal or a loop cannot be true"),
       fact(failed_not_scored, "failed-not-scored",
-           "laws are fitted to what the device did before <cycle {cycle} of block {block}>, in which it lost its force"),
+           "laws are [fitted to what the device did before {for_good}, in which it lost its force]"
+           "[not fitted to the cycles in which the device lost its force for a time, from {for_a_time} on]"),
       fact(all_samples_kept, "all-samples-kept", "", wording::all_samples_kept),
       fact(velocity_computed, "velocity-computed",
            "velocity comes from central differences of the averaged displacement, with the recorded times"),

@@ -13,8 +13,16 @@
 namespace isolaw::wording {
 namespace {
 
+constexpr std::string_view outside_text =
+    "It lies outside the blocks: their cycles count, and no law is fitted to its samples.";
+
+bool is_outside(Group group) {
+  return !group.front().word("outside").empty();
+}
+
 // Says how a fault affects the properties. It takes the blocks in which it lies, and leaves the others.
 std::string of_no_use(Group group) {
+  if (is_outside(group)) return std::string(outside_text);
   auto const& blocks = group.front().blocks;
   std::string const taken =
       group.size() > 1 || blocks.empty()
@@ -127,6 +135,7 @@ std::string signal_spike(Group group, UnitSystem const& units) {
   auto const where = group.size() == 1
                          ? fmt::format(" at {}: {}", places(first), size(first))
                          : ": " + each(group, [&](Finding const& f) { return size(f) + " at " + places(f); });
+  if (is_outside(group)) return fmt::format("the {} has {}{}. {}", first.word("channel"), spikes, where, outside_text);
   return fmt::format(
       "the {} has {}{}. No properties are computed from such a {}; --repair spikes replaces the samples by interpolation between their neighbours.",
       first.word("channel"), spikes, where,

@@ -292,6 +292,13 @@ class Resolver {
       why_[channel] = "by its name";
     } else if (found.size() > 1 && channel != Channel::cycle) {
       report_ambiguity(channel, found);
+    } else if (found.size() > 1) {
+      std::vector<std::string> texts;
+      for (auto const index : found) texts.push_back(column_text(index, header_));
+      result_.recognised.push_back(
+          decision(FindingKind::columns_unused,
+                   fmt::format("{} may each number the cycles, so neither is read: {}, or --columns cycle=none",
+                               shortened(std::move(texts), 10), options_for(channel, found))));
     } else if (channel != Channel::cycle && (channel != Channel::load || wanted_.vertical)) {
       report_missing(channel);
     }
@@ -531,6 +538,12 @@ class Resolver {
 
   void resolve_unit(Channel channel, Column& column) {
     auto const text = column_text(column.index, header_);
+    bool const takes_no_scale = column.stamp != StampKind::none || channel == Channel::cycle;
+    if (takes_no_scale && options_.scales.contains(channel))
+      complain(fmt::format("--channel-scale {}", name(channel)),
+               fmt::format("a factor, but {} holds {}", text,
+                           channel == Channel::cycle ? "numbers of cycles" : "time stamps"),
+               "a column with a unit", "leave it out");
     if (column.stamp != StampKind::none) {
       if (auto const given = options_.units.find(channel); given != options_.units.end() && given->second != s.symbol)
         complain(fmt::format("--units {}", name(channel)),

@@ -18,6 +18,11 @@ void keep_only(TestRange const& range, std::initializer_list<std::vector<double>
 
 }  // namespace
 
+std::size_t SignalFault::longest() const {
+  constexpr double most = 1e15;  // a damaged store may hold any number
+  return static_cast<std::size_t>(std::min(most, std::max(1.0, finding.number("longest_samples"))));
+}
+
 double FitRecord::largest_scored(std::vector<double> const& values) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -33,6 +38,17 @@ std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::siz
   return ranges;
 }
 
+std::vector<SignalFault> faults_in(TestRange const& range, std::span<SignalFault const> faults) {
+  std::vector<SignalFault> found(faults.begin(), faults.end());
+  for (auto& fault : found) {
+    std::erase_if(fault.samples,
+                  [&](std::size_t sample) { return sample + fault.longest() <= range.first || sample >= range.end; });
+    for (auto& sample : fault.samples) sample = std::max(sample, range.first) - range.first;
+  }
+  std::erase_if(found, [](SignalFault const& fault) { return fault.samples.empty(); });
+  return found;
+}
+
 std::vector<TestRecord> tests_of(TestRecord const& record) {
   std::vector<TestRecord> tests;
   for (auto const& range : test_ranges(record.starts, record.size())) {
@@ -42,6 +58,7 @@ std::vector<TestRecord> tests_of(TestRecord const& record) {
                &TestRecord::logged_cycle, &TestRecord::second_disp_mm},
               test);
     test.tests.clear();
+    test.faults = faults_in(range, record.faults);
   }
   return tests;
 }

@@ -20,6 +20,8 @@ struct SignalFault {
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
   Finding finding = {};              // counts samples from 1; has times if the record has time
+
+  std::size_t longest() const;  // samples of its longest plateau; 1 for faults of single samples
 };
 
 struct TestSource {  // one of several tests of a device
@@ -46,7 +48,7 @@ struct TestRecord {
   std::vector<Finding> recognised;   // each choice made in reading, and why
   std::vector<Finding> corrections;  // corrections made; also in `recognised`
   std::vector<Finding> warnings;
-  std::vector<SignalFault> faults;  // faults of the measured signals, except repaired spikes; not stored
+  std::vector<SignalFault> faults;  // faults of the measured signals, except repaired spikes
   // A device may have several tests. They stand one after another in the channels, and each starts from rest. `starts`
   // holds the first sample of each test, and `tests` says which test it is. Both are empty if there is one test.
   std::vector<std::size_t> starts = {};
@@ -93,7 +95,10 @@ struct TestRange {  // the samples of one test, from `first` to before `end`
 // The tests of a record with `samples` samples, whose tests begin at `starts`; empty `starts` stand for one test.
 std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::size_t samples);
 
-// One record for each test, which has all of the record's options and findings.
+// The faults that lie in `range`, with their samples counted from its first sample.
+std::vector<SignalFault> faults_in(TestRange const& range, std::span<SignalFault const> faults);
+
+// One record for each test, which has all of the record's options and findings, and the faults that lie in the test.
 std::vector<TestRecord> tests_of(TestRecord const& record);
 std::vector<FitRecord> tests_of(FitRecord const& record);
 

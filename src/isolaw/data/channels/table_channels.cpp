@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -38,13 +40,15 @@ void describe_rows(Rows const& rows, Header const& header, TestRecord const& rec
     recognised.push_back({.kind = FindingKind::no_time_column});
     return;
   }
-  double const mean = (record.time_s.back() - record.time_s.front()) / static_cast<double>(record.time_s.size() - 1);
+  double const interval = record.layout.dt_s.value_or((record.time_s.back() - record.time_s.front()) /
+                                                      static_cast<double>(record.time_s.size() - 1));
   auto const source = of_header            ? std::string("as the header of the file has it (Delta_X)")
                       : record.layout.dt_s ? fmt::format("as asked for (--dt {})", *record.layout.dt_s)
                                            : "on average over the time column";
-  recognised.push_back(decision(FindingKind::time_scale,
-                                fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", mean, 1.0 / mean, source),
-                                record.layout.dt_s && !of_header ? "--dt" : ""));
+  recognised.push_back(
+      decision(FindingKind::time_scale,
+               fmt::format("sampling interval {:.6g} s ({:.6g} Hz), {}", interval, 1.0 / interval, source),
+               record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
 // The time of a sample in a file without time. Zero is the file's first row, even if --rows leaves it out.
@@ -53,10 +57,13 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
 }
 
 // Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time or
-// number of the cycle, and rows before a channel's first value or behind its last, are always left out.
-void settle_missing(Rows& rows, MissingValues missing) {
-  if (missing == MissingValues::refused) return;
+// number of the cycle, and rows before a channel's first value or behind its last, are always left out. Returns the
+// place of each kept row among all rows, from 0.
+std::vector<std::size_t> settle_missing(Rows& rows, MissingValues missing) {
   auto const count = rows.numbers.size();
+  std::vector<std::size_t> places(count);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  if (missing == MissingValues::refused) return places;
   std::vector<double> const* time = nullptr;
   for (auto const& raw : rows.channels)
     if (raw.channel == Channel::time) time = &raw.values;
@@ -67,8 +74,12 @@ void settle_missing(Rows& rows, MissingValues missing) {
   for (auto& raw : rows.channels) {
     std::size_t before = count;  // the last row with a value
     for (std::size_t i = 0; i < count; ++i) {
+      if (time != nullptr && !std::isfinite((*time)[i])) {
+        is_kept[i] = false;
+        continue;
+      }
       if (!std::isfinite(raw.values[i])) {
-        bool const may_be_filled = raw.channel != Channel::time && raw.channel != Channel::cycle;
+        bool const may_be_filled = raw.channel != Channel::cycle;
         if (missing == MissingValues::left_out || !may_be_filled) is_kept[i] = false;
         continue;
       }
@@ -93,10 +104,12 @@ void settle_missing(Rows& rows, MissingValues missing) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!is_kept[i]) continue;
     for (auto& raw : rows.channels) raw.values[to] = raw.values[i];
+    places[to] = i;
     rows.numbers[to++] = rows.numbers[i];
   }
   for (auto& raw : rows.channels) raw.values.resize(to);
   rows.numbers.resize(to);
+  places.resize(to);
   auto const option = missing == MissingValues::left_out ? "leave-out" : "interpolate";
   auto text =
       filled + left_out == 0
@@ -106,12 +119,13 @@ void settle_missing(Rows& rows, MissingValues missing) {
   if (filled > 0) text += fmt::format("{}{} filled by interpolation", left_out > 0 ? ", " : "", filled);
   rows.recognised.push_back(
       decision(FindingKind::rows_read, fmt::format("{} (--missing {})", text, option), "--missing"));
+  return places;
 }
 
-std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions const& options, std::string const& place,
-                             std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
-                             Wanted wanted) {
-  if (!options.from_s && !options.to_s) return Span{0, rows.numbers.size()};
+void cut_time(Rows& rows, std::vector<std::size_t>& places, Columns const& columns, ReadOptions const& options,
+              std::string const& place, std::optional<FirstStamp> const& origin, std::vector<Complaint>& complaints,
+              Wanted wanted) {
+  if (!options.from_s && !options.to_s) return;
   std::vector<double> time_s;
   for (auto const& raw : rows.channels)
     if (raw.channel == Channel::time) {
@@ -121,15 +135,15 @@ std::optional<Span> cut_time(Rows& rows, Columns const& columns, ReadOptions con
   if (origin && rows.origin_s && origin->dated == rows.dated)
     for (auto& t : time_s) t += *rows.origin_s - origin->since_s;
   if (time_s.empty() && options.dt_s)
-    for (std::size_t i = 0; i < rows.numbers.size(); ++i) time_s.push_back(time_of_row(i, options));
+    for (auto const i : places) time_s.push_back(time_of_row(i, options));
   std::string_view const dashes = wanted.force || wanted.part ? "--" : "--motion-";
   auto const of = rows.numbers.size();
   auto const span = span_of_time(time_s, options, place, complaints, dashes);
-  if (!span) return span;
+  if (!span) return;
   for (auto& raw : rows.channels) keep(*span, raw.values);
   keep(*span, rows.numbers);
+  keep(*span, places);
   describe_span(*span, of, options, rows.recognised, dashes);
-  return span;
 }
 
 void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>& complaints) {
@@ -176,15 +190,14 @@ std::string exchange_advice(Columns const& columns, Header const& header) {
                      force.unit->symbol);
 }
 
-void store_channels(Rows& rows, Columns const& columns, std::size_t skipped, TestRecord& record) {
+void store_channels(Rows& rows, Columns const& columns, std::span<std::size_t const> places, TestRecord& record) {
   for (auto& raw : rows.channels) {
     double const factor = columns.channels.at(raw.channel).in_record_units();
     for (double& value : raw.values) value *= factor;
     values_of(record, raw.channel) = std::move(raw.values);
   }
   if (record.layout.dt_s)
-    for (std::size_t i = 0; i < rows.numbers.size(); ++i)
-      record.time_s.push_back(time_of_row(i + skipped, record.layout));
+    for (auto const i : places) record.time_s.push_back(time_of_row(i, record.layout));
   if (!record.layout.flip_force || record.force_kN.empty()) return;
   for (double& value : record.force_kN) value = -value;
   record.recognised.push_back({.kind = FindingKind::force_flipped, .words = {{"option", "--flip-force"}}});
@@ -204,17 +217,21 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   table.check(complaints);
   check_interval(place, options, table.header(), columns, complaints);
   auto const range = options.rows.value_or(RowRange{});
+  auto const before = complaints.size();
   auto rows = table.read(columns.channels,
                          {.range = range,
                           .skip_footer = options.skip_footer,
                           .date_order = options.date_order,
                           .missing = options.missing},
                          complaints);
-  if (complaints.empty()) settle_missing(rows, options.missing);
+  if (auto const cycle = columns.channels.find(Channel::cycle); cycle != columns.channels.end())
+    for (auto& complaint : std::span(complaints).subspan(before))
+      if (complaint.found.find(column_text(cycle->second.index, table.header())) != std::string::npos)
+        complaint.advice += "; --columns cycle=none leaves the numbers of the cycles out";
+  std::vector<std::size_t> places;
+  if (complaints.empty()) places = settle_missing(rows, options.missing);
   if (options.rows && complaints.empty()) check_range(rows, range, complaints);
-  std::size_t skipped = 0;
-  if (complaints.empty())
-    if (auto const span = cut_time(rows, columns, options, place, origin, complaints, wanted)) skipped = span->first;
+  if (complaints.empty()) cut_time(rows, places, columns, options, place, origin, complaints, wanted);
   if (rows.numbers.size() < least_samples && complaints.empty())
     complaints.push_back({place, counted(rows.numbers.size(), "sample"), fmt::format("{} or more", least_samples), {}});
   for (auto const& raw : rows.channels)
@@ -233,7 +250,7 @@ RecordPart read_channels(Tests const& tests, Table const& table, TestRecord reco
   append(part_record.recognised, table.recognised());
   append(part_record.recognised, columns.recognised);
   append(part_record.warnings, columns.warnings);
-  store_channels(rows, columns, skipped, part_record);
+  store_channels(rows, columns, places, part_record);
   describe_part(rows, range, part_record.recognised);
   append(part_record.recognised, rows.recognised);
   describe_rows(rows, table.header(), part_record, wanted.time, of_header, part_record.recognised);

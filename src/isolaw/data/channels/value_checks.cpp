@@ -84,6 +84,18 @@ void check_time(std::string const& file, RawChannel const& raw, std::span<std::s
   findings.append_to(complaints);
 }
 
+void check_cycle(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
+                 std::vector<Complaint>& complaints) {
+  constexpr double most = 1e9;
+  FirstComplaints findings(file, "values that are no number of a cycle");
+  for (std::size_t i = 0; i < raw.values.size(); ++i)
+    if (!(std::abs(raw.values[i]) <= most))
+      findings.add(lines[i], fmt::format("{} in {} is no number of a cycle", raw.values[i], raw.column),
+                   fmt::format("numbers up to {:.0f}", most),
+                   "--columns cycle=none leaves the numbers of the cycles out");
+  findings.append_to(complaints);
+}
+
 }  // namespace
 
 void check_channel(std::string const& file, RawChannel const& raw, std::span<std::size_t const> lines,
@@ -93,10 +105,10 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
     check_time(file, raw, lines, complaints);
     return;
   }
+  if (raw.channel == Channel::cycle) return check_cycle(file, raw, lines, complaints);
   check_overload(file, raw, lines, complaints);
   // A press may hold the load constant, and a record may be of one cycle.
-  if (raw.channel != Channel::load && raw.channel != Channel::cycle && raw.channel != Channel::second_disp)
-    check_constant(file, raw, complaints);
+  if (raw.channel != Channel::load && raw.channel != Channel::second_disp) check_constant(file, raw, complaints);
 }
 
 }  // namespace isolaw::data

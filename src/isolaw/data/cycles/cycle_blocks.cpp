@@ -113,11 +113,6 @@ std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const&
   return parts;
 }
 
-bool same_load(double load, double other, double largest) {
-  // Loads below a tenth of the largest one are noise about no load.
-  return std::abs(load - other) <= other_load * std::max({std::abs(load), std::abs(other), other_load * largest});
-}
-
 // Splits runs where the vertical load changes and, if another cycle follows, keeps its new value.
 std::vector<Run> split_by_load(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   double largest = 0.0;
@@ -292,7 +287,8 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
 }
 
 // Numbers the counted cycles of a block by the logger's numbers, if these rise. A counter that goes on from the block
-// before it, which ended with `before`, starts anew. Returns the logger's last number of the block.
+// before it, whose last counted cycle is number `before`, starts anew with the first cycle of this block, counted or
+// not. Returns the logger's number of the last counted cycle.
 int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
   std::vector<std::size_t> counted;
   for (auto i = begin; i < cuts.size(); ++i)
@@ -300,14 +296,22 @@ int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vec
   auto const logged = [&](std::size_t i) { return shapes[i].logged; };
   bool const rise = std::ranges::is_sorted(counted, std::less_equal<>(), logged);
   if (counted.empty() || logged(counted.front()) <= 0 || !rise) return 0;
-  int const base = before > 0 && logged(counted.front()) > before ? before : 0;
+  bool const goes_on = before > 0 && logged(counted.front()) > before;
+  int const base = goes_on ? std::max(before, logged(begin) - 1) : 0;
   for (auto const i : counted) cuts[i].number = logged(i) - base;
   return logged(counted.back());
 }
 
 }  // namespace
 
+bool same_load(double load, double other, double largest) {
+  return std::abs(load - other) <= other_load * std::max({std::abs(load), std::abs(other), other_load * largest});
+}
+
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
+  auto const is_noise = [](Shape const& shape) { return std::abs(shape.load_kN) <= shape.load_scatter_kN; };
+  if (std::ranges::all_of(shapes, is_noise))  // noise of a channel about no load
+    for (auto& shape : shapes) shape.load_kN = 0.0;
   auto const runs = runs_of(shapes);
   mark_regular(shapes, runs);
   std::vector<CycleCut> cuts;

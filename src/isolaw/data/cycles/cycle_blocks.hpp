@@ -9,19 +9,24 @@
 
 namespace isolaw::data {
 
+// Whether two vertical loads are those of one block. `largest` is the size of the record's largest load: loads below a
+// tenth of it are noise about no load.
+bool same_load(double load, double other, double largest);
+
 struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
-  double period = 0.0;         // from start to end in s or in samples, without holds and rests
-  double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
-  double unevenness = 0.0;     // |middle - centre of the motion| over the amplitude
-  double load_kN = 0.0;        // mean vertical load between the two tips; 0 if it is not known
-  int logged = 0;              // the logger's number of the cycle; 0 if it has none
-  bool jumps = false;          // cycles were left out within it, so its loop is not closed
-  double rest_before = 0.0;    // time near the centre before the cycle, in the unit of period
-  bool regular = false;        // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
-  bool has_gap = false;        // the time jumps within the cycle
-  bool taper = false;          // set by number_cycles(): the cycle grows into a run of cycles or fades out of one
+  double period = 0.0;           // from start to end in s or in samples, without holds and rests
+  double rise_and_fall = 0.0;    // twice the time between the two tips, with holds and rests; unit as period
+  double unevenness = 0.0;       // |middle - centre of the motion| over the amplitude
+  double load_kN = 0.0;          // mean vertical load between the two tips; 0 if it is not known
+  double load_scatter_kN = 0.0;  // its standard deviation there
+  int logged = 0;                // the logger's number of the cycle; 0 if it has none
+  bool jumps = false;            // cycles were left out within it, so its loop is not closed
+  double rest_before = 0.0;      // time near the centre before the cycle, in the unit of period
+  bool regular = false;          // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
+  bool has_gap = false;          // the time jumps within the cycle
+  bool taper = false;            // set by number_cycles(): the cycle grows into a run of cycles or fades out of one
 
   double amplitude() const { return largest / 2.0 - least / 2.0; }
 };

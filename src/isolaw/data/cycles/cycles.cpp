@@ -212,8 +212,11 @@ Shape Motion::shape(Group const& group) const {
   auto const& one = excursions[group.begin];
   auto const& other = excursions[group.begin + 1];
   shape.rise_and_fall = 2.0 * (at(static_cast<double>(other.tip)) - at(static_cast<double>(one.tip)));
-  if (!further.load_kN.empty())
-    shape.load_kN = num::moments(further.load_kN.subspan(one.tip, other.tip - one.tip + 1)).mean;
+  if (!further.load_kN.empty()) {
+    auto const load = num::moments(further.load_kN.subspan(one.tip, other.tip - one.tip + 1));
+    shape.load_kN = load.mean;
+    shape.load_scatter_kN = load.std;
+  }
   shape.rest_before = one.rest;
   shape.turns_at_start = one.turns;
   shape.turns_at_end = turns_after(group);

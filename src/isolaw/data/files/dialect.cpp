@@ -145,6 +145,12 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousa
   return best;
 }
 
+// Whether nothing but blanks follows the last delimiter, which may be a tab.
+bool ends_with_delimiter(std::string_view line, char delimiter) {
+  auto const last = line.find_last_of(delimiter);
+  return last != line.npos && trimmed(line.substr(last + 1)).empty();
+}
+
 // Whether the last column is empty in most rows: these end with the delimiter, and some others have a number behind it.
 bool has_sparse_last_column(std::span<std::string_view const> lines, Score const& score, char thousands) {
   std::vector<std::string_view> cells;
@@ -155,7 +161,7 @@ bool has_sparse_last_column(std::span<std::string_view const> lines, Score const
       return number_like(parse_cell(cell, {score.pair.decimal, thousands}).kind);
     };
     if (!std::ranges::all_of(cells, is_number)) continue;
-    if (cells.size() == score.columns && !trimmed(line).ends_with(score.pair.delimiter)) return false;
+    if (cells.size() == score.columns && !ends_with_delimiter(line, score.pair.delimiter)) return false;
     longer += cells.size() == score.columns + 1 ? 1u : 0u;
   }
   return longer > 0;
@@ -286,7 +292,7 @@ void split_cells(std::string_view line, char delimiter, std::vector<std::string_
 void split_row(std::string_view line, Dialect const& dialect, std::vector<std::string_view>& cells) {
   split_cells(line, dialect.delimiter, cells);
   if (dialect.sheet) cells.resize(dialect.columns);
-  if (cells.size() + 1 == dialect.columns && trimmed(line).ends_with(dialect.delimiter)) cells.emplace_back();
+  if (cells.size() + 1 == dialect.columns && ends_with_delimiter(line, dialect.delimiter)) cells.emplace_back();
 }
 
 bool is_comment(std::string_view line) {

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "isolaw/data/cycles/cycle_blocks.hpp"
 
 namespace isolaw::data {
 namespace {
@@ -23,10 +27,25 @@ double size_of(Cycle const& cycle) {
                   std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));
 }
 
+// A load that varies within a cycle by more than its mean differs from another's may be noise about no load.
+bool alike_loaded(Cycle const& one, Cycle const& other) {
+  if (!one.N_mean_kN) return true;
+  double const a = *one.N_mean_kN, b = *other.N_mean_kN;
+  double const range = std::max(*one.N_max_kN - *one.N_min_kN, *other.N_max_kN - *other.N_min_kN);
+  return same_load(a, b, std::max(std::abs(a), std::abs(b))) || std::abs(a - b) <= range / 2.0;
+}
+
 bool comparable(Cycle const& earlier, Cycle const& cycle) {
   bool const paced = !earlier.period_s || (*earlier.period_s <= same_pace * *cycle.period_s &&
                                            *cycle.period_s <= same_pace * *earlier.period_s);
-  return earlier.amplitude_mm <= same_amplitude * cycle.amplitude_mm && paced;
+  return earlier.amplitude_mm <= same_amplitude * cycle.amplitude_mm && paced && alike_loaded(earlier, cycle);
+}
+
+std::string name_of(Cycle const& cycle, std::span<double const> time_s) {
+  if (cycle.counts()) return fmt::format("cycle {} of block {}", cycle.number, cycle.block);
+  auto const from = time_s.empty() ? fmt::format("sample {:.0f}", std::floor(cycle.first) + 1.0)
+                                   : fmt::format("{:.4g} s", value_at(time_s, cycle.first));
+  return fmt::format("the uncounted cycle from {} on in block {}", from, cycle.block);
 }
 
 // The smaller share of its two peak forces that the cycle keeps of those in the cycle before it.
@@ -46,7 +65,7 @@ bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
 
 }  // namespace
 
-void find_failure(Properties& properties) {
+void find_failure(Properties& properties, std::span<double const> time_s) {
   std::vector<Cycle*> cycles;  // the complete ones in order
   for (auto& block : properties.blocks)
     for (auto& cycle : block.cycles)
@@ -54,15 +73,19 @@ void find_failure(Properties& properties) {
   Cycle const* fails = nullptr;
   Cycle const* before = nullptr;
   double kept = 1.0;
+  std::string kept_of;
   std::vector<Cycle*> dead;
   constexpr std::size_t most_blocks = 100;  // before a cycle with which it is compared
   std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
   for (auto* each : cycles) {
     auto& cycle = *each;
     auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
-    bool const is_dead = std::ranges::any_of(earlier, [&](Cycle const* other) {
-      return comparable(*other, cycle) && size_of(cycle) < nearly_gone * size_of(*other);
-    });
+    double left = 1.0;  // least share of the force of an earlier cycle
+    Cycle const* stronger = nullptr;
+    for (auto const* other : earlier)
+      if (double const share = size_of(cycle) / size_of(*other); share < left && comparable(*other, cycle))
+        left = share, stronger = other;
+    bool const is_dead = left < nearly_gone;
     if (strongest.empty() || strongest.back()->block != cycle.block)
       strongest.push_back(&cycle);
     else if (size_of(cycle) > size_of(*strongest.back()))
@@ -74,23 +97,29 @@ void find_failure(Properties& properties) {
     if (is_dead || (loses && share < nearly_gone)) dead.push_back(&cycle);
     if (fails == nullptr && (is_dead || loses)) {
       fails = &cycle;
-      kept = loses ? share : nearly_gone;
+      kept = loses ? share : left;
+      kept_of =
+          loses ? "the peak force in the cycle before it" : fmt::format("the force in {}", name_of(*stronger, time_s));
     }
     if (cycle.counts()) before = &cycle;
   }
   if (fails == nullptr) return;
-  int const block = fails->block, number = fails->number;
-  properties.failed_from = fails->first;
-  properties.failure =
-      Finding{.kind = FindingKind::force_lost,
-              .blocks = {block},
-              .numbers = {{"cycle", static_cast<double>(number)}, {"percent", 100.0 * std::max(0.0, kept)}},
-              .words = {{"gone", dead.empty() ? "no" : "yes"}}};
-  if (dead.empty()) return;
   // The force stays away if it is gone in the last cycle. Then the cycles between the failure and the first dead one are
   // those in which the device fails.
-  bool const for_good = dead.back() == cycles.back();
-  auto const why = fmt::format("the force is lost in cycle {} of block {}", number, block);
+  bool const for_good = dead.empty() || dead.back() == cycles.back();
+  auto const where = name_of(*fails, time_s);
+  auto& failure = properties.failure.emplace(
+      Finding{.kind = FindingKind::force_lost,
+              .blocks = {fails->block},
+              .words = {{"gone", dead.empty() ? "no" : "yes"}, {"where", where}, {"of", kept_of}}});
+  if (fails->counts()) failure.numbers.push_back({"cycle", static_cast<double>(fails->number)});
+  failure.numbers.push_back({"percent", 100.0 * std::max(0.0, kept)});
+  if (for_good)
+    properties.lost = {{fails->first, std::numeric_limits<double>::infinity()}};
+  else
+    for (auto const* cycle : dead) properties.lost.emplace_back(cycle->first, cycle->last);
+  if (dead.empty()) return;
+  auto const why = "the force is lost in " + where;
   auto const end = [&](std::vector<Cycle*> const& lost, auto first) {
     for (; first != lost.end(); ++first) {
       if ((*first)->counts()) (*first)->not_counted = why;

@@ -375,7 +375,8 @@ Cycle const* cycle_to_report(Properties const& properties) {
   };
   for (auto const& block : properties.blocks)
     if (!block.counted().empty() &&
-        (largest == nullptr || fails(*largest) || (!fails(block) && block.amplitude_mm > 1.02 * largest->amplitude_mm)))
+        (largest == nullptr || fails(*largest) ||
+         (!fails(block) && block.amplitude_mm > (1.0 + same_nominal) * largest->amplitude_mm)))
       largest = &block;
   if (largest == nullptr) return nullptr;
   auto const counted = largest->counted();
@@ -396,9 +397,9 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
 
 // The blocks that a fault takes: those in which it lies. A channel without its sign is so everywhere, and a
 // displacement with wrong values may be cut into blocks that are not those of the test.
-std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties) {
+std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties, TestRange const& test) {
   std::vector<int> blocks;
-  auto const longest = static_cast<std::size_t>(std::max(1.0, fault.finding.number("longest_samples")));
+  auto const longest = fault.longest();
   bool const everywhere =
       fault.kind == FaultKind::rectified || (fault.channel == "displacement" && fault.kind != FaultKind::clipped);
   auto const touches = [&](Block const& block) {
@@ -407,9 +408,100 @@ std::vector<int> blocks_of(SignalFault const& fault, Properties const& propertie
              static_cast<double>(sample + longest - 1) >= block.cycles.front().first;
     });
   };
+  auto const is_in_test = [&](Block const& block) {
+    auto const first = static_cast<std::size_t>(block.cycles.front().first);
+    return first >= test.first && first < test.end;
+  };
   for (auto const& block : properties.blocks)
-    if (everywhere || touches(block)) blocks.push_back(block.number);
+    if (everywhere ? is_in_test(block) : touches(block)) blocks.push_back(block.number);
   return blocks;
+}
+
+// Whether the failure took cycles of a sound block after its own.
+bool fails_in_a_later_block(Properties const& properties) {
+  auto const is_lost = [&](Cycle const& cycle) {
+    return std::ranges::any_of(properties.lost, [&](auto const& samples) {
+      return samples.first <= cycle.first && cycle.last <= samples.second;
+    });
+  };
+  return std::ranges::any_of(properties.blocks, [&](Block const& block) {
+    return block.number > properties.failure->blocks.front() && block.fault.empty() && block.counted().empty() &&
+           std::ranges::any_of(block.cycles, is_lost);
+  });
+}
+
+// Takes out the blocks in which a signal is faulty.
+void take_out_faulty(Properties& properties, CycleView const& view) {
+  if (properties.faults.empty()) return;
+  auto const tests = test_ranges(view.starts, view.disp_mm.size());
+  std::vector<Finding> found, outside;
+  for (auto& fault : properties.faults) {
+    auto const test =
+        std::ranges::find_if(tests, [&](TestRange const& range) { return fault.samples.front() < range.end; });
+    auto const blocks = blocks_of(fault, properties, *test);
+    if (properties.blocks.size() > 1) fault.finding.blocks = blocks;
+    for (int const number : blocks)
+      discount(properties.blocks[static_cast<std::size_t>(number) - 1],
+               fmt::format("the {} is {}", fault.channel, said_of(fault.kind)));
+    (blocks.empty() ? outside : found).push_back(fault.finding);
+  }
+  if (properties.counted().empty())
+    found.insert(found.end(), outside.begin(), outside.end());
+  else
+    for (auto& fault : properties.faults)
+      if (std::ranges::find(outside, fault.finding) != outside.end()) fault.finding.words.push_back({"outside", "yes"});
+  // If a signal is faulty in a block, other impossible values there follow from it and are not said.
+  for (auto& finding : properties.faulty)
+    if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
+        std::ranges::none_of(found, [&](Finding const& fault) {
+          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
+        }))
+      found.push_back(std::move(finding));
+  properties.faulty = std::move(found);
+  auto const is_faulty = [&](int number) {
+    return !properties.blocks[static_cast<std::size_t>(number) - 1].fault.empty();
+  };
+  if (properties.failure && is_faulty(properties.failure->blocks.front()) && !fails_in_a_later_block(properties)) {
+    properties.failure.reset();
+    properties.lost.clear();
+  }
+}
+
+Properties properties_of(CycleView const& given, std::vector<SignalFault> const& faults) {
+  auto view = given;
+  assert(view.disp_mm.size() == view.force_kN.size());
+  assert(view.time_s.empty() || view.time_s.size() == view.disp_mm.size());
+  assert(view.load_kN.empty() || view.load_kN.size() == view.disp_mm.size());
+  Properties properties{.faults = faults};
+  auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
+  if (!moving.empty()) view.time_s = moving;
+  auto const cut =
+      segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
+  properties.centre_mm = cut.centre_mm;
+  auto const done = work(view);
+  for (auto const& piece : cut.cycles) {
+    if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
+      properties.blocks.emplace_back();
+      properties.blocks.back().number = piece.block;
+    }
+    properties.blocks.back().cycles.push_back(measure(piece, view));
+    properties.blocks.back().cycles.back().work_kN_mm = value_at(done, piece.last);
+  }
+  for (auto& block : properties.blocks) summarise(block, view);
+  find_sweeps(properties);
+  find_failure(properties, given.time_s);
+  auto const find_kind = [&] {
+    auto const* cycle = cycle_to_report(properties);
+    if (cycle == nullptr) return;
+    properties.viscous = viscous_law(view, *cycle);
+    properties.slider = slider(*cycle);
+  };
+  find_kind();
+  bool const none_is_sound = take_out_impossible(properties, view);
+  take_out_faulty(properties, view);
+  find_kind();  // the blocks that are left may be of another kind
+  conclude(properties, cut.refusal, none_is_sound);
+  return properties;
 }
 
 }  // namespace
@@ -431,6 +523,14 @@ std::vector<Cycle const*> Properties::counted() const {
   std::vector<Cycle const*> found;
   for (auto const& block : blocks)
     for (auto const* cycle : block.counted()) found.push_back(cycle);
+  return found;
+}
+
+std::vector<Cycle const*> Block::whole() const {
+  auto found = counted();
+  if (found.empty())
+    for (auto const& cycle : cycles)
+      if (!cycle.partial) found.push_back(&cycle);
   return found;
 }
 
@@ -461,66 +561,12 @@ CycleView view_of(TestRecord const& record) {
   return {record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts, record.logged_cycle};
 }
 
-Properties cyclic_properties(CycleView const& given) {
-  auto view = given;
-  assert(view.disp_mm.size() == view.force_kN.size());
-  assert(view.time_s.empty() || view.time_s.size() == view.disp_mm.size());
-  assert(view.load_kN.empty() || view.load_kN.size() == view.disp_mm.size());
-  Properties properties;
-  auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
-  if (!moving.empty()) view.time_s = moving;
-  auto const cut =
-      segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
-  properties.centre_mm = cut.centre_mm;
-  auto const done = work(view);
-  for (auto const& piece : cut.cycles) {
-    if (properties.blocks.empty() || properties.blocks.back().number != piece.block) {
-      properties.blocks.emplace_back();
-      properties.blocks.back().number = piece.block;
-    }
-    properties.blocks.back().cycles.push_back(measure(piece, view));
-    properties.blocks.back().cycles.back().work_kN_mm = value_at(done, piece.last);
-  }
-  for (auto& block : properties.blocks) summarise(block, view);
-  find_sweeps(properties);
-  find_failure(properties);
-  if (auto const* cycle = cycle_to_report(properties)) {
-    properties.viscous = viscous_law(view, *cycle);
-    properties.slider = slider(*cycle);
-  }
-  bool const none_is_sound = take_out_impossible(properties, view);
-  conclude(properties, cut.refusal, none_is_sound);
-  return properties;
+Properties cyclic_properties(CycleView const& view) {
+  return properties_of(view, {});
 }
 
 Properties cyclic_properties(TestRecord const& record) {
-  auto properties = cyclic_properties(view_of(record));
-  properties.faults = record.faults;
-  if (properties.faults.empty()) return properties;
-  std::optional<Finding> not_cut;
-  if (!properties.is_false && !properties.refusal.empty()) not_cut = properties.refusal.front();
-  std::vector<Finding> found;
-  for (auto& fault : properties.faults) {
-    auto const blocks = blocks_of(fault, properties);
-    if (properties.blocks.size() > 1) fault.finding.blocks = blocks;
-    for (int const number : blocks)
-      discount(properties.blocks[static_cast<std::size_t>(number) - 1],
-               fmt::format("the {} is {}", fault.channel, said_of(fault.kind)));
-    found.push_back(fault.finding);
-  }
-  // If a signal is faulty in a block, other impossible values there follow from it and are not said.
-  for (auto& finding : properties.is_false ? properties.refusal : properties.faulty)
-    if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
-        std::ranges::none_of(found, [&](Finding const& fault) {
-          return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
-        }))
-      found.push_back(std::move(finding));
-  if (properties.failure &&
-      !properties.blocks[static_cast<std::size_t>(properties.failure->blocks.front()) - 1].fault.empty())
-    properties.failure.reset();
-  properties.faulty = std::move(found);
-  conclude(properties, not_cut, properties.is_false);
-  return properties;
+  return properties_of(view_of(record), record.faults);
 }
 
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN) {
@@ -528,36 +574,44 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 }
 
 Stability stability(Block const& block, double Cycle::*property) {
-  constexpr std::size_t third = 2;
   constexpr int most = 10;
-  std::vector<double> values;
-  for (auto const* cycle : block.counted()) values.push_back(cycle->*property);
+  auto const counted = block.counted();
+  auto const at = [&](int number) {
+    auto const cycle = std::ranges::find(counted, number, &Cycle::number);
+    return cycle == counted.end() ? std::nullopt : std::optional((*cycle)->*property);
+  };
+  auto const first = at(1), second = at(2), third = at(3);
   Stability found;
-  found.cycles = static_cast<int>(values.size());
-  if (values.size() <= third) return found;
+  found.cycles = static_cast<int>(counted.size());
+  if (!third) return found;
   // No quotient by nearly nothing: a device without stiffness has no course of stiffness or damping.
   constexpr double nearly_nothing = 1e-3;  // times the largest value
-  auto const size = [](double value) { return std::abs(value); };
-  double const size_of_largest = size(*std::ranges::max_element(values, {}, size));
+  double largest_size = 0.0;
+  for (auto const* cycle : counted) largest_size = std::max(largest_size, std::abs(cycle->*property));
   bool const of_stiffness = property != &Cycle::energy_kN_mm;
-  if (!(std::abs(values[third]) > nearly_nothing * size_of_largest) ||
+  if (!(std::abs(*third) > nearly_nothing * largest_size) ||
       (of_stiffness &&
-       std::ranges::any_of(block.counted(), [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
+       std::ranges::any_of(counted, [](Cycle const* c) { return c->amplitude_mm > 0.0 && !c->damping(); })))
     return found;
-  for (double const value : values) found.ratio_to_third.push_back(value / values[third]);
-  double const mean = (values[0] + values[1] + values[2]) / 3.0;
-  found.first_to_third = found.ratio_to_third.front();
-  found.first_to_mean_1_3 = values.front() / mean;
-  found.last_to_mean_1_3 = values.back() / mean;
-  auto const upto = static_cast<std::size_t>(
-      std::ranges::count_if(block.counted(), [](Cycle const* c) { return c->number <= most; }));
-  if (upto < 2) return found;  // a logger kept other cycles
+  for (auto const* cycle : counted) found.ratio_to_third.push_back(cycle->*property / *third);
+  if (first) found.first_to_third = *first / *third;
+  if (first && second) {
+    double const mean = (*first + *second + *third) / 3.0;
+    found.first_to_mean_1_3 = *first / mean;
+    found.last_to_mean_1_3 = counted.back()->*property / mean;
+  }
+  auto const upto =
+      static_cast<std::size_t>(std::ranges::count_if(counted, [](Cycle const* c) { return c->number <= most; }));
+  auto const from = first ? std::size_t{1} : std::size_t{0};
+  if (upto < from + 1) return found;
   auto const ratios = std::span(found.ratio_to_third).first(upto);
-  auto const [least, largest] = std::ranges::minmax(ratios);
-  found.min_1_10 = least;
-  found.max_1_10 = largest;
-  found.least_to_largest_1_10 = least / largest;
-  auto const [least_2, largest_2] = std::ranges::minmax(ratios.subspan(1));
+  if (first) {
+    auto const [least, largest] = std::ranges::minmax(ratios);
+    found.min_1_10 = least;
+    found.max_1_10 = largest;
+    found.least_to_largest_1_10 = least / largest;
+  }
+  auto const [least_2, largest_2] = std::ranges::minmax(ratios.subspan(from));
   found.min_2_10 = least_2;
   found.max_2_10 = largest_2;
   found.least_to_largest_2_10 = least_2 / largest_2;

@@ -60,6 +60,9 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
+// Fraction of an amplitude or of a design displacement. Blocks of one nominal amplitude differ by less.
+inline constexpr double same_nominal = 0.02;
+
 struct Block {
   int number = 0;                      // from 1
   double amplitude_mm = 0.0;           // amplitude, frequency and v_max are medians over the counted cycles
@@ -72,6 +75,7 @@ struct Block {
   std::vector<Cycle> cycles;  // in order, with the cycles that do not count
 
   std::vector<Cycle const*> counted() const;
+  std::vector<Cycle const*> whole() const;  // the counted ones or, if none counts, all except partial ones
 };
 
 // F = F_0 + C |v|^alpha in one direction of motion, F = F_0 - C |v|^alpha in the other, with C in kN (s/mm)^alpha. F_0
@@ -95,14 +99,16 @@ struct Properties {
   std::optional<Cycle> reported;
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
-  bool is_false = false;            // the refusal is about a signal or cycle that cannot be true
-  std::vector<SignalFault> faults;  // set only for a TestRecord
+  bool is_false = false;  // the refusal is about a signal or cycle that cannot be true
+  // Set only for a TestRecord. A fault outside all blocks, which takes none, has the word "outside" in its finding.
+  std::vector<SignalFault> faults;
   // Faults that take some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
   std::vector<Finding> faulty;
   std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
   std::optional<Slider> slider;
-  std::optional<Finding> failure;           // force_lost: the cycle in which the force is suddenly lost
-  double failed_from = 0.0;                 // sample at which that cycle begins
+  std::optional<Finding> failure;  // force_lost: the cycle in which the force is suddenly lost
+  // Samples, first and last, in which the device has lost its force. Infinite if the force does not come back.
+  std::vector<std::pair<double, double>> lost;
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
 
@@ -133,8 +139,8 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if there is no cycle 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to 10 and 1 to
-// 10, or over fewer if the block has fewer. least_to_largest is the smallest value over the largest.
+// empty if no counted cycle has the number 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to
+// 10 and 1 to 10, or over fewer if the block has fewer. least_to_largest is the smallest value over the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles
   std::vector<double> ratio_to_third;

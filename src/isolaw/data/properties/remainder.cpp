@@ -16,7 +16,8 @@ constexpr std::array drawn{FindingKind::signal_spike, FindingKind::stiffness_ris
 
 // A finding on one of several tests of a device has the times and blocks of that test alone, so it is not drawn.
 bool is_drawn(Finding const& finding) {
-  return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty();
+  return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty() &&
+         finding.word("outside").empty();
 }
 
 bool is_of_force(Finding const& finding) {
@@ -25,14 +26,6 @@ bool is_of_force(Finding const& finding) {
 
 int block_of(Finding const& finding, Properties const& properties) {
   return !finding.blocks.empty() ? finding.blocks.front() : properties.reported ? properties.reported->block : 1;
-}
-
-std::vector<Cycle const*> whole_cycles(Block const& block) {
-  auto cycles = block.counted();
-  if (cycles.empty())
-    for (auto const& cycle : block.cycles)
-      if (!cycle.partial) cycles.push_back(&cycle);
-  return cycles;
 }
 
 // The channel with each spike replaced by the mean of its neighbours, so that no spike is in the mean loop.
@@ -79,7 +72,7 @@ std::optional<Remainder> remainder(TestRecord const& record, Properties const& p
   Remainder result{.of_force = is_of_force(first), .block = block_of(first, properties)};
   if (static_cast<std::size_t>(result.block) > properties.blocks.size()) return std::nullopt;
   auto const& block = properties.blocks[static_cast<std::size_t>(result.block) - 1];
-  auto const cycles = whole_cycles(block);
+  auto const cycles = block.whole();
   if (cycles.size() < 2) return std::nullopt;
   std::span<double const> const values = result.of_force ? record.force_kN : record.disp_mm;
   auto const size = static_cast<std::size_t>(std::ceil(cycles.back()->last - cycles.back()->first));

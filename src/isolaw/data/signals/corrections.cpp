@@ -70,6 +70,7 @@ void remove_skew(TestRecord& record, double skew_s) {
   auto const dropped = record.size() - (end - begin);
   record.force_kN = std::move(moved);
   for (auto const channel : all_channels) keep({.first = begin, .count = end - begin}, values_of(record, channel));
+  record.faults = faults_in({.first = begin, .end = end}, record.faults);
   note(record, FindingKind::skew_removed, "--skew-ms",
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }

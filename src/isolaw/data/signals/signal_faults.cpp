@@ -85,6 +85,23 @@ std::string_view said_of(FaultKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::optional<FaultKind> fault_kind(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::signal_clipped:
+      return FaultKind::clipped;
+    case FindingKind::signal_stuck:
+      return FaultKind::stuck;
+    case FindingKind::signal_spike:
+      return FaultKind::spike;
+    case FindingKind::signal_without_sign:
+      return FaultKind::rectified;
+    case FindingKind::signal_interrupted:
+      return FaultKind::dropout;
+    default:
+      return std::nullopt;
+  }
+}
+
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s) {
   constexpr std::size_t most = 5;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,9 @@ namespace isolaw::data {
 
 std::string_view said_of(
     FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"
+
+// The kind of fault that a finding is about; nullopt for any other finding.
+std::optional<FaultKind> fault_kind(FindingKind kind);
 
 // A finding with the count of `samples` (from 0) and the first five (from 1): "sample", "time_s", "sample_2", etc.
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,

@@ -81,7 +81,7 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
 }
 
 // Writes the remainder of a doubtful channel, or null. Point k of the curve is the sample first + min(k stride, samples
-// - 1).
+// - 1). The points of `gaps` have no value.
 void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t most) {
   out.key("remainder");
   auto const found = data::remainder(device.raw, device.properties);
@@ -92,6 +92,10 @@ void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t mo
                   stride_of(drawn));
     write_values(out.key("at"), found->at, shown_digits);
     write_curve(out, found->of_force ? "force_kN" : "disp_mm", found->values, drawn);
+    std::vector<std::size_t> gaps;
+    for (std::size_t k = 0; k < drawn.size(); ++k)
+      if (std::isnan(found->values[drawn[k]])) gaps.push_back(k);
+    out.key("gaps").array(gaps, [&](std::size_t k) { out.value(k); });
   });
 }
 

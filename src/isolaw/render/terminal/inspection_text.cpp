@@ -68,7 +68,9 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
   auto const counted = block.counted();
   add(text, "\nBlock {}: ", block.number);
   if (counted.empty())
-    text += block.fault.empty() ? "no complete cycle" : "no cycle counts, " + block.fault;
+    text += block.whole().empty() ? "no complete cycle"
+            : block.fault.empty() ? "no cycle counts"
+                                  : "no cycle counts, " + block.fault;
   else
     add(text, "{} cycle{} of {:.4g} {}", counted.size(), counted.size() == 1 ? "" : "s",
         length.factor * block.amplitude_mm, length.unit);

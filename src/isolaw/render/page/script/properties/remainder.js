@@ -5,8 +5,11 @@ import { curve, devices } from '../report.js';
 import { enumerate, significant } from '../text.js';
 import { KN, MM, hovered } from '../units.js';
 
-const channelOf = ({ force_kN, disp_mm }) =>
-  force_kN ? { name: 'force', values: curve(force_kN), unit: 'kN', shown: KN } : { name: 'displacement', values: curve(disp_mm), unit: 'mm', shown: MM };
+function channelOf({ force_kN, disp_mm, gaps }) {
+  const values = [...curve(force_kN ?? disp_mm)];
+  for (const k of gaps) values[k] = null;
+  return force_kN ? { name: 'force', values, unit: 'kN', shown: KN } : { name: 'displacement', values, unit: 'mm', shown: MM };
+}
 
 const indexOf = ({ first, stride, samples }, k) => first + Math.min(k * stride, samples - 1);
 
@@ -40,7 +43,7 @@ function remainderData() {
   const { name, values, shown } = channelOf(found);
   return {
     columns: [axis.title, name + ' less the mean loop [' + shown + ']'],
-    rows: values.map((value, k) => [axis.of(indexOf(found, k)), value]),
+    rows: values.map((value, k) => [axis.of(indexOf(found, k)), value]).filter(([, value]) => value !== null),
   };
 }
 
@@ -51,7 +54,7 @@ function drawRemainder(look) {
   const { name, values, unit, shown } = found ? channelOf(found) : { name: '', values: [], unit: 'kN', shown: KN };
   // The way from rest to the loop, in the first half of the first cycle, does not set the scale.
   const { first, last } = found ? device.blocks[found.block - 1].cycles.find((cycle) => !cycle.partial) : {};
-  const later = values.filter((_, k) => indexOf(found, k) > (first + last) / 2);
+  const later = values.filter((value, k) => value !== null && indexOf(found, k) > (first + last) / 2);
   return {
     traces: [
       {
