@@ -40,7 +40,7 @@ class Building : public InFreshDirectory {
   }
   // The bearings of the campaign do not keep the limits of the example.
   void example_without_limits() {
-    ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+    example_without_limits();
     auto text = read("case/building.toml");
     auto const from = text.find("[limits]"), to = text.find("# The slab");
     ASSERT_NE(to, std::string::npos);
@@ -517,11 +517,11 @@ TEST_F(Building, prints_no_progress_for_a_short_study) {
   EXPECT_FALSE(contains(o.err, "% done")) << o;
 }
 
-// A file of one column without a header states neither its step nor its unit. The user states them, by options or in the
-// building file; a part remembers the options for the merge.
+// A file of one column without a header states neither its step nor its unit. The user states them, by options or in
+// the building file; a part remembers the options for the merge.
 TEST_F(Building, takes_step_and_unit_of_a_motion_as_stated) {
   campaign();
-  ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
+  example_without_limits();
   auto text = read("case/building.toml");
   text.replace(text.find("draws = 1000"), 12, "draws = 2");
   text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
