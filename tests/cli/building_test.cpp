@@ -498,8 +498,8 @@ TEST_F(Building, prints_no_progress_for_a_short_study) {
   EXPECT_FALSE(contains(o.err, "% done")) << o;
 }
 
-// A file of one column without a header states neither its step nor its unit. The user states them, by options or in the
-// building file; a part remembers the options for the merge.
+// A file of one column without a header states neither its step nor its unit. The user states them, by options or in
+// the building file; a part remembers the options for the merge.
 TEST_F(Building, takes_step_and_unit_of_a_motion_as_stated) {
   campaign();
   ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
