@@ -617,7 +617,7 @@ TEST_F(PartScripts, are_refused_as_commands_are) {
   expect_refused(isolaw(in_parts("make", "O") + Words{"--motion", "m.csv"}),
                  {"--motion: is given for a lot", "--campaign"});
   expect_refused(isolaw({"parts", "b.toml", "5", "--to", "make", "--campaign", "O", "--runs", "3", "--seed", "2"}),
-                 {"--runs", "--seed", "is given for a building file", "--motion, --out and --jobs"});
+                 {"--runs", "--seed", "is given for a building file", "--motion-unit, --out and --jobs"});
 }
 
 }  // namespace

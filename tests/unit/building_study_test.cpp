@@ -930,8 +930,8 @@ TEST_F(BuildingRuns, miss_what_shorter_steps_would_find) {
   EXPECT_EQ(isolator_mm(checked.step_s), checked.isolator_mm);
   double const error = std::abs(checked.isolator_mm - isolator_mm(checked.step_s / 16.0));
   EXPECT_GT(error, 1e-3);
-  // Where the law yields within a step, the error is not quite of second order. The error of the run with half the step,
-  // to which it is compared, would be a quarter.
+  // Where the law yields within a step, the error is not quite of second order. The error of the run with half the
+  // step, to which it is compared, would be a quarter.
   EXPECT_NEAR(checked.missed_mm, error, 0.5 * error);
 }
 

@@ -71,7 +71,7 @@ void require_used(PartsArguments const& arguments) {
   if (!others.empty())
     throw Error({.where = joined(others),
                  .found = "is given for a building file",
-                 .allowed = "--motion, --out and --jobs with --campaign",
+                 .allowed = "--motion, --motion-dt, --motion-unit, --out and --jobs with --campaign",
                  .advice = "set it in the building file; the campaign keeps its own settings"});
 }
 

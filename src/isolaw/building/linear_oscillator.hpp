@@ -15,8 +15,8 @@ struct Effective {
 Effective effective(std::string_view law, std::span<double const> parameters, double amplitude_mm, double period_s,
                     Coupling coupling);
 
-// The sum of the stiffnesses of all bearings, and the mean of their damping, weighted by stiffness. `bearings` holds the
-// parameters of all bearings, one after the other.
+// The sum of the stiffnesses of all bearings, and the mean of their damping, weighted by stiffness. `bearings` holds
+// the parameters of all bearings, one after the other.
 Effective effective(Devices const& devices, std::span<double const> bearings, double amplitude_mm, double period_s);
 
 // The linear oscillator whose stiffness and damping are the bearings' effective ones at its own peak displacement.
