@@ -43,7 +43,7 @@ const PICTURES = [
   { file: 'pictures/laboratory-device.png', page: 'laboratory/out/contract/inspection.html', print: true, from: '.device-page:first-child', to: '.device-page:first-child' },
   { file: 'pictures/engineer-first-screen.png', page: 'engineer/out/lot/report.html', height: 895 },
   { file: 'pictures/engineer-one-law.png', page: 'engineer/out/lot/report.html', from: '#figure-lot-devices', to: '#figure-lot-devices' },
-  { file: 'pictures/engineer-building.png', page: 'engineer/out/building/building.html', to: '#verdict' },
+  { file: 'pictures/engineer-building.png', page: 'engineer/out/building/building.html', to: '#figure-moving' },
   { file: 'pictures/researcher-front.png', page: 'researcher/out/paper/report.html', from: '#front', to: '#figure-front, #figure-verdicts' },
   { file: 'pictures/researcher-published.png', page: 'researcher/out/paper/report.html', from: '#published', to: '#figure-published-statements' },
 ];

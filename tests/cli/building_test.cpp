@@ -74,7 +74,7 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(contains(answer, "with Bilinear the bounds cover ")) << output;
   // A limit that is not kept ends the command with 1. The runs are those of the store.
   auto narrow = text;
-  narrow.replace(narrow.find("clearance_mm = 250"), 18, "clearance_mm = 1.5");
+  narrow.replace(narrow.find("clearance_mm = 250.0"), 20, "clearance_mm = 1.5");
   write("case/narrow.toml", narrow);
   auto const refused = isolaw({"building", "case/narrow.toml", "--from", "lot", "--out", "B"});
   EXPECT_EQ(refused.code, 1) << refused;
