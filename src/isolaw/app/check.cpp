@@ -15,6 +15,7 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/check.hpp"
 #include "isolaw/campaign/maker.hpp"
+#include "isolaw/campaign/sqlite.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/figures/figures.hpp"
 #include "isolaw/render/json/summary_json.hpp"
@@ -84,7 +85,9 @@ Outputs compare_outputs(std::filesystem::path const& directory, study::Summary c
 }
 
 int check_building(std::filesystem::path const& file) {
-  auto const checked = building::check_runs(file);
+  building::CheckedRuns checked;
+  checked.faults = campaign::sqlite::integrity(file);
+  if (checked.faults.empty()) checked = building::check_runs(file);
   fmt::print("{}: {}\n  {} of {} analyses of a building, compared with the hashes that were stored with them\n",
              shown(file), checked.faults.empty() ? "sound" : fmt::format("{} fault(s)", checked.faults.size()),
              checked.runs, checked.expected);
@@ -96,9 +99,11 @@ int check_building(std::filesystem::path const& file) {
 
 int check(std::filesystem::path const& directory) {
   std::error_code unknown;
-  if (auto const building = directory / building_store_name;
-      std::filesystem::exists(building, unknown) && !std::filesystem::exists(directory / store_name, unknown))
-    return check_building(building);
+  int of_building = exit_done;
+  if (auto const file = directory / building_store_name; std::filesystem::exists(file, unknown)) {
+    of_building = check_building(file);
+    if (!std::filesystem::exists(directory / store_name, unknown)) return of_building;
+  }
   auto const file = directory / store_name;
   auto result = campaign::check(file);
   auto contents = campaign::Store::read(file);
@@ -136,7 +141,8 @@ int check(std::filesystem::path const& directory) {
                campaign::text(std::span(contents.makers)), campaign::text(campaign::this_maker()));
   for (auto const& fault : result.faults) fmt::print("  fault: {}\n", fault);
   for (auto const& difference : result.differences) fmt::print("  difference: {}\n", difference);
-  return result.faults.empty() && result.differences.empty() && since == 0 ? exit_done : exit_with_refusals;
+  bool const sound = result.faults.empty() && result.differences.empty() && since == 0;
+  return sound ? of_building : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

@@ -354,6 +354,11 @@ void add_warnings(Answers& answers, Study const& study) {
                                   .words = {{"of", "draws"}}});
     if (has_draws(study) && has_result(law)) warn_of_coverage(law, answers.warnings);
     if (law.coupling == Coupling::springs && !law.fitted_as_springs) warn(FindingKind::springs_as_given, law.law);
+    if (law.worst_balance > largest_energy_error_of_runs) {
+      warn(FindingKind::energy_error_large, law.law,
+           {{"error", law.worst_balance}, {"limit", largest_energy_error_of_runs}});
+      answers.warnings.back().words = {{"whose", "one of the buildings"}};
+    }
     if (law.failed > 0) warn(FindingKind::building_runs_failed, law.law, {{"failed", static_cast<double>(law.failed)}});
     if (law.collapsed > 0)
       warn(FindingKind::draws_collapsed, law.law,

@@ -84,8 +84,10 @@ std::vector<Finding> run_doubts(Response const& run, std::string const& law, std
   };
   if (double const most = run.of(Measure::isolator); tested_mm > 0.0 && most > tested_mm)
     doubt(FindingKind::displacement_beyond_tests, {{"most_mm", most}, {"tested_mm", tested_mm}});
-  if (double const error = std::abs(run.of(Measure::balance)); error > largest_energy_error)
+  if (double const error = std::abs(run.of(Measure::balance)); error > largest_energy_error) {
     doubt(FindingKind::energy_error_large, {{"error", error}, {"limit", largest_energy_error}});
+    doubts.back().words.push_back({"whose", "the nominal building"});
+  }
   if (double const rotation = run.of(Measure::rotation); rotation > largest_rotation_rad)
     doubt(FindingKind::rotation_large, {{"rotation_rad", rotation}, {"limit_rad", largest_rotation_rad}});
   return doubts;

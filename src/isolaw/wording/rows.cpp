@@ -354,7 +354,7 @@ std::span<Row const> rows() {
       campaign(
           energy_error_large, "energy-error-large", "accuracy", caution, "Take a smaller step_s", each_alone,
           with_building, law,
-          "the energy of the nominal building does not balance: {error:2} of it is missing under {motion}, more than {limit}."),
+          "the energy of {whose} does not balance: {error:2} of it is missing[ under {motion}], more than {limit}."),
       campaign(
           draws_off_reference, "draws-off-reference", "accuracy", caution, "Take a smaller step_s", each_alone,
           with_building, law,
