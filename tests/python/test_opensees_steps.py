@@ -76,7 +76,7 @@ class Steps(InFolder):
         for law in LAWS:
             with self.subTest(law=law):
                 parameters = usual_parameters(law)
-                at_5_mm = isolaw.force(law, parameters, isolaw.motion([0.0, 5.0], [0.0, 1e9]))[-1]
+                at_5_mm = isolaw.force(law, parameters, isolaw.motion([0.0, 2.5, 5.0], [0.0, 1e9, 2e9]))[-1]
                 one_bearing(law, parameters)
                 ops.timeSeries("Path", 1, "-dt", 1.0, "-values", 0.0, 0.0, 0.5 * at_5_mm, 0.5 * at_5_mm, "-useLast")
                 ops.pattern("Plain", 1, 1)

@@ -90,8 +90,9 @@ TEST(Responses, under_few_motions_are_judged_by_the_worst) {
 
 TEST(Responses, take_mass_and_motion_of_a_model_and_the_load_of_the_tests) {
   auto subject = subject_of("bouc-wen", bouc_wen_parameters);
-  subject.tested.load_min_kN = 90.0;
+  subject.tested.load_min_kN = -1.0;  // a ramp begins there
   subject.tested.load_max_kN = 110.0;
+  subject.tested.load_mean_kN = 100.0;
   EXPECT_NEAR(response(subject, "bilinear", bilinear_parameters).mass_Mg, 100.0 / 9.80665, 1e-9);
   subject.model = four(450.0);
   subject.model->scale = 1.5;
