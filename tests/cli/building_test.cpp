@@ -523,7 +523,7 @@ TEST_F(Building, takes_step_and_unit_of_a_motion_as_stated) {
   campaign();
   example_without_limits();
   auto text = read("case/building.toml");
-  text.replace(text.find("draws = 1000"), 12, "draws = 2");
+  text.replace(text.find("draws = 500"), 11, "draws = 2");
   text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
   text.erase(text.find("[[motion]]", text.find("[[motion]]") + 5));
   write("case/building.toml", text);
