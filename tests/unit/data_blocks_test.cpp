@@ -350,7 +350,7 @@ TEST(Cuts, ACounterThatGoesOnStartsWithTheFirstCycleOfTheBlock) {
   EXPECT_EQ(counted_per_block(cut), (std::vector<int>{3, 3}));
 }
 
-// Of the numbers 1, 2, 100 and 200, none is cycle 3, to which others could be compared.
+// Among the cycles numbered 1, 2, 100 and 200 there is no cycle 3, to which others could be compared.
 TEST(Cuts, NoCycleStandsForCycleThree) {
   Block block;
   for (int const number : {1, 2, 100, 200}) {
