@@ -148,7 +148,7 @@ def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, ref
     said = [sentence for sentence in said if sentence not in _warned]
     if said:
         _warned.update(said)
-        _warnings.warn("; ".join(said), stacklevel=3)
+        _warnings.warn(" ".join(sentence.rstrip(".") + "." for sentence in said), stacklevel=3)
     parameters = (_ctypes.c_double * len(found["parameters"]))(*found["parameters"])
     none = float("nan")
     arguments = _Law(
