@@ -112,7 +112,9 @@ void print_answers(building::Study const& study, building::Answers const& answer
   auto const length = shown_unit("mm", units);
   auto text = wording::paragraph(answers.verdict, units) + "\n\n";
   if (auto const law = std::ranges::find_if(answers.laws, building::has_result); law != answers.laws.end())
-    text += limits_text(*law, units) + "\n";
+    text +=
+        limits_text(*law, units) +
+        (study.file.motions.size() < building::motions_for_a_mean ? "These are the largest of the motions.\n\n" : "\n");
   text += wording::paragraph(answers.about_bounds, units) + "\n\n";
   text += fmt::format("{}, {}, weight {:.0f} {}; means over the motions, fractiles over {}\n",
                       counted(study.file.motions.size(), "motion"), counted(study.file.bearings.size(), "bearing"),

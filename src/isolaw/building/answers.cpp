@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "isolaw/base/words.hpp"
@@ -71,12 +72,16 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   double const tested = study.laws[static_cast<std::size_t>(found - answers.laws.begin())].tested_mm;
   Finding reach{.kind = FindingKind::building_reach,
                 .law = law.law,
-                .numbers = {{"nominal_mm", moves.nominal}, {"bound_mm", std::max(moves.lower, moves.upper)}}};
+                .numbers = {{"nominal_mm", law.reach.nominal}, {"bound_mm", law.reach.bound}}};
   if (has_draws(study)) {
-    reach.numbers.push_back({"p95_mm", moves.fractiles.back()});
+    reach.numbers.push_back({"p95_mm", *law.reach.p95});
     reach.numbers.push_back({"draws", static_cast<double>(law.draws)});
   }
-  if (tested > 0.0) reach.numbers.push_back({"tested_mm", tested});
+  if (tested > 0.0) {
+    reach.numbers.push_back({"tested_mm", tested});
+    bool const beyond = std::max({law.reach.nominal, law.reach.bound, law.reach.p95.value_or(0.0)}) > tested;
+    reach.words = {{"tested", beyond ? "beyond" : "within"}};
+  }
   verdict.push_back(std::move(reach));
   if (has_draws(study))
     verdict.push_back({.kind = FindingKind::building_scatter,
@@ -274,10 +279,14 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
 }
 
 void judge(LawAnswer& out, Kept const& kept, CasePlaces const& places, Study const& study, double tested) {
-  auto const add = [&](std::string_view limit, std::string_view of, double allowed) {
+  auto const against = [&](std::string_view limit, std::string_view of, double allowed) {
     auto const row = static_cast<std::size_t>(&quantity(of) - quantities().data());
-    out.judged.push_back(judged(limit, of, allowed, responses_of(kept, row), places, has_draws(study)));
+    return judged(limit, of, allowed, responses_of(kept, row), places, has_draws(study));
   };
+  auto const add = [&](std::string_view limit, std::string_view of, double allowed) {
+    out.judged.push_back(against(limit, of, allowed));
+  };
+  out.reach = against({}, quantities().front().key, std::numeric_limits<double>::infinity());
   for (auto const& limit : limit_rows)
     if (auto const& allowed = study.file.limits.*limit.value) add(limit.key, limit.quantity, *allowed);
   if (tested > 0.0) add(tested_mm, quantities().front().key, tested);

@@ -44,6 +44,7 @@ struct LawAnswer {
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
+  Judged reach = {};                        // displacement of a bearing as it counts for design, against no limit
   std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
   // Share of the draws whose bearing displacement lies between the bounds of the study's first law with a result. Empty

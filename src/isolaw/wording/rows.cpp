@@ -291,7 +291,7 @@ std::span<Row const> rows() {
       answer(building_holds_with, "building-holds-with", "answer", "{holds}."),
       answer(
           building_reach, "building-reach", "answer",
-          "The bearings move {nominal_mm:3} in the nominal building, at most {bound_mm:3} in the two bound analyses[, and {p95_mm:3} or less in 95 % of {draws:,} drawn buildings][; they were tested to {tested_mm:3}]."),
+          "The bearings move {nominal_mm:3} in the nominal building, at most {bound_mm:3} in the two bound analyses[, and {p95_mm:3} or less in 95 % of {draws:,} drawn buildings][; {tested}]."),
       answer(building_scatter, "building-scatter", "answer",
              "The scatter of the lot changes this by {lot_std_ln:%1}[, the motions differ by {motions}]."),
       answer(building_most_moved, "building-most-moved", "answer", "{bearings}."),
