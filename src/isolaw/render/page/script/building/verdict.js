@@ -7,7 +7,7 @@ import { first, nameAndUnit, quantityOf, spreadText, study, valueText } from './
 const KEY = 'isolator_mm';
 const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
 const TESTED = 'tested_mm';
-const MANY = 6; // from this many motions on, a spread between them says something
+const MOTIONS_FOR_A_MEAN = 7; // as in building/limits.hpp: the largest response of fewer motions counts
 
 export const verdictSection = {
   id: 'verdict',
@@ -21,7 +21,7 @@ export const verdictSection = {
       title: 'Limits',
       wanted: () => first.limits.length > 0,
       caption: () =>
-        first.name + ', ' + (study.motions.length > MANY ? 'means over the motions.' : 'the largest of the motions.') +
+        first.name + ', ' + (study.motions.length >= MOTIONS_FOR_A_MEAN ? 'means over the motions.' : 'the largest of the motions.') +
         ' Bounds: the larger of the two bound analyses.',
       csv: () => ({
         columns: ['limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps'],
@@ -55,7 +55,7 @@ function numbers() {
   const reached = (key, what) => [valueText(first.quantities[key].p95, quantityOf(key)), what + ', 95\u202f% of draws'];
   return [
     ...(tested ? [[fixed((100 * Math.max(tested.nominal, tested.bound, tested.p95 ?? 0)) / tested.allowed, 0) + '\u202f%', 'of the tested displacement, at most']] : []),
-    ...(study.motions.length > MANY ? [reached('shear_over_weight', 'base shear over weight')] : []),
+    ...(study.motions.length >= MOTIONS_FOR_A_MEAN ? [reached('shear_over_weight', 'base shear over weight')] : []),
     [spreadText(of.lot_std_ln), 'scatter from the lot' + (study.law_std_ln === null ? '' : '; laws ' + spreadText(study.law_std_ln))],
   ];
 }
