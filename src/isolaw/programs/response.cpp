@@ -57,20 +57,27 @@ data::GroundMotion scaled(data::GroundMotion motion, double scale) {
   return motion;
 }
 
-// Scales a motion so that the mass moves to `target_mm`, or up to 2 % less far. Empty if no factor was found.
-std::optional<data::GroundMotion> scaled_to(data::GroundMotion const& motion, MassOnBearing const& mass,
-                                            double target_mm) {
+struct Scaled {
+  double scale = 1.0;
+  data::GroundMotion motion;
+  Peaks peaks;
+};
+
+// Scales a motion so that the mass moves to `target_mm`, or up to 2 % less far. The first factor tried is `scale`. Empty
+// if no factor was found.
+std::optional<Scaled> scaled_to(data::GroundMotion const& motion, MassOnBearing const& mass, double target_mm,
+                                double scale) {
   constexpr double near = 0.98;
   constexpr int most = 20;
-  double low = 0.0, high = 0.0, scale = 1.0;
+  double low = 0.0, high = 0.0;
   for (int i = 0; i < most; ++i) {
-    auto const peaks = mass.under(scaled(motion, scale));
+    auto tried = scaled(motion, scale);
+    auto const peaks = mass.under(tried);
     bool const exceeds = !peaks || peaks->disp_mm > target_mm;
     (exceeds ? high : low) = scale;
     if (!exceeds && peaks->disp_mm >= near * target_mm) {
-      auto chosen = scaled(motion, scale);
-      chosen.file = fmt::format("{:.3g} x {}", scale, motion.file);
-      return chosen;
+      tried.file = fmt::format("{:.3g} x {}", scale, motion.file);
+      return Scaled{.scale = scale, .motion = std::move(tried), .peaks = *peaks};
     }
     // The peak is about proportional to the scale, but may change little over a range of it, or leap. So the step that
     // this suggests is doubled until the target lies between two scales, and from then on every other step halves.
@@ -119,32 +126,38 @@ BuildingOnLaw::BuildingOnLaw(Subject const& subject) : law_(subject.law->info.id
   all.period_s = 2.0 * std::numbers::pi * std::sqrt(mass / stiffness);
 
   MassOnBearing const on_law(all.mass_Mg, *subject.law, subject.parameters, subject.dead_band_mm, subject.refinement);
-  motions_ = given_motions(subject);
-  if (motions_.empty()) {
+  auto const add = [&](data::GroundMotion motion, Peaks const& peaks) {
+    all.motions.push_back({.motion = motion.file, .law_disp_mm = peaks.disp_mm, .law_shear_kN = peaks.shear_kN});
+    motions_.push_back(std::move(motion));
+  };
+  auto given = given_motions(subject);
+  if (given.empty()) {
     all.motions_from =
         "the artificial motions of 'isolaw example DIR --building' along x, each with the factor at which "
         "the law moves to the tested displacement";
+    double scale = 1.0;
     for (std::uint32_t i = 0; i < building::example_motions; ++i) {
       auto const motion = building::example_motion(i);
       auto const name = fmt::format("motion-{}-x", i + 1);
-      auto scaled_motion =
+      auto found =
           scaled_to({.file = name, .step_s = motion.step_s, .acceleration_mm_s2 = motion.x_mm_s2, .recognised = {}},
-                    on_law, subject.tested.disp_mm);
-      if (!scaled_motion) {
+                    on_law, subject.tested.disp_mm, scale);
+      if (!found) {
         fail(fmt::format("no factor on {} moves the law to the tested displacement", name));
         return;
       }
-      motions_.push_back(std::move(*scaled_motion));
+      scale = found->scale;
+      add(std::move(found->motion), found->peaks);
     }
   }
-  for (auto const& motion : motions_) {
+  for (auto& motion : given) {
     auto const peaks = on_law.under(motion);
     if (!peaks || !(peaks->disp_mm > 0.0)) {
       fail(peaks ? fmt::format("the law does not move under {}", motion.file)
                  : fmt::format("the integration with the law came to no end under {}", motion.file));
       return;
     }
-    all.motions.push_back({.motion = motion.file, .law_disp_mm = peaks->disp_mm, .law_shear_kN = peaks->shear_kN});
+    add(std::move(motion), *peaks);
   }
 }
 
