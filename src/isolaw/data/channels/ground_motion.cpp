@@ -35,17 +35,17 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
   return number_in<double>(line.substr(0, line.find_first_of(" \t,;")));
 }
 
-// The head of a file of an agency, which states what its values are.
+// The statements in the head of an agency's file about the values below it.
 struct Agency {
   std::string_view format;
-  std::size_t first = 0;             // the line after the head, from 0
-  std::optional<std::size_t> count;  // of the values; nullopt if the head does not state it
+  std::size_t first = 0;             // index of the first line after the head
+  std::optional<std::size_t> count;  // number of values; nullopt if the head does not state it
   bool more_follows = false;         // velocity and displacement may follow the values
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
-  std::size_t width = 0;              // of a value in its line; 0: values are separated by blanks
-  bool off_zero = false;              // the values are as the instrument gave them, and their mean is no acceleration
-  std::string_view unit_stated = {};  // in messages: what would state a unit
+  std::size_t width = 0;  // characters of a value in its line; 0 if blanks separate the values
+  bool off_zero = false;  // the values are uncorrected: their mean is the instrument's zero, not an acceleration
+  std::string_view unit_stated = {};  // for messages: the text in the head that would state the unit
 };
 
 std::optional<std::size_t> count_of(std::optional<double> number) {
@@ -161,9 +161,9 @@ std::vector<Agency> csmip_headers(LineList const& lines) {
   return found;
 }
 
-// SMC (USGS): eleven lines of text, of which the first says what the values are, 48 whole numbers in 6 lines, of which
-// the 16th is the number of comment lines and the 17th that of values, 50 real numbers in 10 lines, of which the second
-// is the rate in Hz, and the comments. Accelerations are in cm/s2.
+// SMC (USGS). The head begins with 11 lines of text, the first of which says whether the values are corrected. 48 whole
+// numbers follow in 6 lines: the 16th is the number of comment lines, the 17th the number of values. 50 real numbers
+// follow in 10 lines: the second is the rate in Hz. The comment lines end the head. Accelerations are in cm/s2.
 std::optional<Agency> smc_header(LineList const& lines) {
   constexpr std::size_t text = 11, whole = 6, real = 10, width_of_whole = 10, width_of_real = 15;
   if (lines.size() <= text + whole + real) return std::nullopt;
@@ -229,7 +229,7 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
-// The unit that the user states in mm/s2. Complains if the file states another one.
+// The unit that the user states, in mm/s2. Complains if the file states another one.
 std::optional<double> stated_unit(StatedMotion const& stated, std::optional<double> of_file_mm_s2,
                                   std::string const& name, std::vector<Complaint>& complaints) {
   if (!stated.unit) return std::nullopt;
@@ -307,7 +307,8 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   std::vector<std::string> accelerations;
   std::vector<std::size_t> others;
   std::optional<double> of_file_mm_s2;
-  // A header may lack. Of two columns without a header the first is then the time, which the stated step proves.
+  // A file may have no header. If it has two columns and the user states the time step, the first column is read as
+  // time in s. The caller then compares the step of these times with the stated one.
   auto names = header.names;
   if (names.empty() && count == 2 && stated.step_s) names = {"time [s]", ""};
   names.resize(count);
@@ -354,12 +355,13 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   return columns;
 }
 
-// Says which time differs most clearly from those before it: most steps are equal, as a rule.
+// Says between which two samples the step first differs clearly from the usual one (the median). If it does so nowhere,
+// names the step that ends at the sample with index `otherwise`.
 std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwise) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
   double const usual = num::median(steps);
-  constexpr double off = 0.2;  // two rounded times
+  constexpr double off = 0.2;  // twice the rounding that step_of() allows a time, because a step has two times
   auto const found = std::ranges::find_if(steps, [&](double s) { return std::abs(s - usual) > off * std::abs(usual); });
   auto const i = found == steps.end() ? otherwise : static_cast<std::size_t>(found - steps.begin()) + 1;
   return fmt::format(
@@ -431,7 +433,8 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, Stated
   return motion;
 }
 
-// Calls read(). Records of devices may have other formats than motions, so its complaints name those of motions.
+// Calls read(). If an error lists the file formats of test records, replaces that list by the formats of ground
+// motions.
 template <class Read>
 auto as_motion(Read const& read) {
   try {
