@@ -7,8 +7,8 @@
 
 namespace isolaw::data {
 
-// Sets properties.failure and `lost`. Cycles whose force is nearly gone no longer count. If the force does not come
-// back, all cycles from the one that fails on no longer count. time_s may be empty.
+// Sets properties.failure and `lost`. Cycles whose force is nearly gone no longer count. If it is still nearly gone in
+// the last cycle, all cycles from the one that fails on no longer count. time_s may be empty.
 void find_failure(Properties& properties, std::span<double const> time_s);
 
 }  // namespace isolaw::data
