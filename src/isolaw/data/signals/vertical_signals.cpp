@@ -14,7 +14,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t fewest_standing = 4;  // samples
-constexpr double standing_noise = 6.0;      // standard deviations of noise between the extremes of a plateau
+constexpr double standing_noise = 6.0;      // standard deviations of the noise by which samples of a plateau may differ
 constexpr double standing_quanta = 1.5;
 constexpr double goes_beyond = 0.03;   // times the range; during clipping, the other channel rises by more
 constexpr double goes_on = 0.1;        // times the range; while one channel is stuck, the other moves by more
