@@ -14,7 +14,7 @@ namespace isolaw::data {
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // keep at least this many samples per cycle (20 or more); nullopt: all
-  bool center = false;                         // remove the mean of the extremes of displacement and force
+  bool center = false;                         // subtract the mean of the extremes of displacement and force
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
   // How much each sample counts in the objective. nullopt: by swing, or by time where all swings are alike.
   std::optional<Weighting> weights = {};
