@@ -22,7 +22,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same standard deviations
+  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same deviations of x and F
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -82,7 +82,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of a motion that no rig of a laboratory makes, and of a horizontal force that no vertical load allows.
+// Warns of a motion that no rig of a laboratory makes, and of a horizontal force too large for the vertical load.
 void warn_about_rig(TestRecord& record, Properties const& properties) {
   constexpr double farthest_mm = 1300.0, fastest_mm_s = 2500.0, most_of_load = 2.0;
   double amplitude_mm = 0.0, speed_mm_s = 0.0;

@@ -21,12 +21,15 @@ struct CleanOptions {
   Selection scored = {};  // blocks and cycles that the objective counts
 };
 
-// Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;
-// 3. k = the record's samples per cycle / samples_per_cycle, rounded down; if k > 1: moving average over k samples
-// (k + 1 if k is even); 4. velocity, which is more exact with all samples; 5. keep every k-th sample. A record without
-// a complete cycle keeps all samples. If the record holds several tests, each is cleaned by itself, but the dead band
-// is the largest of theirs, and the swings of all tests together decide how samples are weighted. Throws Error for a
-// record without samples.
+// The steps of cleaning are:
+// 1. If `center`: subtract (max + min) / 2 of the reported cycle (Properties::reported) in the raw record.
+// 2. Take the moving average over `smooth` samples.
+// 3. Let k be the record's samples per cycle over samples_per_cycle, rounded down. If k > 1, take the moving average
+//    over k samples (k + 1 if k is even).
+// 4. Compute the velocity, which is more exact with all samples.
+// 5. Keep every k-th sample. A record without a complete cycle keeps all samples.
+// If the record holds several tests, each is cleaned by itself, but the dead band is the largest of theirs, and the
+// swings of all tests together decide how samples are weighted. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 

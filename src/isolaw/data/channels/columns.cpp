@@ -528,7 +528,7 @@ class Resolver {
     return found;
   }
 
-  // Warns if the options give another unit or scale than the file does. Those of the options are used.
+  // Warns if the options give another unit or scale than the file does. The unit and the scale of the options are used.
   void warn_of_other_unit(Channel channel, Column const& column) {
     auto const written = units_in_file(column.index);
     auto const stated = written.empty() ? std::nullopt : parse_unit_text(written.front().text);

@@ -53,7 +53,8 @@ std::optional<std::size_t> count_of(std::optional<double> number) {
   return static_cast<std::size_t>(*number);
 }
 
-// PEER: a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above it.
+// PEER: the head has a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above
+// it.
 std::optional<Agency> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
   Agency header{.format = "PEER AT2", .count = {}, .unit_mm_s2 = {}, .unit_stated = "a line with 'IN UNITS OF G'"};
@@ -82,7 +83,7 @@ std::optional<Agency> peer_header(LineList const& lines) {
   return std::nullopt;
 }
 
-// The text behind a key at the start of a line of the head.
+// The text after `key`, in the first line of the head that starts with this key.
 std::optional<std::string_view> value_of(LineList const& lines, std::string_view key) {
   constexpr std::size_t head = 100;
   for (std::size_t i = 0; i < std::min(head, lines.size()); ++i)
@@ -99,7 +100,7 @@ std::size_t line_after(LineList const& lines, std::string_view key) {
   return i + 1;
 }
 
-// ESM and DYNA (INGV): lines "KEY: VALUE", the last of them USER5.
+// ESM and DYNA (INGV): the head has lines "KEY: VALUE", the last of them USER5.
 std::optional<Agency> esm_header(LineList const& lines) {
   auto const step = number_of(lines, "SAMPLING_INTERVAL_S:");
   auto const unit = value_of(lines, "UNITS:");
@@ -112,7 +113,8 @@ std::optional<Agency> esm_header(LineList const& lines) {
                 .unit_stated = "a line 'UNITS: cm/s^2'"};
 }
 
-// K-NET and KiK-net (NIED): counts of the instrument, "Scale Factor 3920(gal)/6182761", and "Memo." as the last key.
+// K-NET and KiK-net (NIED): the values are counts of the instrument. The head has a line such as "Scale Factor
+// 3920(gal)/6182761", which gives the size of a count, and ends with the key "Memo."
 std::optional<Agency> knet_header(LineList const& lines) {
   auto const rate = number_of(lines, "Sampling Freq(Hz)");
   auto const scale = value_of(lines, "Scale Factor");
@@ -132,8 +134,8 @@ std::optional<Agency> knet_header(LineList const& lines) {
   return header;
 }
 
-// CSMIP volume 2 (CESMD): "4000 points of accel data equally spaced at .020 sec, in cm/sec2. (8f10.3)", or with
-// "(units: cm/sec/sec)" at its end. A file may hold several components.
+// CSMIP volume 2 (CESMD): above each component stands a line such as "4000 points of accel data equally spaced at .020
+// sec, in cm/sec2. (8f10.3)", or with "(units: cm/sec/sec)" at its end. A file may hold several components.
 std::vector<Agency> csmip_headers(LineList const& lines) {
   std::vector<Agency> found;
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -12,7 +12,7 @@
 
 namespace isolaw::data {
 
-// Corrections of errors of the test rig that the user asks for. signals/corrections.hpp makes them.
+// The corrections that the user asks for. They undo errors of the test rig; signals/corrections.hpp makes them.
 struct Corrections {
   bool repair_spikes = false;                       // replaces single samples far from their neighbours
   std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed

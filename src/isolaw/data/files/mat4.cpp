@@ -29,7 +29,7 @@ struct Matrix {
   std::uint64_t rows = 0, columns = 0;
   bool complex = false, swapped = false;
   std::string_view name, data;  // `data` holds the real parts
-  std::size_t bytes = 0;        // of header, name and all numbers
+  std::size_t bytes = 0;        // size of header, name and all numbers together
 };
 
 // The matrix at the front of the bytes, or nullopt if they do not begin with a complete matrix of level 4.

@@ -13,15 +13,15 @@ namespace isolaw::data {
 namespace {
 
 constexpr double least_rise = 0.03;      // share; the force of a sound device at one amplitude rises by less
-constexpr double rise_deviations = 5.0;  // standard deviations that noise gives a rise; a real rise is larger
+constexpr double rise_deviations = 5.0;  // times the standard deviation that noise gives a rise; a real rise is larger
 constexpr double most_outside = 0.35;    // times the change in one cycle; if others change by more, the channel drifts
 constexpr double least_step = 0.02;      // times the amplitude; a smaller step of the zero is not reported
 constexpr double least_ratio = 0.05;     // share by which the forces of two directions must differ
-constexpr double better_by = 3.0;        // times; a factor must leave a residual (rms) so much smaller than an offset
+constexpr double better_by = 3.0;        // times; an offset must leave so much more residual (rms) than a factor
 constexpr double same_at_peaks = 0.3;
-constexpr double same_in_disp = 0.3;     // times the asymmetry of force; if displacement has more, the motion is uneven
-constexpr double line_contrast = 4.0;    // times; a line of the spectrum must be so much larger than its neighbours
-constexpr double lowest_line = 10.0;     // times the test's frequency; lines are sought above it
+constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
+constexpr double line_contrast = 4.0;  // times; a line of the spectrum must be so many times as large as its neighbours
+constexpr double lowest_line = 10.0;   // times the test's frequency; lines are sought above it
 constexpr double line_neighbours = 9.0;  // times the test's frequency; lines that are closer are neighbours
 constexpr double least_line = 0.001;     // times the amplitude; a smaller line is not reported
 constexpr double most_uneven = 0.1;      // times the sampling interval; each interval may differ from the mean by this
@@ -83,7 +83,7 @@ Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> con
   return repeats;
 }
 
-// Least squares of the change since the cycle before, change = offset + gain * (value before).
+// Least-squares fit of the change since the cycle before: change = offset + gain * (value before).
 struct Change {
   double offset = 0.0, gain = 0.0, left = 0.0;  // left: rms residual
 };
@@ -190,8 +190,8 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       continue;
     }
     auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
-    // A device that softens with its displacement is stiffer in a smaller cycle, and a steep reversal changes the size
-    // by about the share of one sample.
+    // A device that softens with its displacement is stiffer in a smaller cycle. At a steep reversal, one sample more
+    // or less changes the size by about its share of the cycle.
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
                            rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
@@ -212,8 +212,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
-  // Compares each sample with the value half a cycle away (`opposite`). Half of their sum is the asymmetry, half of
-  // their difference the size. The sums serve to fit asymmetry = gain * size.
+  // `opposite` is the value half a cycle away from a sample; in a symmetric loop it is the negative of the sample. Half
+  // of the sum of both is the asymmetry, half of their difference the size. The sums serve to fit asymmetry = gain *
+  // size.
   auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {
@@ -230,7 +231,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   };
   auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
   double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
-  // Mean squares that remain of the difference if it is in proportion to the force, and if it is constant.
+  // The mean squared asymmetry that a fit in proportion to the size (a gain) leaves, and that a constant (an offset)
+  // leaves.
   double const by_gain = (force.dd - gain * force.bd) / force.n,
                by_offset = (force.dd - force.d * force.d / force.n) / force.n;
   double peaks = 0.0, difference_of_peaks = 0.0;

@@ -21,7 +21,8 @@ constexpr double clear_force = 0.3;      // times the size of the force; a peak 
 constexpr double same_amplitude = 1.05;  // ratio; a cycle is not compared with earlier cycles of larger amplitude
 constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
 
-// The size of a cycle's force: that of its stiffness or, for a device without stiffness, that of its loop.
+// The size of a cycle's force: the larger of half the difference of its peak forces and half the mean height of its
+// loop. A device without stiffness has only the latter.
 double size_of(Cycle const& cycle) {
   return std::max(std::abs(cycle.F_plus_kN - cycle.F_minus_kN) / 2.0,
                   std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));

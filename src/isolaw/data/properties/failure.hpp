@@ -1,5 +1,5 @@
-// Finds the cycle in which a specimen, or the channel of its force, fails: the force falls suddenly to a part of its
-// size in the cycle before, or is nearly gone against any earlier cycle of the same load and pace and no larger
+// Finds the cycle in which a specimen, or the channel of its force, fails. The force falls suddenly to a part of its
+// size in the cycle before, or is nearly gone compared with an earlier cycle of the same load and pace and no larger
 // amplitude. A force that falls slowly over many cycles is heating or scragging and no failure.
 #pragma once
 

@@ -208,8 +208,8 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares a swing with half a cosine and a line. A cycle that spends more than twice a sine's time near its extremes
-// is neither a sine nor a triangle.
+// Compares the displacement from one peak to the next with half a cosine (sine) and with a straight line (triangle). A
+// cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   if (cycle.one_sided)  // the way out, from the turn at which it is cut

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t outline_points = 16;  // points of the outline between two passes
 constexpr std::size_t fewest_passes = 4, most_passes = 64;
-constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // whose noise is compared
+constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // samples whose noise is compared
 constexpr double outlines_alike = 0.03;   // error of the outline relative to the force, both as standard deviations
 constexpr double rounding_apart = 1e-4;   // the same for whole records that differ by rounding only
 constexpr double noise_stands_out = 5.0;  // correlation of the noise, relative to that of records out of step
@@ -127,8 +127,8 @@ double correlation_at(std::span<double const> one, std::span<double const> other
   return a > 0.0 && b > 0.0 ? sum / std::sqrt(a * b) : 0.0;
 }
 
-// Whether two noises correlate in step, and far less out of step. Out of step they are compared at some samples'
-// distance, and at half a cycle to two cycles, where whatever the rig does in every cycle would correlate too.
+// Whether two noises correlate in step and far less out of step. Out of step means shifted by some samples, or by half
+// a cycle to two cycles: a disturbance that the rig repeats in every cycle would correlate there too.
 bool is_same_noise(std::span<double const> one, std::span<double const> other, double cycle) {
   double const in_step = correlation_at(one, other, 0);
   if (in_step * std::sqrt(static_cast<double>(one.size())) < 0.7 * noise_stands_out) return false;
