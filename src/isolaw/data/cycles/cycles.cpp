@@ -22,9 +22,9 @@ constexpr double largest_floor = 0.05;    // times the half range; the noise ban
 constexpr double noise_deviations = 5.0;  // standard deviations of the noise; one sample in a million lies beyond
 constexpr double interruption = 0.04;     // times the smaller swing beside it; a smaller swing is only an interruption
 constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
-constexpr double uneven = 0.25;           // times the amplitude; a start closer to the middle may be the centre
-constexpr double resting = 0.05;          // times the amplitude; a record that ends closer to its start returns to it
-constexpr double as_large = 0.05;         // times the amplitude; amplitudes that are closer than this repeat each other
+constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
+constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
+constexpr double as_large = 0.05;  // times the amplitude; amplitudes that differ by less repeat each other
 // Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
 // Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;

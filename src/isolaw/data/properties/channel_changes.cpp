@@ -107,8 +107,8 @@ struct Sums {
   }
 };
 
-// If a fault begins suddenly, the channel differs from the cycle before during one cycle only; after that, both cycles
-// have the fault. Finds the cycle of largest change. nullopt if the channel changes elsewhere too.
+// If a fault begins suddenly, the channel differs from the cycle before during one cycle only. After that, both of the
+// cycles compared have the fault. Finds the cycle of largest change. nullopt if the channel changes elsewhere too.
 struct SuddenChange {
   Change change;
   double at = 0.0;
