@@ -22,7 +22,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same standard deviations
+  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same deviations of x and F
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -82,7 +82,7 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of a motion that no rig of a laboratory makes, and of a horizontal force that no vertical load allows.
+// Warns of a motion that no rig of a laboratory makes, and of a horizontal force too large for the vertical load.
 void warn_about_rig(TestRecord& record, Properties const& properties) {
   constexpr double farthest_mm = 1300.0, fastest_mm_s = 2500.0, most_of_load = 2.0;
   double amplitude_mm = 0.0, speed_mm_s = 0.0;
@@ -127,7 +127,7 @@ void warn_of_gaps(TestRecord& record) {
 // Warns if times read as seconds look like a spreadsheet's days: large numbers that grow by less than 1 in the test.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
-  constexpr double fastest_Hz = 1000.0;  // no test of less than a second is sampled faster
+  constexpr double fastest_Hz = 1000.0;  // no test of less than a second is sampled faster: the times are not in s
   double const length = record.time_s.back() - record.time_s.front();
   double const rate = static_cast<double>(record.time_s.size() - 1) / length;
   if (length > 1.0 || rate < fastest_Hz) return;
@@ -142,7 +142,8 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
   auto const cycles = properties.complete();
   if (cycles.empty() || !properties.faults.empty()) return;  // a faulty signal is already reported
   auto const loop = measure_loop(record, cycles);
-  // A late force may make the energy of a nearly elastic device slightly negative. Such a record is still read.
+  // If the force is recorded late, the energy of a nearly elastic device may come out slightly negative. Such a record
+  // is still read.
   constexpr double significant_energy = 0.02;
   constexpr double significant_correlation = 0.2;
   if (loop.equivalent_damping > -significant_energy) return;

@@ -1,4 +1,4 @@
-// Checks a record as a whole: refuses channels that seem exchanged or flipped, and warns of the rest.
+// Checks a record as a whole: refuses channels that seem exchanged or flipped, and warns of other implausible values.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace isolaw::data {
 // tells the user how to exchange the columns.
 void check_physics(TestRecord const& record, Properties const& properties, std::string const& exchange_advice);
 
-// Finds the faults of the signals again, test by test, for a store of an earlier build, which does not hold them.
+// Finds the faults of the signals test by test. A store that an earlier build wrote does not hold them.
 void find_faults(TestRecord& record);
 
 void add_warnings(TestRecord& record, Properties const& properties);

@@ -84,11 +84,11 @@ void drop_samples(FitRecord& record, std::size_t step) {
     *values = every(*values, step);
 }
 
-struct Chosen {  // which samples of the raw record the objective counts, and their blocks; as in FitRecord
+struct Chosen {  // the samples of the raw record that the objective counts, and their blocks; as in FitRecord
   std::vector<double> scored, block;
 };
 
-// Takes the samples in [first, last] out of what the objective counts and predicts.
+// Takes the samples in [first, last] out of the objective, and out of their blocks.
 void take_out(Chosen& chosen, double first, double last) {
   auto const size = chosen.scored.size();
   auto const begin = static_cast<std::size_t>(std::max(0.0, std::ceil(first)));
@@ -104,8 +104,9 @@ bool is_outside(SignalFault const& fault) {
   return !fault.finding.word("outside").empty();
 }
 
-// A law is not fitted to blocks with a signal or loop that cannot be true, nor to faulty samples outside the blocks and
-// those that are averaged with them, nor to what a device did after it failed.
+// Chooses the samples that the objective counts. It leaves out blocks with a signal or a loop that cannot be true,
+// faulty samples outside the blocks with the neighbours that averaging mixes with them, and the samples in which a
+// device has lost its force.
 Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties const& properties) {
   auto const& selection = options.scored;
   Chosen chosen;
@@ -162,8 +163,8 @@ void choose_scored(FitRecord& record, std::span<double const> scored, std::span<
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-// Gives the samples of all tests their weights, or none if every sample counts by its time. If the user asks for no
-// weighting, samples count by swing, or by time if the swings of all tests together are alike.
+// Sets the weights of the samples of all tests, or leaves them empty if every sample counts by the time around it. If
+// the user asks for no weighting, samples count by swing, or by time if the swings of all tests together are alike.
 void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& tests, std::optional<Weighting> asked) {
   if (asked == Weighting::time) return;
   auto const ranges = test_ranges(record.starts, record.size());
@@ -191,7 +192,8 @@ void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& test
   }
 }
 
-// An average over a quarter of a cycle lowers its amplitude by a tenth, so parameters fitted to it would mean nothing.
+// An average over a quarter of a cycle lowers the amplitude by a tenth, so parameters fitted to such a record would
+// mean nothing.
 void refuse_wide_window(int window, Properties const& properties) {
   if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
   throw Error({fmt::format("--smooth {}", window),
@@ -206,7 +208,7 @@ std::vector<double> sample_numbers(std::size_t size) {
   return numbers;
 }
 
-// Takes all steps of cleaning but the weights, which depend on the device's other tests too.
+// Does all steps of cleaning one test except the weights, which depend on the device's other tests too.
 FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::span<double const> scored,
                      std::span<double const> block, CleanOptions const& options) {
   FitRecord record;
@@ -250,7 +252,7 @@ FitRecord clean_test(TestRecord const& raw, Properties const& properties, std::s
   return record;
 }
 
-struct Before {  // the tests that stand before one in a record
+struct Before {  // how many samples and blocks the earlier tests of a record have
   std::size_t samples = 0;
   int blocks = 0;
 };

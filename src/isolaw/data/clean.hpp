@@ -14,19 +14,22 @@ namespace isolaw::data {
 struct CleanOptions {
   int smooth = 1;                              // window of the centred moving average, odd; 1 = none
   std::optional<int> samples_per_cycle = 200;  // keep at least this many samples per cycle (20 or more); nullopt: all
-  bool center = false;                         // remove the mean of the extremes of displacement and force
+  bool center = false;                         // subtract the mean of the extremes of displacement and force
   std::optional<double> dead_band_mm = {};     // see FitRecord::dead_band_mm; nullopt = three sigma of the noise
   // How much each sample counts in the objective. nullopt: by swing, or by time where all swings are alike.
   std::optional<Weighting> weights = {};
   Selection scored = {};  // blocks and cycles that the objective counts
 };
 
-// Steps: 1. if `center`: subtract (max + min) / 2 of the raw reported cycle; 2. moving average over `smooth` samples;
-// 3. k = the record's samples per cycle / samples_per_cycle, rounded down; if k > 1: moving average over k samples
-// (k + 1 if k is even); 4. velocity, which is more exact with all samples; 5. keep every k-th sample. A record without
-// a complete cycle keeps all samples. If the record holds several tests, each is cleaned by itself, but the dead band
-// is the largest of theirs, and the swings of all tests together decide how samples are weighted. Throws Error for a
-// record without samples.
+// The steps of cleaning are:
+// 1. If `center`: subtract (max + min) / 2 of the reported cycle (Properties::reported) in the raw record.
+// 2. Take the moving average over `smooth` samples.
+// 3. Let k be the record's samples per cycle over samples_per_cycle, rounded down. If k > 1, take the moving average
+//    over k samples (k + 1 if k is even).
+// 4. Compute the velocity, which is more exact with all samples.
+// 5. Keep every k-th sample. A record without a complete cycle keeps all samples.
+// If the record holds several tests, each is cleaned by itself, but the dead band is the largest of theirs, and the
+// swings of all tests together decide how samples are weighted. Throws Error for a record without samples.
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 

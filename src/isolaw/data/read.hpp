@@ -40,7 +40,8 @@ struct TestChoice {
   std::string place;                          // where the test starts: "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets that are no test; given only with the file's first test
 };
-// Lists all tests of a file, or those in `options`' sheet or test. Throws Error if the file cannot be read.
+// Lists all tests of a file, or only those that options.sheet and options.test choose. Throws Error if the file cannot
+// be read.
 std::vector<TestChoice> list_tests(std::filesystem::path const& file, ReadOptions const& options = {});
 
 // Appends `next`, named `label` in messages, one sampling interval after `history`. Throws Error if only one has time.

@@ -121,7 +121,8 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
   }
 }
 
-// The unmet conditions for limits on ratios of cycles. Ratios need no design value, so any amplitude will do.
+// The unmet conditions for limits on ratios of cycles. Ratios are not compared with a design value, so the test may
+// have any amplitude.
 std::vector<std::string> unmet_of_ratios(RuleSet rules, BlockValues const& block, Design const& design) {
   rules.test.displacement_tolerance_percent.reset();
   return unmet_conditions(rules, block, design);

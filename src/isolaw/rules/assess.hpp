@@ -38,7 +38,8 @@ struct Assessment {
   std::string reason;  // why there is no verdict
 };
 
-// True if the assessment is of the value of `property`, on one side or both, not of its change or the lot's mean.
+// True if the assessment is of one device's value of `property`, not of its change over cycles or loads, nor of a lot's
+// mean.
 bool is_of(Assessment const& assessment, Quantity property);
 
 struct LoadPair {  // properties of one device at the largest and smallest vertical load, for the limit on variation

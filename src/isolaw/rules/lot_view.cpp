@@ -177,7 +177,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   auto const* given = rules.factors_of(view.quantity);
   FactorPair const environment =
       given == nullptr ? FactorPair{} : FactorPair{.min = given->environment_min, .max = given->environment_max};
-  // The rule's least and largest factors apply only to properties that have factors of their own in the set.
+  // max_not_below and min_not_above apply only to properties that have factors of their own in the set.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
   auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {

@@ -18,7 +18,7 @@ struct DeviceValues {
   // The device whose record is the same as this one's; else empty. A copy is no tested device: it enters neither the
   // means nor the spread, except those of K_v, which comes from another test.
   std::string copy_of = {};
-  bool usual = true;  // of the usual amplitude in the lot; no outliers are sought among other devices, except in K_v
+  bool usual = true;  // tested at the lot's usual amplitude; outliers are sought only among these, except for K_v
 };
 
 struct Outlier {

@@ -1,6 +1,6 @@
 // A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It says how properties
 // are computed, at which cycles, under which conditions, within which limits, on how many devices, and with which
-// property modification factors. The program itself contains no number of a standard. `verified_by` names a person who
+// property modification factors. The program itself contains no limit of a standard. `verified_by` names a person who
 // has compared the set with the text of its standard. A set without it never leads to pass or fail (assess.hpp).
 // docs/rules.md explains the file; rules/template.toml is a commented example.
 #pragma once
@@ -91,7 +91,8 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-struct SameCondition {  // how far the tests of a lot may differ from one another; percent of the largest value
+// How far the tests of a lot may differ from one another: temperature in K, the others in percent of the largest value.
+struct SameCondition {
   std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
   std::string clause;
 };

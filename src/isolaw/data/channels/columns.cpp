@@ -100,8 +100,8 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Reads numbers as a spreadsheet's days only if they have no unit and the column is named like "Date". Numbers in a
-  // column "Time" may be seconds.
+  // Marks the time column as one of time stamps. Plain numbers count as days of a spreadsheet only if they have no unit
+  // and the column's name means a date: in a column "Time" they may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
@@ -152,7 +152,8 @@ class Resolver {
     take_stamps(time);
   }
 
-  // Complains of a time variable that only MATLAB can read, since nobody would notice that the time is missing.
+  // Complains of a time variable that only MATLAB can read, such as a datetime. Without a complaint the record would be
+  // read without time, and nobody would notice.
   void report_objects() {
     if (options_.dt_s) return;
     for (auto const& variable : header_.objects)
@@ -187,7 +188,8 @@ class Resolver {
     bool const timed = result_.channels.contains(Channel::time);
     for (std::size_t i = 0; i < count_; ++i) {
       bool const date = timed && result_.channels.at(Channel::time).date_column == i;
-      bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);  // reported elsewhere
+      // recognise_columns() reports a counter of samples.
+      bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);
       if (is_taken(i) || date || counter) continue;
       texts.push_back(column_text(i, header_));
       if (!wanted_.force && !wanted_.part && i < header_.names.size() && names_a_velocity(header_.names[i]))
@@ -277,7 +279,8 @@ class Resolver {
     return found;
   }
 
-  // Prefers a column named by a word to one named by a symbol: beside a column "Force", a column "F" is something else.
+  // Finds the column of a channel by the names of the columns and stores it in result_, or else reports why there is
+  // none. A cycle column or a vertical load may be absent from a shear test.
   void recognise(Channel channel) {
     if (channel == Channel::time) return recognise_time();
     auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);
@@ -355,13 +358,14 @@ class Resolver {
                  : fmt::format("--columns {}=NAME", name(channel)));
   }
 
+  // Prefers a column named by a word to one named by a symbol: beside a column "Force", a column "F" is something else.
   std::vector<std::size_t> candidates_of_any(Channel channel) const {
     auto found = candidates(channel, Certainty::word);
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // Takes a column such as "Axial Force" if no column's name means horizontal and the names refer to the machine's own
-  // axis. The only actuator is then the one that shears.
+  // Some machines name their channels after their own axis, as in "Axial Force". If no name means a horizontal channel,
+  // such a column is taken. The machine's only actuator is then the one that shears the device.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {
@@ -376,7 +380,8 @@ class Resolver {
     return found;
   }
 
-  // Prefers columns named "vertical". A rig that also shears has columns for two directions, a press for only one.
+  // In a compression test, prefers columns named "vertical". A rig that also shears has columns for two directions. A
+  // press has one direction only, so its names need not say which.
   std::vector<std::size_t> compression_candidates(Channel channel) const {
     auto const find = [&](auto matches) {
       auto found = columns_where([&](auto const& text) { return matches(meaning_of(text)); });
@@ -416,8 +421,9 @@ class Resolver {
                       : "--columns disp=1,force=2 --units disp=mm,force=kN, with your numbers and units");
   }
 
-  // The columns whose names differ from the displacement's and the force's only by y in place of x: a second direction.
-  // An option chooses the direction, since nobody would notice which one was read.
+  // Looks for a second horizontal direction: columns whose names differ from those of displacement and force only by y
+  // in place of x, or x in place of y. The user must then choose the direction with an option, because nobody would
+  // notice which one isolaw had taken.
   void look_for_second_direction() {
     auto const disp = result_.channels.find(Channel::disp), force = result_.channels.find(Channel::force);
     if (!has_names() || disp == result_.channels.end() || force == result_.channels.end()) return;
@@ -481,7 +487,7 @@ class Resolver {
     return unit ? unit->unit.symbol : std::string_view{};
   }
 
-  // A unit that is given for the displacement is that of both directions.
+  // A unit that the user gives for the displacement holds for the second direction too.
   std::vector<WrittenUnit> written_units(Channel channel, std::size_t index) const {
     if (auto const given = options_.units.find(channel); given != options_.units.end())
       return {{given->second, "as asked for", "--units " + std::string(name(channel))}};
@@ -509,7 +515,8 @@ class Resolver {
     return scale == 1.0 ? std::string(unit.symbol) : fmt::format("{:.6g} {}", scale, unit.symbol);
   }
 
-  // The unit of this dimension that the file states without saying of which column, if there is only one.
+  // The unit of this dimension that the file states without naming a column, as in a list of units. Empty if the file
+  // states no such unit or several.
   std::string unit_elsewhere(Dimension dimension) const {
     std::string found;
     for (auto const& text : header_.units_elsewhere) {
@@ -521,7 +528,7 @@ class Resolver {
     return found;
   }
 
-  // Warns if the options give another unit or scale than the file does. Those of the options are used.
+  // Warns if the options give another unit or scale than the file does. The unit and the scale of the options are used.
   void warn_of_other_unit(Channel channel, Column const& column) {
     auto const written = units_in_file(column.index);
     auto const stated = written.empty() ? std::nullopt : parse_unit_text(written.front().text);
@@ -582,7 +589,8 @@ class Resolver {
       else
         complain(std::move(place), std::move(found), allows, advice);
     };
-    // A factor in the name that may be a sensor's range does not count if a row of units follows.
+    // In a name, a number before the unit, as in "Force [10 kN]", may be a factor or a sensor's range. If a row of
+    // plain units follows, the unit in the name is ignored.
     auto const is_plain = [](WrittenUnit const& unit) { return parse_unit(unit.text).has_value(); };
     if (written.size() > 1 && is_plain(written[1])) {
       auto const by_name = parse_unit_text(written[0].text);
@@ -652,8 +660,9 @@ class Resolver {
     result_.recognised.push_back(std::move(taken));
   }
 
-  // Names what in the file shows that a column holds this channel. A column that an option names is judged in the same
-  // way, so that a lot file which `init` wrote does not hide a guess.
+  // Says what in the file shows that a column holds this channel: its name, its values, or nothing but an option. A
+  // column that an option names is judged in the same way, because the options in a lot file may be guesses that `init`
+  // wrote there.
   std::string column_by(Channel channel, std::size_t index) const {
     if (index < header_.names.size()) {
       auto const meaning = meaning_of(header_.names[index]);

@@ -17,7 +17,8 @@
 
 namespace isolaw::data {
 
-// The content to read: a test, only its displacement history, a compression test, or some channels of a test.
+// The channels to look for in a file: those of a test, of its displacement history alone, of a compression test, or
+// some channels of a test.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
   bool part = false;      // this file has only some of the channels

@@ -35,17 +35,17 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
   return number_in<double>(line.substr(0, line.find_first_of(" \t,;")));
 }
 
-// The head of a file of an agency, which states what its values are.
+// The statements in the head of an agency's file about the values below it.
 struct Agency {
   std::string_view format;
-  std::size_t first = 0;             // the line after the head, from 0
-  std::optional<std::size_t> count;  // of the values; nullopt if the head does not state it
+  std::size_t first = 0;             // index of the first line after the head
+  std::optional<std::size_t> count;  // number of values; nullopt if the head does not state it
   bool more_follows = false;         // velocity and displacement may follow the values
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
-  std::size_t width = 0;              // of a value in its line; 0: values are separated by blanks
-  bool off_zero = false;              // the values are as the instrument gave them, and their mean is no acceleration
-  std::string_view unit_stated = {};  // in messages: what would state a unit
+  std::size_t width = 0;  // characters of a value in its line; 0 if blanks separate the values
+  bool off_zero = false;  // the values are uncorrected: their mean is the instrument's zero, not an acceleration
+  std::string_view unit_stated = {};  // for messages: the text in the head that would state the unit
 };
 
 std::optional<std::size_t> count_of(std::optional<double> number) {
@@ -53,7 +53,8 @@ std::optional<std::size_t> count_of(std::optional<double> number) {
   return static_cast<std::size_t>(*number);
 }
 
-// PEER: a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above it.
+// PEER: the head has a line such as "NPTS=  4000, DT= .01000 SEC" or "4000 .01000 NPTS, DT", and "IN UNITS OF G" above
+// it.
 std::optional<Agency> peer_header(LineList const& lines) {
   constexpr std::size_t head = 10;
   Agency header{.format = "PEER AT2", .count = {}, .unit_mm_s2 = {}, .unit_stated = "a line with 'IN UNITS OF G'"};
@@ -82,7 +83,7 @@ std::optional<Agency> peer_header(LineList const& lines) {
   return std::nullopt;
 }
 
-// The text behind a key at the start of a line of the head.
+// The text after `key`, in the first line of the head that starts with this key.
 std::optional<std::string_view> value_of(LineList const& lines, std::string_view key) {
   constexpr std::size_t head = 100;
   for (std::size_t i = 0; i < std::min(head, lines.size()); ++i)
@@ -99,7 +100,7 @@ std::size_t line_after(LineList const& lines, std::string_view key) {
   return i + 1;
 }
 
-// ESM and DYNA (INGV): lines "KEY: VALUE", the last of them USER5.
+// ESM and DYNA (INGV): the head has lines "KEY: VALUE", the last of them USER5.
 std::optional<Agency> esm_header(LineList const& lines) {
   auto const step = number_of(lines, "SAMPLING_INTERVAL_S:");
   auto const unit = value_of(lines, "UNITS:");
@@ -112,7 +113,8 @@ std::optional<Agency> esm_header(LineList const& lines) {
                 .unit_stated = "a line 'UNITS: cm/s^2'"};
 }
 
-// K-NET and KiK-net (NIED): counts of the instrument, "Scale Factor 3920(gal)/6182761", and "Memo." as the last key.
+// K-NET and KiK-net (NIED): the values are counts of the instrument. The head has a line such as "Scale Factor
+// 3920(gal)/6182761", which gives the size of a count, and ends with the key "Memo."
 std::optional<Agency> knet_header(LineList const& lines) {
   auto const rate = number_of(lines, "Sampling Freq(Hz)");
   auto const scale = value_of(lines, "Scale Factor");
@@ -132,8 +134,8 @@ std::optional<Agency> knet_header(LineList const& lines) {
   return header;
 }
 
-// CSMIP volume 2 (CESMD): "4000 points of accel data equally spaced at .020 sec, in cm/sec2. (8f10.3)", or with
-// "(units: cm/sec/sec)" at its end. A file may hold several components.
+// CSMIP volume 2 (CESMD): above each component stands a line such as "4000 points of accel data equally spaced at .020
+// sec, in cm/sec2. (8f10.3)", or with "(units: cm/sec/sec)" at its end. A file may hold several components.
 std::vector<Agency> csmip_headers(LineList const& lines) {
   std::vector<Agency> found;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -161,9 +163,9 @@ std::vector<Agency> csmip_headers(LineList const& lines) {
   return found;
 }
 
-// SMC (USGS): eleven lines of text, of which the first says what the values are, 48 whole numbers in 6 lines, of which
-// the 16th is the number of comment lines and the 17th that of values, 50 real numbers in 10 lines, of which the second
-// is the rate in Hz, and the comments. Accelerations are in cm/s2.
+// SMC (USGS). The head begins with 11 lines of text, the first of which says whether the values are corrected. 48 whole
+// numbers follow in 6 lines: the 16th is the number of comment lines, the 17th the number of values. 50 real numbers
+// follow in 10 lines: the second is the rate in Hz. The comment lines end the head. Accelerations are in cm/s2.
 std::optional<Agency> smc_header(LineList const& lines) {
   constexpr std::size_t text = 11, whole = 6, real = 10, width_of_whole = 10, width_of_real = 15;
   if (lines.size() <= text + whole + real) return std::nullopt;
@@ -229,7 +231,7 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
-// The unit that the user states in mm/s2. Complains if the file states another one.
+// The unit that the user states, in mm/s2. Complains if the file states another one.
 std::optional<double> stated_unit(StatedMotion const& stated, std::optional<double> of_file_mm_s2,
                                   std::string const& name, std::vector<Complaint>& complaints) {
   if (!stated.unit) return std::nullopt;
@@ -307,7 +309,8 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   std::vector<std::string> accelerations;
   std::vector<std::size_t> others;
   std::optional<double> of_file_mm_s2;
-  // A header may lack. Of two columns without a header the first is then the time, which the stated step proves.
+  // A file may have no header. If it has two columns and the user states the time step, the first column is read as
+  // time in s. The caller then compares the step of these times with the stated one.
   auto names = header.names;
   if (names.empty() && count == 2 && stated.step_s) names = {"time [s]", ""};
   names.resize(count);
@@ -354,12 +357,13 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
   return columns;
 }
 
-// Says which time differs most clearly from those before it: most steps are equal, as a rule.
+// Says between which two samples the step first differs clearly from the usual one (the median). If it does so nowhere,
+// names the step that ends at the sample with index `otherwise`.
 std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwise) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
   double const usual = num::median(steps);
-  constexpr double off = 0.2;  // two rounded times
+  constexpr double off = 0.2;  // twice the rounding that step_of() allows a time, because a step has two times
   auto const found = std::ranges::find_if(steps, [&](double s) { return std::abs(s - usual) > off * std::abs(usual); });
   auto const i = found == steps.end() ? otherwise : static_cast<std::size_t>(found - steps.begin()) + 1;
   return fmt::format(
@@ -431,7 +435,8 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, Stated
   return motion;
 }
 
-// Calls read(). Records of devices may have other formats than motions, so its complaints name those of motions.
+// Calls read(). If an error lists the file formats of test records, replaces that list by the formats of ground
+// motions.
 template <class Read>
 auto as_motion(Read const& read) {
   try {

@@ -28,8 +28,8 @@ struct GroundMotion {
   std::optional<double> zero_mm_s2 = {};   // the mean that was subtracted from values as an instrument gave them
 };
 
-// The user states the time step and the unit of acceleration of a file that does not. If the file does, they must be
-// the same.
+// The time step and the unit of acceleration that the user states for a file which does not state them. If the file
+// states them too, both must agree.
 struct StatedMotion {
   std::optional<double> step_s = {};
   std::optional<std::string> unit = {};
@@ -52,11 +52,10 @@ std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::str
            }}};
 }
 
-// Throws one Error with all problems: values, unequal time steps, not exactly one column of acceleration, missing
-// samples. If the step and the unit are stated, a file may be rows of one number, or of time in s and acceleration,
-// without a header.
-// A file of an agency may hold several components. `component`, from 1, chooses one of them; in a file's name it stands
-// behind a #, as in FILE.V2#2.
+// Reads an acceleration history. A file of an agency may hold several components. `component`, from 1, chooses one of
+// them; in a file's name it stands behind a #, as in FILE.V2#2. If the step and the unit are stated, a file without a
+// header may consist of rows of one number, or of rows of time in s and acceleration. Throws Error for values that are
+// no numbers, unequal time steps, no or several columns of acceleration, or missing samples.
 GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated = {});
 GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, StatedMotion const& stated = {},
                                      std::optional<std::size_t> component = {});

@@ -23,7 +23,7 @@ struct Opened {
   Tests tests;
   ReadOptions options;
   Wanted wanted;
-  bool chooses_sheet = false, chooses_test = false;  // --sheet (--test) is given and this file has several
+  bool chooses_sheet = false, chooses_test = false;  // --sheet (--test) is given and this file has several of them
 
   Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
     options.sheet.reset();

@@ -12,12 +12,12 @@
 
 namespace isolaw::data {
 
-// Corrections for errors of the rig, which the user asks for. signals/corrections.hpp makes them.
+// The corrections that the user asks for. They undo errors of the test rig; signals/corrections.hpp makes them.
 struct Corrections {
   bool repair_spikes = false;                       // replaces single samples far from their neighbours
   std::optional<double> skew_s = {};                // delay of the force behind displacement, to be removed
   std::optional<double> friction_kN = {};           // friction of the rig in the measured force, to be subtracted
-  std::optional<double> friction_coefficient = {};  // friction of the rig over the measured vertical load
+  std::optional<double> friction_coefficient = {};  // friction of the rig as a fraction of the measured vertical load
   std::optional<double> moving_mass_kg = {};        // mass between device and load cell; its inertia is subtracted
   std::optional<double> force_factor = {};  // multiplies the force at the end: 0.5 for two devices in double shear
 
@@ -26,7 +26,7 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// Options that are not given are recognised from the file.
+// An option that the user does not give is recognised from the file.
 struct ReadOptions {
   std::map<Channel, std::string> columns;          // name or number from 1; "none": leave the channel out
   std::map<Channel, std::string> units;            // "cm", "tonf", ...; others are read from the header
@@ -37,18 +37,19 @@ struct ReadOptions {
   std::optional<double> from_s, to_s;              // time interval to read
   bool skip_footer = false;                        // ignore text below the rows (option --footer skip)
   std::optional<char> thousands;                   // mark that groups digits: , . ' or a blank
-  MissingValues missing = MissingValues::refused;  // rows in which a channel has no value
+  MissingValues missing = MissingValues::refused;  // how to treat rows in which a channel has no value
   bool flip_force = false;                         // multiply the force by -1 (option --flip-force)
   std::optional<std::string> sheet;  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
   std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
   Corrections corrections;           // options --skew-ms and so on
-  bool checks_physics = true;        // refuse a record whose loops give energy back
+  bool checks_physics = true;        // refuse a record whose loops give out energy instead of dissipating it
 
   bool operator==(ReadOptions const&) const = default;
 };
 
-// The options for reading a record as it is, without the corrections by hand; nullopt if there are none. The factor of
-// the force stays, because it says what the rig measures. A record as it is need not be possible.
+// The same options without the corrections that the user asked for, to read the record as it was measured. nullopt if
+// there are no corrections. The factor of the force stays, because it says what the rig measures. Physics is not
+// checked, because only the corrections may have made the loops possible.
 std::optional<ReadOptions> without_corrections(ReadOptions options);
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the

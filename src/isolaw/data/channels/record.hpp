@@ -14,7 +14,7 @@ namespace isolaw::data {
 
 enum class FaultKind { clipped, stuck, spike, rectified, dropout };
 
-// A signal that cannot be true. signals/signal_faults.hpp finds such faults.
+// Samples of a measured signal that cannot be true. signals/signal_faults.hpp finds such faults.
 struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
@@ -40,7 +40,7 @@ struct TestRecord {
   std::vector<double> force_kN;
   std::vector<double> load_kN;
   std::vector<double> logged_cycle = {};    // the logger's number of the cycle at each sample; mostly empty
-  std::vector<double> second_disp_mm = {};  // across disp_mm, of a test in two directions; drawn, and not stored
+  std::vector<double> second_disp_mm = {};  // across disp_mm, in a test in two directions; drawn, but not stored
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
@@ -58,8 +58,8 @@ struct TestRecord {
   std::size_t size() const { return disp_mm.size(); }
 };
 
-// True if a correction by hand changed the record. A factor of the force does not count: it says what the rig measures,
-// such as two devices in double shear. A repair of spikes that found none does not count either.
+// True if a correction that the user asked for changed the record. A factor of the force does not count: it says what
+// the rig measures, such as two devices in double shear. A repair of spikes that found none does not count either.
 bool is_corrected(TestRecord const& record);
 
 // Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
@@ -70,7 +70,7 @@ struct FitRecord {
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
-  std::vector<double> weights = {};      // how much a sample counts in the objective, to any scale; empty: its time
+  std::vector<double> weights = {};      // relative weight of each sample in the objective; empty: the time around it
   std::vector<double> block = {};        // number of each sample's block if only some blocks are fitted, else empty
   std::vector<std::size_t> starts = {};  // as in TestRecord: laws begin anew at each test
   double dead_band_mm = 0.0;             // laws that remember turning points ignore smaller reversals

@@ -1,4 +1,4 @@
-// Parts of reading a record: selects samples, and joins channels of several files.
+// Steps of reading a record: selects samples, and joins channels of several files.
 #pragma once
 
 #include <cstddef>

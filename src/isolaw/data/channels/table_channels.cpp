@@ -51,14 +51,15 @@ void describe_rows(Rows const& rows, Header const& header, TestRecord const& rec
                record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
-// The time of a sample in a file without time. Zero is the file's first row, even if --rows leaves it out.
+// The time of a sample in a file without a time column. It counts from the file's first row, even if --rows leaves that
+// row out.
 double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;
 }
 
-// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Rows without time or
-// number of the cycle, and rows before a channel's first value or behind its last, are always left out. Returns the
-// place of each kept row among all rows, from 0.
+// Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Always leaves out rows
+// without a time or a cycle number, and rows before a channel's first value or after its last. Returns the place of
+// each kept row among all rows, from 0.
 std::vector<std::size_t> settle_missing(Rows& rows, MissingValues missing) {
   auto const count = rows.numbers.size();
   std::vector<std::size_t> places(count);

@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 // The first time stamp of the first of several files. --from and --to count from it in all of the files.
 struct FirstStamp {
-  double since_s = 0.0;  // from midnight; from 1970 if the stamp is dated
+  double since_s = 0.0;  // since midnight; since 1970 if the stamp has a date
   bool dated = false;
 };
 

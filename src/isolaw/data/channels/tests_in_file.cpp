@@ -86,7 +86,7 @@ void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions 
   bool const columns_told = columns_are_told(options, wanted);
   bool const by_name = tests.tables.front()->header().by_name;
   auto sheets = tests.sheets;
-  if (columns_told)  // columns that the user names need no names in the file
+  if (columns_told)  // a sheet whose columns have no names may then be the test too
     sheets.insert(sheets.end(), tests.sheets_passed_over.begin(), tests.sheets_passed_over.end());
   if (options.sheet || sheets.size() < 2 || (by_name && columns_told)) return;
   throw Error(Complaint{

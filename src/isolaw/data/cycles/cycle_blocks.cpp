@@ -15,16 +15,16 @@ namespace {
 
 constexpr double nominal = 0.05;          // fraction of the block's amplitude; a counted cycle differs by less
 constexpr double least_change = 0.05;     // fraction of the period; a larger change splits a block
-constexpr double clear_change = 0.20;     // fraction of the period; least change if only one cycle precedes it
-constexpr double agreement = 0.25;        // fraction of the change; periods before and after it scatter by less
-constexpr std::size_t compared = 3;       // most cycles before a change that are compared
+constexpr double clear_change = 0.20;     // fraction of the period; used if only one cycle precedes the change
+constexpr double agreement = 0.25;        // fraction of the change; periods on each side of it scatter by less
+constexpr std::size_t compared = 3;       // at most this many cycles before a change are compared
 constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
 constexpr double other_load = 0.1;        // fraction of the vertical load; a larger change splits a block
 constexpr double build_up = 0.15;         // fraction of the amplitude; a lone cycle closer to a run of cycles joins it
 constexpr double symmetric = 0.05;        // Shape::unevenness; a lone cycle that is more even is a block of its own
-constexpr double lopsided = 0.25;         // fraction of the amplitude by which a regular cycle's middle may shift
+constexpr double lopsided = 0.25;         // fraction of the amplitude; the middle of a regular cycle shifts by less
 constexpr std::size_t sure_run = 3;       // cycles; fewer may be alike by chance
-constexpr std::size_t longest_taper = 2;  // cycles in which a test builds up or fades
+constexpr std::size_t longest_taper = 2;  // cycles; a test builds up or fades within this many
 
 struct Run {
   std::size_t begin = 0;
@@ -66,7 +66,7 @@ bool is_even(Shape const& shape) {
 }
 
 // Whether the period changes between the cycles [begin, at) and the two cycles from `after` on: by more than 5 %, or by
-// more than 20 % if [begin, at) is a single cycle.
+// more than 20 % if [begin, at) is a single cycle. The periods within each group must agree.
 bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at, std::size_t after) {
   if (begin >= at) return false;
   auto const period = [](Shape const& shape) { return shape.period; };
@@ -113,7 +113,7 @@ std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const&
   return parts;
 }
 
-// Splits runs where the vertical load changes and, if another cycle follows, keeps its new value.
+// Splits runs where the vertical load changes. If another cycle follows in the run, its load must have changed too.
 std::vector<Run> split_by_load(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   double largest = 0.0;
   for (auto const& shape : shapes) largest = std::max(largest, std::abs(shape.load_kN));
@@ -286,9 +286,10 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
   return any ? period : 0.0;
 }
 
-// Numbers the counted cycles of a block by the logger's numbers, if these rise. A counter that goes on from the block
-// before it, whose last counted cycle is number `before`, starts anew with the first cycle of this block, counted or
-// not. Returns the logger's number of the last counted cycle.
+// Replaces the numbers of a block's counted cycles by the logger's numbers, if these rise. `before` is the logger's
+// number of the last counted cycle of the block before. If the logger goes on counting from there, the numbers are
+// shifted so that the first cycle of this block, counted or not, has number 1. Returns the logger's number of the last
+// counted cycle, or 0 if the logger's numbers are not used.
 int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
   std::vector<std::size_t> counted;
   for (auto i = begin; i < cuts.size(); ++i)
@@ -310,7 +311,7 @@ bool same_load(double load, double other, double largest) {
 
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit) {
   auto const is_noise = [](Shape const& shape) { return std::abs(shape.load_kN) <= shape.load_scatter_kN; };
-  if (std::ranges::all_of(shapes, is_noise))  // noise of a channel about no load
+  if (std::ranges::all_of(shapes, is_noise))  // the load channel only holds noise about zero
     for (auto& shape : shapes) shape.load_kN = 0.0;
   auto const runs = runs_of(shapes);
   mark_regular(shapes, runs);

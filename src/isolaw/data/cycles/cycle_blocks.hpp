@@ -9,8 +9,8 @@
 
 namespace isolaw::data {
 
-// Whether two vertical loads are those of one block. `largest` is the size of the record's largest load: loads below a
-// tenth of it are noise about no load.
+// Whether two vertical loads may belong to one block, that is, differ by at most a tenth of the larger one. `largest`
+// is the size of the record's largest load: a difference of up to a hundredth of it is noise.
 bool same_load(double load, double other, double largest);
 
 struct Shape : CycleCut {
@@ -20,9 +20,9 @@ struct Shape : CycleCut {
   double rise_and_fall = 0.0;    // twice the time between the two tips, with holds and rests; unit as period
   double unevenness = 0.0;       // |middle - centre of the motion| over the amplitude
   double load_kN = 0.0;          // mean vertical load between the two tips; 0 if it is not known
-  double load_scatter_kN = 0.0;  // its standard deviation there
+  double load_scatter_kN = 0.0;  // standard deviation of the load between the two tips
   int logged = 0;                // the logger's number of the cycle; 0 if it has none
-  bool jumps = false;            // cycles were left out within it, so its loop is not closed
+  bool jumps = false;            // the logger left out cycles within this one, so its loop is not closed
   double rest_before = 0.0;      // time near the centre before the cycle, in the unit of period
   bool regular = false;          // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
   bool has_gap = false;          // the time jumps within the cycle
@@ -37,9 +37,8 @@ struct Shape : CycleCut {
 // amplitude. A change of frequency splits a block if the period changes by 5 % and keeps its new value for two cycles;
 // the periods before the change, and those after it, must scatter by less than a quarter of the change. A block also
 // ends where the vertical load changes by a tenth, and at a rest longer than the period if three or more cycles without
-// such a rest lie on each side of it. A cycle does
-// not count if its period is over 1.4 times the block's, or the block's over 1.4 times its own. `unit` is the unit of
-// periods in messages.
+// such a rest lie on each side of it. A cycle does not count if its period is over 1.4 times the block's, or the
+// block's over 1.4 times its own. `unit` is the unit of periods in messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

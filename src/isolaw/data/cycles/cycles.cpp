@@ -17,23 +17,23 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_floor = 0.01;      // times the half range; used if the noise is less
-constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise
-constexpr double noise_deviations = 5.0;  // standard deviations; hardly one sample in a million lies beyond
-constexpr double interruption = 0.04;     // times the smaller neighbouring swing; a smaller swing only interrupts it
+constexpr double least_floor = 0.01;      // times the half range; the noise band is at least this
+constexpr double largest_floor = 0.05;    // times the half range; the noise band is at most this: no rig has more noise
+constexpr double noise_deviations = 5.0;  // standard deviations of the noise; one sample in a million lies beyond
+constexpr double interruption = 0.04;     // times the smaller swing beside it; a smaller swing is only an interruption
 constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
-constexpr double uneven = 0.25;           // times the amplitude; a start closer to the middle may be the centre
-constexpr double resting = 0.05;          // times the amplitude; a record that ends closer to its start returns to it
-constexpr double as_large = 0.05;         // times the amplitude; amplitudes that are closer than this repeat each other
+constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
+constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
+constexpr double as_large = 0.05;  // times the amplitude; amplitudes that differ by less repeat each other
 // Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
 // Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
-// A ground motion does not grow from half cycle to half cycle for so long. A test may, with half cycles that are larger
-// by so much each time.
+// A test may consist of half cycles each of which is larger than the one before, by a factor from least_growth to
+// largest_growth. A ground motion does not grow like this over fewest_growing half cycles.
 constexpr std::size_t fewest_growing = 6;
 constexpr double least_growth = 1.02, largest_growth = 1.5;
 constexpr double at_start = 0.05;  // times the smallest peak; one-sided tests come back to their start within it
-constexpr double one_stage = 1.1;  // ratio of peaks; a one-sided test in stages has more
+constexpr double one_stage = 1.1;  // ratio of the largest to the smallest peak; a one-sided test in stages has more
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
 // The first sample, then the turning points between swings of `least` mm or more.
@@ -121,9 +121,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
   return count;
 }
 
-// The displacement at which cycles are cut. It is zero if the motion's middle is close to zero and as many swings cross
-// zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the record ends
-// where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
+// The displacement at which cycles are cut. It is zero if the motion's middle is close to zero and at least as many
+// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
+// record ends where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -168,7 +168,7 @@ struct Motion {
   double at(double index) const { return time.empty() ? index : value_at(time, index); }
   Shape shape(Group const& group) const;
   Shape shape(double first, double last) const;
-  // Whether the logger left out cycles in the gap, so that a loop across it would be made of two.
+  // Whether the logger left out cycles in the gap. A loop across the gap would then be made of two cycles.
   bool skips_cycles(Gap const& gap) const {
     auto const& logged = further.logged_cycle;
     return !logged.empty() && logged[gap.after + 1] - logged[gap.after] > 1.0;
@@ -290,7 +290,7 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
     auto const& neighbour = before ? shapes.front() : shapes.back();
     if (!neighbour.regular || std::abs(swings.half[k] - neighbour.amplitude()) > as_large * neighbour.amplitude())
       continue;
-    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half the swing is in the cycle
+    bool const crosses = before ? to > neighbour.first : from < neighbour.last;  // half the swing is within the cycle
     travel += (crosses ? 1.0 : 2.0) * swings.half[k];
   }
   return travel;
@@ -340,7 +340,7 @@ bool grows(Motion const& motion) {
 
 // Whether a test in stages goes to one side and comes back to its start each time: 0, peak, 0, peak, 0.
 bool is_one_sided(std::span<double const> x, Reversals const& found) {
-  constexpr std::size_t fewest = 6;  // two loops of each of two stages, without the last way back
+  constexpr std::size_t fewest = 6;  // start, turns and end: three loops, the last of them without its way back
   if (found.at.size() < fewest) return false;
   double const start = x[found.at[0]];
   bool const positive = x[found.at[1]] > start;
@@ -386,12 +386,13 @@ Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
   return segmentation;
 }
 
-// A cycle ends before a jump of time at its end, and the next one begins after it: what lies between is not known.
+// If the time jumps where one excursion ends and the next begins, the first is cut off before the jump and the next
+// begins after it, because the motion in between is not known.
 void part_at_gaps(Motion& motion) {
   for (auto const& gap : motion.gaps) {
     if (gap.taken_s >= gap.length_s) continue;  // a rest that was not recorded
     auto const after = static_cast<double>(gap.after);
-    constexpr double rounding = 0.5;  // samples between a cut at a sample and one beside it
+    constexpr double rounding = 0.5;  // samples by which the boundary of two excursions may lie after the gap
     auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
     if (excursion == motion.excursions.end() || excursion + 1 == motion.excursions.end() ||
         excursion->last > after + 1.0 + rounding)

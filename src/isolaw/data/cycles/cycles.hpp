@@ -22,7 +22,7 @@ struct CycleCut {
   int block = 0;            // number of its block, from 1
   int number = 0;           // from 1, among the counted cycles of its block; 0 if the cycle does not count
   std::string not_counted;  // why the cycle does not count; empty if it counts
-  bool partial = false;     // less than a cycle: cut by an end of the record, or on one side only
+  bool partial = false;     // less than a cycle: an end of the record cuts it off, or it goes to one side only
   double first = 0.0;       // start and end, as fractional sample indices
   double last = 0.0;
   bool turns_at_start = false;  // at its start the motion turns at the centre, or starts from rest
@@ -37,7 +37,7 @@ struct Segmentation {
   std::optional<Finding> refusal;  // why the record is not cyclic: not_cyclic or no_complete_cycle
   double band_mm = 0.0;            // swings smaller than twice this are not taken as motion
   double centre_mm = 0.0;          // displacement at which cycles are cut: 0 unless the record is clearly off zero
-  double regular_share = 0.0;      // share of regular cycles in the travel; they repeat an amplitude or are symmetric
+  double regular_share = 0.0;      // share of the travel in regular cycles, which repeat an amplitude or are symmetric
   std::vector<CycleCut> cycles;    // in order, with partial cycles; also set if the record is not cyclic
 };
 

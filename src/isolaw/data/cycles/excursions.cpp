@@ -6,12 +6,11 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double at_rest = 0.05;  // fraction of an excursion's reach; a point closer to the centre is taken as at it
-constexpr double alike = 0.15;    // difference of two reaches over the larger one; alike excursions differ by less
-constexpr double same_fall =
-    1.5;                        // ratio of the times in which two excursions fall; alike excursions have a smaller one
-constexpr double slight = 0.2;  // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
-constexpr double closed_by = 1.5;  // steps between samples; a motion that ends closer to the centre has reached it
+constexpr double at_rest = 0.05;   // fraction of an excursion's reach; a point closer to the centre counts as at it
+constexpr double alike = 0.15;     // difference of two reaches over the larger one; alike excursions differ by less
+constexpr double same_fall = 1.5;  // ratio of the times in which two excursions fall; in alike excursions it is smaller
+constexpr double slight = 0.2;     // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
+constexpr double closed_by = 1.5;  // steps between samples; a record that ends closer to the centre rests there
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {
@@ -131,8 +130,8 @@ class Finder {
     return duration(from, first_below(excursion, from, static_cast<std::size_t>(std::floor(excursion.last))));
   }
 
-  // The time between two excursions in which the device is near the centre. It rests if this is longer than the first
-  // excursion takes to fall.
+  // The time between two excursions in which the device is near the centre. The caller takes it as a rest if it is
+  // longer than the first excursion takes to fall.
   double rest_between(Excursion const& before, Excursion const& after) const {
     auto const to = first_beyond(after, low);
     return duration(first_below(before, last_beyond(before, high), to), to);

@@ -11,13 +11,13 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double band = 0.005;          // fraction of the amplitude; a servo holds the device within less
-constexpr double edge = 0.0005;         // fraction of the amplitude; motion by more begins or ends a hold
-constexpr double noise_band = 8.0;      // standard deviations of the noise between the extremes of a hold
-constexpr double too_noisy = 0.3;       // fraction of the amplitude; with more noise, holds are not sought
-constexpr double least_hold = 0.15;     // fraction of the period; a hold lasts longer
+constexpr double band = 0.005;       // fraction of the amplitude; in a hold, displacement varies by less
+constexpr double edge = 0.0005;      // fraction of the amplitude; motion by more begins or ends a hold
+constexpr double noise_band = 8.0;   // the extremes of a hold may be this many standard deviations of the noise apart
+constexpr double too_noisy = 0.3;    // fraction of the amplitude; with more noise, holds are not sought
+constexpr double least_hold = 0.15;  // fraction of the period; a hold lasts longer
 constexpr double least_stretch = 0.02;  // fraction of the cycle's samples; a hold has more
-constexpr double clear_edges = 0.9;     // fraction of a hold that must be left if ends of it outside `edge` are cut off
+constexpr double clear_edges = 0.9;     // fraction of a hold that must remain when its ends outside `edge` are cut off
 constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 

@@ -63,7 +63,7 @@ std::vector<double> moving_intervals(std::span<double const> x, std::span<double
   return intervals;
 }
 
-// The weight of the interval after a sample: the way for Weighting::travel, else the time.
+// The weight of the interval after a sample: the distance moved for Weighting::travel, else the time.
 double weight_of(std::span<double const> x, std::span<double const> time_s, Weighting weighting, std::size_t sample) {
   return weighting == Weighting::travel ? std::abs(x[sample + 1] - x[sample]) : interval_after(time_s, sample);
 }

@@ -18,7 +18,7 @@ struct Swing {
 // A sample is a turning point if the motion comes back from it by 5 % of half its range. If several equal samples form
 // the extreme, the first is the turning point. The first and the last sample of a record are never turning points. A
 // motion with fewer than two turning points has no swings. A stretch that stays within 1 % of the range for longer than
-// the median swing is a rest, in each swing of which it takes more than a quarter. time_s may be empty.
+// the median swing counts as rest in each swing of which it takes more than a quarter. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
 // Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.
@@ -27,7 +27,7 @@ bool are_alike(std::span<Swing const> swings);
 // How much the samples of a record count in the misfit of a law.
 //   time    the time around the sample, as in Eq. (27) of Cucuzza et al. 2025
 //   swing   the time around it, without rest, times half range / duration of its swing; 0 outside all swings
-//   travel  the way around the sample
+//   travel  the distance moved around the sample
 enum class Weighting { time, swing, travel };
 std::string_view name(Weighting weighting);
 

@@ -230,7 +230,7 @@ Words words_of(std::string_view name) {
   return words;
 }
 
-// "Cycle", "cycle no", "cycle_count": nothing else beside it but a word for a number.
+// Accepts "Cycle", "cycle no", "cycle_count": a word for a cycle, alone or with one word for a number.
 bool is_cycle_number(Words const& words) {
   constexpr std::string_view cycle_words[]{"cycle", "cycles", "zyklus", "zyklen", "ciclo", "cicli", "ciclos", "cyc"};
   return words.size() <= 2 && any_in(cycle_words, words) && (words.size() == 1 || any_in(counter_words, words));

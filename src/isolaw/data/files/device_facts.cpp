@@ -161,7 +161,8 @@ void take_device_facts(std::string_view line, char delimiter, DeviceFacts& found
     line = trimmed(line.substr(1));
   if (line.empty() || line.size() > longest_line_of_one) return;
   std::vector<std::string_view> cells;
-  // In a file with blanks between cells, a line about the specimen cannot be split.
+  // If blanks separate the cells, a line about the specimen cannot be split, because its words have blanks between them
+  // too.
   if (delimiter == ' ')
     cells.push_back(line);
   else

@@ -151,7 +151,7 @@ bool ends_with_delimiter(std::string_view line, char delimiter) {
   return last != line.npos && trimmed(line.substr(last + 1)).empty();
 }
 
-// Whether the last column is empty in most rows: these end with the delimiter, and some others have a number behind it.
+// Whether the last column is empty in most rows: these end with the delimiter, and some others have a number after it.
 bool has_sparse_last_column(std::span<std::string_view const> lines, Score const& score, char thousands) {
   std::vector<std::string_view> cells;
   std::size_t longer = 0;
@@ -181,7 +181,7 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
 struct ColumnStudy {
   std::size_t numbers = 0;
   std::array<std::size_t, 4> stamps{};  // number of cells of each StampKind, in the order of StampKind
-  bool serial = true;                   // each number may be a date, as a spreadsheet counts days
+  bool serial = true;                   // each number may be a date, counted in days as spreadsheets do
   double least = 0.0, largest = 0.0;
 
   void take(std::string_view text, Cell const& cell) {

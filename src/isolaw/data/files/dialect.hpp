@@ -14,7 +14,7 @@
 
 namespace isolaw::data {
 
-// A mark that groups digits. The user types a blank as "blank", because files write it as several characters.
+// A mark that groups digits. The user types a blank as "blank", because files write it as several different characters.
 struct DigitGroup {
   char mark;
   std::string_view word, typed, said;  // value of the option; the mark as typed in a shell; its name in a sentence

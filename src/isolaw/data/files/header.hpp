@@ -19,7 +19,7 @@ struct Header {
   std::optional<std::size_t> unit_line;
   std::vector<std::string> names;            // one for each column, with units as written; empty without a row of names
   std::vector<std::string> units;            // one for each column; empty if the file states none outside the names
-  std::vector<std::string> units_elsewhere;  // units that the file states, but not of which column
+  std::vector<std::string> units_elsewhere;  // units that the file states without naming their column
   std::vector<StampKind> stamps;         // for each column: kind of its dates and times; empty if the format has none
   std::vector<std::size_t> passed_over;  // lines above the rows that were not used, except blank lines and comments
 

@@ -1,5 +1,5 @@
-// Limits how much a file may grow when it is unpacked. A laboratory's file grows tenfold at most, a file made to fill
-// the memory a thousandfold. A constant channel grows a thousandfold too, so every file may grow to 64 MiB.
+// Limits how much a file may grow when it is unpacked. A laboratory's file grows tenfold at most; a file made to fill
+// the memory grows a thousandfold. A constant channel grows a thousandfold too, so every file may grow to 64 MiB.
 #pragma once
 
 #include <cstdint>

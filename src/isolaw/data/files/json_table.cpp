@@ -69,7 +69,8 @@ std::vector<std::string> units_in(Branch const& part) {
 
 bool is_table(Branch const& part) {
   constexpr std::size_t fewest = 3;
-  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;  // is refused if the user chooses it
+  // A table with a flaw counts as a table, so that its flaw is reported.
+  if (!part.flaw.empty()) return part.columns.size() >= 2 && part.rows >= fewest;
   auto const filled = std::ranges::count_if(
       part.columns, [](auto const& column) { return column.values.size() >= fewest && texts_of(column).empty(); });
   return filled >= 2;

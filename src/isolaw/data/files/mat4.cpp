@@ -29,10 +29,10 @@ struct Matrix {
   std::uint64_t rows = 0, columns = 0;
   bool complex = false, swapped = false;
   std::string_view name, data;  // `data` holds the real parts
-  std::size_t bytes = 0;        // of header, name and all numbers
+  std::size_t bytes = 0;        // size of header, name and all numbers together
 };
 
-// The matrix at the front of the bytes, or nullopt if these are no header of level 4 with all of its numbers behind it.
+// The matrix at the front of the bytes, or nullopt if they do not begin with a complete matrix of level 4.
 std::optional<Matrix> matrix_at(std::string_view bytes) {
   if (bytes.size() < header_bytes) return std::nullopt;
   Matrix found;

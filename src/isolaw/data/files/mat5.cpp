@@ -79,7 +79,7 @@ class PlainSource : public Source {
 
 class InflatedSource : public Source {
  public:
-  // Takes the number of decompressed bytes off `left`, and refuses the file if `left` is too small.
+  // read() subtracts the number of decompressed bytes from `left`, and refuses the file if `left` is too small.
   InflatedSource(std::string_view bytes, std::uint64_t& left) : left_(left) {
     // The cast is safe: zlib does not write to its input.
     stream_.next_in = const_cast<Bytef*>(static_cast<Bytef const*>(static_cast<void const*>(bytes.data())));

@@ -15,8 +15,8 @@ struct RowRange {
   bool operator==(RowRange const&) const = default;
 };
 
-// The rows in which a channel has no value: they are refused, left out, or filled by linear interpolation in time, or
-// between rows if there is no time (option --missing).
+// How to treat rows in which a channel has no value: refuse them, leave them out, or fill them by linear interpolation
+// in time, or between rows if there is no time (option --missing).
 enum class MissingValues { refused, left_out, interpolated };
 inline constexpr std::string_view or_missing = "; --missing leave-out or --missing interpolate";
 
@@ -26,7 +26,7 @@ std::string rows_text(RowRange const& range);
 
 inline constexpr std::size_t least_samples = 3;
 
-// Advice for a file of `of` rows whose row `row` cannot be read: to read only the rows before it, or only those behind
+// Advice for a file of `of` rows whose row `row` cannot be read: to read only the rows before it, or only those after
 // it. If these are too few, the advice is to export the record again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 

@@ -322,7 +322,7 @@ class RowReader {
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;
   std::vector<std::size_t> indices_;  // columns of the wanted channels
-  std::string advice_;                // leave_out()
+  std::string advice_;                // stored by leave_out()
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;

@@ -129,7 +129,7 @@ std::string factor_hint(std::string_view base) {
     if (division || letter) {
       auto rest = from_here.substr(1);
       auto const factor = take_factor(rest);
-      // "x2" may be the second displacement along x, while "x10" behind a name hardly is one.
+      // "x2" may be the second displacement along x, while "x10" after a name hardly is one.
       bool const in_brackets = base.find(fmt::format("({}", from_here.substr(0, 2))) != std::string_view::npos;
       bool const ends = rest.empty() || rest.front() == ' ' || rest.front() == ')';
       if (factor && ends && i > 0 && (division || in_brackets || is_power_of_ten(factor->value)))
@@ -201,7 +201,7 @@ std::optional<UnitText> sensitivity_in(std::string_view name, std::string_view u
 std::string without_sensitivity(std::string_view name) {
   auto const found = find_sensitivity(plain(name));
   if (!found) return std::string(name);
-  // The number may occur more than once, but a voltage behind a slash only once.
+  // Searches for the whole text, such as "25 mm/V", because the number alone may occur more than once.
   auto rest = std::string(name);
   auto const from = rest.find(found->text);
   return from == std::string::npos ? rest : rest.erase(from, found->text.size());

@@ -31,8 +31,8 @@ std::string without_sensitivity(std::string_view name);
 bool is_other_quantity(std::string_view unit);
 
 // The part of a column's name that makes the scale of its values doubtful, such as "/2", "x10", "half" or "per
-// bearing"; "" if there is none. `base` is the name without its unit. A mean is in doubt only for forces: that of
-// several displacement sensors is the device's displacement.
+// bearing"; "" if there is none. `base` is the name without its unit. A word for a mean makes only forces doubtful: the
+// mean of several displacement sensors is the device's displacement.
 std::string scale_hint(std::string_view base, Dimension dimension);
 
 }  // namespace isolaw::data

@@ -11,7 +11,8 @@
 namespace isolaw::data {
 bool is_zip(std::string_view bytes);
 
-// `sheet` is a name or a number from 1. If it is empty, reads the first sheet with rows of numbers. Throws Error.
+// `sheet` is a name or a number from 1. Without it, reads the first sheet with rows of numbers. If that sheet names no
+// channel, but another names two or more, reads the first sheet that names a channel. Throws Error.
 Tests workbook_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& sheet);
 
 }  // namespace isolaw::data

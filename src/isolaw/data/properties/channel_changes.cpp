@@ -12,23 +12,23 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_rise = 0.03;      // share; a true device of one amplitude rises by less
-constexpr double rise_deviations = 5.0;  // standard deviations by noise
-constexpr double most_outside = 0.35;    // times a step; a drift changes as much outside the cycle of a step
-constexpr double least_step = 0.02;      // times the amplitude
+constexpr double least_rise = 0.03;      // share; the force of a sound device at one amplitude rises by less
+constexpr double rise_deviations = 5.0;  // times the standard deviation that noise gives a rise; a real rise is larger
+constexpr double most_outside = 0.35;    // times the change in one cycle; if others change by more, the channel drifts
+constexpr double least_step = 0.02;      // times the amplitude; a smaller step of the zero is not reported
 constexpr double least_ratio = 0.05;     // share by which the forces of two directions must differ
-constexpr double better_by = 3.0;        // times; rms that a factor leaves, under what an offset leaves
+constexpr double better_by = 3.0;        // times; an offset must leave so much more residual (rms) than a factor
 constexpr double same_at_peaks = 0.3;
-constexpr double same_in_disp = 0.3;     // times the asymmetry of force; more in displacement is the motion's own
-constexpr double line_contrast = 4.0;    // times all neighbouring lines
-constexpr double lowest_line = 10.0;     // times the test's frequency
-constexpr double line_neighbours = 9.0;  // times the test's frequency
-constexpr double least_line = 0.001;     // times the amplitude
-constexpr double most_uneven = 0.1;      // times the sampling interval
+constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
+constexpr double line_contrast = 4.0;  // times; a line of the spectrum must be so many times as large as its neighbours
+constexpr double lowest_line = 10.0;   // times the test's frequency; lines are sought above it
+constexpr double line_neighbours = 9.0;  // times the test's frequency; lines that are closer are neighbours
+constexpr double least_line = 0.001;     // times the amplitude; a smaller line is not reported
+constexpr double most_uneven = 0.1;      // times the sampling interval; each interval may differ from the mean by this
 constexpr std::size_t most_transformed = 65536;
 
-// The counted cycles of a block, if they follow one another without a rest and number `fewest` or more. The first may
-// start with a rest.
+// The counted cycles of a block. None if there are fewer than `fewest`, or if a rest or a gap separates two of them. A
+// rest before the first is allowed.
 std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   auto cycles = block.counted();
   bool broken = cycles.size() < fewest;
@@ -38,10 +38,10 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   return cycles;
 }
 
-// Standard deviation of the force in a cycle over that of displacement. A gain changes it as it changes the stiffness,
-// which noise and friction at the peaks change too.
+// Standard deviation of the force in a cycle over that of displacement. A change of gain changes this ratio as it
+// changes the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly this ratio.
 struct Size {
-  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: by noise, as a share
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, as a share of kN_per_mm
 };
 Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
@@ -56,7 +56,7 @@ Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   return {.kN_per_mm = std::sqrt(FF / xx), .deviation = noise_kN / std::sqrt(FF)};
 }
 
-// A channel over a block, beside its values one cycle before.
+// The values of a channel over a block, each with the value one cycle before.
 struct Repeats {
   std::size_t begin = 0;   // first sample
   std::size_t period = 0;  // samples in a cycle
@@ -83,7 +83,7 @@ Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> con
   return repeats;
 }
 
-// Least squares of the change since the cycle before, change = offset + gain * (value before).
+// Least-squares fit of the change since the cycle before: change = offset + gain * (value before).
 struct Change {
   double offset = 0.0, gain = 0.0, left = 0.0;  // left: rms residual
 };
@@ -107,8 +107,8 @@ struct Sums {
   }
 };
 
-// A fault that comes at once changes a channel against the cycle before for one cycle, and not before or after. Finds
-// the cycle of largest change. nullopt if the channel changes elsewhere too.
+// If a fault begins suddenly, the channel differs from the cycle before during one cycle only. After that, both of the
+// cycles compared have the fault. Finds the cycle of largest change. nullopt if the channel changes elsewhere too.
 struct SuddenChange {
   Change change;
   double at = 0.0;
@@ -168,7 +168,7 @@ bool is_uniform(std::span<double const> time, std::size_t begin, std::size_t end
   return true;
 }
 
-// The mains frequency, or its double, that samples at this rate show at `seen_Hz`.
+// The mains frequency, or its double, that appears at `seen_Hz` if it is sampled at this rate.
 std::optional<double> mains_seen_at(double seen_Hz, double rate_Hz, double tolerance_Hz) {
   for (double const mains : {50.0, 60.0, 100.0, 120.0})
     if (std::abs(std::abs(mains - rate_Hz * std::round(mains / rate_Hz)) - seen_Hz) <= tolerance_Hz) return mains;
@@ -183,15 +183,15 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
   std::vector<Size> sizes;
   for (auto const* cycle : cycles) sizes.push_back(size_of(*cycle, view, noise));
   std::optional<StiffnessRise> found;
-  std::size_t least = 1;  // the first cycle starts from rest, off its later loop
+  std::size_t least = 1;  // the first cycle starts from rest, so its loop differs from the later ones
   for (std::size_t k = 2; k < cycles.size(); ++k) {
     if (cycles[k]->still_samples > 0.0 || cycles[k]->first != cycles[k - 1]->last) {
       least = k;  // a device recovers in a rest
       continue;
     }
     auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
-    // A device that softens with its displacement is stiffer in a smaller cycle, and a steep reversal changes the size by
-    // about the share of one sample.
+    // A device that softens with its displacement is stiffer in a smaller cycle. At a steep reversal, one sample more
+    // or less changes the size by about its share of the cycle.
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
                            rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
@@ -212,7 +212,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
-  // The mean of a value and its opposite, half a cycle before and after, over half their difference.
+  // `opposite` is the value half a cycle away from a sample; in a symmetric loop it is the negative of the sample. Half
+  // of the sum of both is the asymmetry, half of their difference the size. The sums serve to fit asymmetry = gain *
+  // size.
   auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {
@@ -229,7 +231,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   };
   auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
   double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
-  // Mean squares that remain of the difference if it is in proportion to the force, and if it is constant.
+  // The mean squared asymmetry that a fit in proportion to the size (a gain) leaves, and that a constant (an offset)
+  // leaves.
   double const by_gain = (force.dd - gain * force.bd) / force.n,
                by_offset = (force.dd - force.d * force.d / force.n) / force.n;
   double peaks = 0.0, difference_of_peaks = 0.0;

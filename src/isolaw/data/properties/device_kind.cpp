@@ -11,7 +11,7 @@ namespace {
 constexpr double least_speed = 0.05;  // times the largest speed
 constexpr double least_exponent = 0.05, largest_exponent = 3.0;
 constexpr double most_left = 0.15;    // root mean square of the logarithm of measured over fitted force
-constexpr double hardly_stiff = 0.1;  // times the loop's mean half height
+constexpr double hardly_stiff = 0.1;  // times the loop's mean half height; a smaller elastic force counts as none
 constexpr double opposed = 0.05;      // share of the samples in which force may act with the motion
 constexpr double at_once = 0.97;      // energy over 4 Q_d D; 1 if the loop has no elastic part
 constexpr double least_friction = 0.002, largest_friction = 0.25;
@@ -46,7 +46,7 @@ std::optional<ViscousLaw> viscous_law(CycleView const& view, Cycle const& cycle)
   auto const first = static_cast<std::size_t>(std::ceil(cycle.first));
   auto const last = std::min(static_cast<std::size_t>(cycle.last), view.disp_mm.size() - 1);
   auto const reach =
-      std::max<std::size_t>(1, (last - first) / 100);  // a parabola through so few samples is exact enough
+      std::max<std::size_t>(1, (last - first) / 100);  // a central difference over 2 % of a cycle is exact enough
   double const F_0 = (cycle.F_plus_kN + cycle.F_minus_kN) / 2.0;
   std::vector<std::pair<double, double>> out, back;
   for (auto i = first + reach; i + reach <= last; ++i) {

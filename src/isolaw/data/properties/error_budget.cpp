@@ -152,7 +152,8 @@ class Assessment {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
       bool const fails = properties_.failure && properties_.failure->blocks.front() == block.number;
-      // A lost force is said as such. Of a one-sided loop, one of the two forces is small and any multiple of another.
+      // A loss of force has a warning of its own. In a one-sided loop, one of the two peak forces is near zero, so its
+      // ratio to that of another cycle means nothing.
       if (cycles.size() < 3 || fails || cycles.front()->one_sided) continue;
       cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
       Cycle const* oddest = nullptr;
@@ -203,8 +204,8 @@ class Assessment {
     if (!view_.time_s.empty()) budget_.warnings.back().numbers.push_back({"time_s", value_at(view_.time_s, index)});
   }
 
-  // An oscillation may move the forces at both peaks, or the peaks themselves, by its amplitude. Over a cycle it neither
-  // adds energy nor takes any.
+  // An oscillation may move the forces at both peaks, or the peaks themselves, by its amplitude. Over a cycle it
+  // neither adds energy nor takes any.
   void hum_of(std::span<double const> values, std::string const& what, std::string const& unit) {
     auto const found = hum(values, view_, *block_);
     if (!found) return;

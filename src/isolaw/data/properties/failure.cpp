@@ -17,17 +17,19 @@ namespace {
 constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
 constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
 constexpr double most_lost_first = 0.5;  // the same after the first cycle, in which virgin rubber is stiffer
-constexpr double clear_force = 0.3;      // times the size of the force; a peak force below it may have any change
-constexpr double same_amplitude = 1.05;  // ratio; the force of a cycle of this amplitude may be expected again
+constexpr double clear_force = 0.3;      // times the size of the force; a peak force below it may change by any amount
+constexpr double same_amplitude = 1.05;  // ratio; a cycle is not compared with earlier cycles of larger amplitude
 constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
 
-// The size of a cycle's force: that of its stiffness or, for a device without stiffness, that of its loop.
+// The size of a cycle's force: the larger of half the difference of its peak forces and half the mean height of its
+// loop. A device without stiffness has only the latter.
 double size_of(Cycle const& cycle) {
   return std::max(std::abs(cycle.F_plus_kN - cycle.F_minus_kN) / 2.0,
                   std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));
 }
 
-// A load that varies within a cycle by more than its mean differs from another's may be noise about no load.
+// Whether two cycles have the same vertical load. A difference of at most half the range of the load within a cycle may
+// be noise.
 bool alike_loaded(Cycle const& one, Cycle const& other) {
   if (!one.N_mean_kN) return true;
   double const a = *one.N_mean_kN, b = *other.N_mean_kN;
@@ -56,9 +58,10 @@ double share_kept(Cycle const& before, Cycle const& cycle) {
   return least;
 }
 
-// Samples that drop out at a peak hardly change the energy of the loop. An elastic device shows nothing in its energy.
+// Whether the loop keeps its energy, so that only samples at a peak have dropped out. False for a nearly elastic
+// device, whose energy is too small to show this.
 bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
-  constexpr double elastic = 0.05;  // times the size of the force: mean half height of the loop
+  constexpr double elastic = 0.05;  // mean half height of the loop over the size of the force
   bool const dissipates = std::abs(before.energy_kN_mm) > elastic * 4.0 * before.amplitude_mm * size_of(before);
   return dissipates && cycle.energy_kN_mm >= share * before.energy_kN_mm;
 }
@@ -75,7 +78,7 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   double kept = 1.0;
   std::string kept_of;
   std::vector<Cycle*> dead;
-  constexpr std::size_t most_blocks = 100;  // before a cycle with which it is compared
+  constexpr std::size_t most_blocks = 100;  // a cycle is compared with at most so many earlier blocks
   std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
   for (auto* each : cycles) {
     auto& cycle = *each;
@@ -104,8 +107,8 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     if (cycle.counts()) before = &cycle;
   }
   if (fails == nullptr) return;
-  // The force stays away if it is gone in the last cycle. Then the cycles between the failure and the first dead one are
-  // those in which the device fails.
+  // If the last cycle is dead, or none is, the force is lost from the cycle of the failure to the end. Otherwise the
+  // force came back, and only the dead cycles are lost.
   bool const for_good = dead.empty() || dead.back() == cycles.back();
   auto const where = name_of(*fails, time_s);
   auto& failure = properties.failure.emplace(

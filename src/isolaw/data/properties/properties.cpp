@@ -208,8 +208,8 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares a swing with half a cosine and a line. A cycle that spends more than twice a sine's time near its extremes
-// is neither a sine nor a triangle.
+// Compares the displacement from one peak to the next with half a cosine (sine) and with a straight line (triangle). A
+// cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   if (cycle.one_sided)  // the way out, from the turn at which it is cut
@@ -332,8 +332,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Sets `faulty` to what the impossible cycles have, and takes their blocks out if others are sound. Returns whether
-// none is.
+// Lists impossible cycles in `faulty`. If other blocks are sound, the cycles of the blocks with an impossible cycle no
+// longer count. Returns whether there are impossible cycles and no block is sound.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -367,7 +367,7 @@ std::vector<Finding> refusal_of(std::optional<Finding> const& not_cut, Propertie
   return {};
 }
 
-// The block in which the force is lost is taken only if no other counts.
+// The block in which the force is lost is taken only if no other block has counted cycles.
 Cycle const* cycle_to_report(Properties const& properties) {
   Block const* largest = nullptr;
   auto const fails = [&](Block const& block) {
@@ -395,8 +395,8 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     properties.reported = *reported;
 }
 
-// The blocks that a fault takes: those in which it lies. A channel without its sign is so everywhere, and a
-// displacement with wrong values may be cut into blocks that are not those of the test.
+// The blocks that a fault makes unusable: usually those in which it lies. But a channel without its sign is wrong in
+// the whole test, and wrong displacements may have cut the whole test into wrong blocks.
 std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties, TestRange const& test) {
   std::vector<int> blocks;
   auto const longest = fault.longest();
@@ -417,7 +417,7 @@ std::vector<int> blocks_of(SignalFault const& fault, Properties const& propertie
   return blocks;
 }
 
-// Whether the failure took cycles of a sound block after its own.
+// Whether the loss of force also left a later block without counted cycles, although that block has no faulty signal.
 bool fails_in_a_later_block(Properties const& properties) {
   auto const is_lost = [&](Cycle const& cycle) {
     return std::ranges::any_of(properties.lost, [&](auto const& samples) {
@@ -430,7 +430,7 @@ bool fails_in_a_later_block(Properties const& properties) {
   });
 }
 
-// Takes out the blocks in which a signal is faulty.
+// Discounts the cycles of the blocks in which a signal is faulty.
 void take_out_faulty(Properties& properties, CycleView const& view) {
   if (properties.faults.empty()) return;
   auto const tests = test_ranges(view.starts, view.disp_mm.size());
@@ -450,7 +450,7 @@ void take_out_faulty(Properties& properties, CycleView const& view) {
   else
     for (auto& fault : properties.faults)
       if (std::ranges::find(outside, fault.finding) != outside.end()) fault.finding.words.push_back({"outside", "yes"});
-  // If a signal is faulty in a block, other impossible values there follow from it and are not said.
+  // If a signal is faulty in a block, other impossible values there follow from it and are not reported.
   for (auto& finding : properties.faulty)
     if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
         std::ranges::none_of(found, [&](Finding const& fault) {
@@ -584,7 +584,7 @@ Stability stability(Block const& block, double Cycle::*property) {
   Stability found;
   found.cycles = static_cast<int>(counted.size());
   if (!third) return found;
-  // No quotient by nearly nothing: a device without stiffness has no course of stiffness or damping.
+  // A ratio to a value near zero means nothing, so a device without stiffness has no ratios of stiffness or damping.
   constexpr double nearly_nothing = 1e-3;  // times the largest value
   double largest_size = 0.0;
   for (auto const* cycle : counted) largest_size = std::max(largest_size, std::abs(cycle->*property));

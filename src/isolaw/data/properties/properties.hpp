@@ -99,15 +99,17 @@ struct Properties {
   std::optional<Cycle> reported;
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal;
-  bool is_false = false;  // the refusal is about a signal or cycle that cannot be true
-  // Set only for a TestRecord. A fault outside all blocks, which takes none, has the word "outside" in its finding.
+  bool is_false = false;  // the refusal is about a signal or a cycle that cannot be true
+  // Set only for a TestRecord. A fault that lies outside all blocks has the word "outside" in its finding.
   std::vector<SignalFault> faults;
-  // Faults that take some blocks, whose cycles do not count, while others do. Empty if there is a refusal.
+  // Faults in some blocks, whose cycles therefore do not count, while cycles of other blocks do. Empty if there is a
+  // refusal.
   std::vector<Finding> faulty;
-  std::optional<ViscousLaw> viscous;  // of a device without stiffness; its K_eff and damping judge nothing
+  std::optional<ViscousLaw> viscous;  // set for a device without stiffness, for which K_eff and damping mean nothing
   std::optional<Slider> slider;
   std::optional<Finding> failure;  // force_lost: the cycle in which the force is suddenly lost
-  // Samples, first and last, in which the device has lost its force. Infinite if the force does not come back.
+  // Samples, first and last, in which the device has lost its force. The last is infinite if the force does not come
+  // back.
   std::vector<std::pair<double, double>> lost;
   std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                   // displacement at which cycles are cut
@@ -130,7 +132,8 @@ struct CycleView {
 CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
-// Also takes over the faults of the record's signals. No cycle counts of a block in which one lies.
+// Also takes over the faults of the record's signals. The cycles of the blocks that a fault makes unusable do not
+// count.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);

@@ -10,7 +10,8 @@
 namespace isolaw::data {
 namespace {
 
-// The faults of which the remainder is drawn. Of several in a record, the first in this order decides the block.
+// The kinds of fault that a remainder can show. If a record has several, the first in this order decides which channel
+// and which block are drawn.
 constexpr std::array drawn{FindingKind::signal_spike, FindingKind::stiffness_rises, FindingKind::offset_steps,
                            FindingKind::hum, FindingKind::lag_grows};
 
@@ -37,7 +38,7 @@ std::vector<double> without_spikes(std::span<double const> values, std::span<Sig
   return result;
 }
 
-// The mean of the cycles at the ends of `size` equal parts of a cycle.
+// The mean of the cycles at `size` + 1 phases, which divide a cycle into equal parts.
 std::vector<double> mean_cycle(std::span<double const> values, std::span<Cycle const* const> cycles, std::size_t size) {
   std::vector<double> mean(size + 1);
   for (auto const* cycle : cycles)

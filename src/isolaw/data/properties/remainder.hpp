@@ -1,5 +1,5 @@
-// The rest of a channel over time when the mean loop of its block is taken from it, where a fault of this channel
-// is found or suspected: a gain that changes, a zero that jumps, an oscillation, a growing delay, spikes.
+// Subtracts from a channel the mean cycle of its block. The remainder shows a fault that was found or is suspected in
+// this channel: a gain that changes, a zero that jumps, an oscillation, a growing delay, spikes.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Remainder {
   std::vector<double> at;      // where the faults are: in s, or sample indices if the record has no time
 };
 
-// Takes from each sample the mean of the block's cycles at the same part of the cycle. The first cycle, in which rubber
+// Subtracts from each sample the mean of the block's cycles at the same phase. The first cycle, in which rubber
 // softens, is not in the mean if the block has three or more. Where an oscillation was found, the mean is averaged over
 // its period, since an oscillation may come back with every cycle. nullopt if the record has no finding of such a
 // fault, or if the block has fewer than two whole cycles.

@@ -17,27 +17,27 @@ namespace {
 
 constexpr double wide = 0.08;            // fraction of a cycle on each side of a reversal: half a radian
 constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp loop is smooth in so short a part
-constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian
+constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian; larger shifts are not tried
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // samples in a window; twice the unknowns
 constexpr std::size_t most_samples = 400;    // samples in a window; a longer window is thinned
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
-constexpr double poor_fit = 0.012;             // rms residual over the force's amplitude; a worse fit gives no skew
-constexpr double good_fit = 0.0012;            // as poor_fit, without noise; if larger, the loop's shape may look late
-constexpr double least_late = 0.015;           // rad; a smaller delay is no skew
+constexpr double poor_fit = 0.012;    // rms residual over the force's amplitude; a worse fit gives no skew
+constexpr double good_fit = 0.0012;   // as poor_fit, less the noise; in a worse fit the loop's shape may look late
+constexpr double least_late = 0.015;  // rad; a smaller delay is no skew
 constexpr double least_late_by_shape = 0.045;  // rad; limit for a loop that is too sharp to fit
 constexpr double least_early = 0.04;
-constexpr double standard_errors = 4.0;     // a skew must exceed this many standard errors
-constexpr double by_chance = 0.001;         // fraction of records without skew that seem late
-constexpr double most_agree = 0.75;         // fraction of the reversals that must agree
-constexpr double least_growth = 0.03;       // rad; a smaller change of the delay within the test is none
-constexpr double most_apart = 0.004;        // rad; largest difference of skew between the wide and narrow window
-constexpr double quiet = 0.0005;            // fraction of the amplitude; less noise needs no smoothing
-constexpr double too_noisy = 0.01;          // fraction of the amplitude; noisier records give no skew
-constexpr double smoothed_over = 0.06;      // fraction of a cycle on each side; takes 0.02 % off a sine
-constexpr double hold_band = 0.005;         // fraction of the amplitude; a hold stays within it
-constexpr double noise_band = 8.0;          // standard deviations of noise between the extremes of a hold
+constexpr double standard_errors = 4.0;  // a skew must exceed this many standard errors
+constexpr double by_chance = 0.001;      // fraction of records without skew that may seem late by chance
+constexpr double most_agree = 0.75;      // fraction of the reversals that must agree
+constexpr double least_growth = 0.03;    // rad; a delay that changes by less within the test does not grow
+constexpr double most_apart = 0.004;     // rad; largest difference of skew between the wide and narrow window
+constexpr double quiet = 0.0005;         // fraction of the amplitude; less noise needs no smoothing
+constexpr double too_noisy = 0.01;       // fraction of the amplitude; noisier records give no skew
+constexpr double smoothed_over = 0.06;   // fraction of a cycle on each side; takes 0.02 % off a sine
+constexpr double hold_band = 0.005;      // fraction of the amplitude; a hold stays within it
+constexpr double noise_band = 8.0;  // the extremes of a hold may be this many standard deviations of the noise apart
 constexpr std::size_t most_smoothed = 100;  // samples on each side; more bring little and cost time
 
 struct Reversal {
@@ -182,7 +182,7 @@ struct Sample {
   double samples = 0.0;            // number of samples in the window
 };
 
-// Fits a line to the delays of the reversals.
+// Fits a line to the delays of the reversals in one block. Its rise over the block is the growth of the delay.
 void add_growth(Skew& skew, std::vector<Sample> samples, int block) {
   std::erase_if(samples, [&](Sample const& each) { return each.block != block; });
   for (auto from = samples.begin(); from != samples.end();) {
@@ -326,7 +326,8 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
   auto found = skew_of(of_wide, least, block), near = skew_of(of_narrow, least, block);
   for (auto* skew : {&found, &near})
     if (*skew) (*skew)->interval = sampling;
-  // The shape of the loop disturbs only the fit in the wide window. Noise disturbs the fit in the narrow window more.
+  // The shape of the loop disturbs only the fit in the wide window; noise disturbs the fit in the narrow window more.
+  // So the narrow window is taken only if the wide one has a poor fit and the two clearly differ.
   if (!near || !found) return near ? near : found;
   double const apart = std::abs(near->phase - found->phase);
   double const unsure = std::abs(near->uncertainty * near->phase / near->force_late);

@@ -12,9 +12,9 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t outline_points = 16;  // of the outline, between two passes
+constexpr std::size_t outline_points = 16;  // points of the outline between two passes
 constexpr std::size_t fewest_passes = 4, most_passes = 64;
-constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // whose noise is compared
+constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // samples whose noise is compared
 constexpr double outlines_alike = 0.03;   // error of the outline relative to the force, both as standard deviations
 constexpr double rounding_apart = 1e-4;   // the same for whole records that differ by rounding only
 constexpr double noise_stands_out = 5.0;  // correlation of the noise, relative to that of records out of step
@@ -76,7 +76,7 @@ Line fit_line(std::span<double const> x, std::span<double const> y) {  // y = fa
 std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   auto const n = static_cast<std::ptrdiff_t>(one.passes.size()), m = static_cast<std::ptrdiff_t>(other.passes.size());
   std::optional<std::ptrdiff_t> best;
-  // Forces of a copy differ by noise, and by what the noise does to the passes.
+  // The forces of a copy differ by the noise that was added, and because this noise moves the passes.
   double least = std::min(outlines_alike, 0.001 + 3.0 * std::max(one.noise_share, other.noise_share));
   for (std::ptrdiff_t step = -m; step <= n; ++step) {
     if ((step % 2 == 0) != (one.rises_first == other.rises_first)) continue;
@@ -91,8 +91,8 @@ std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   return best;
 }
 
-// The rest of a signal when a cubic through seven samples, each `stride` from the next, is taken off (Savitzky,
-// Golay 1964). Zero where it is far larger than usual, as at the corners of a loop.
+// The noise of a signal: each sample less the least-squares cubic through seven samples, each `stride` from the next
+// (Savitzky, Golay 1964). Zero where it is far larger than usual, as at the corners of a loop.
 std::vector<double> noise_of(std::span<double const> y, std::size_t stride) {
   std::vector<double> noise(y.size());
   for (std::size_t i = 3 * stride; i + 3 * stride < y.size(); ++i) {
@@ -108,7 +108,8 @@ std::vector<double> noise_of(std::span<double const> y, std::size_t stride) {
   return noise;
 }
 
-// Takes off what follows from the noise of the displacement, which tests on one motion share.
+// Subtracts the part of the force's noise that follows from the noise of the displacement. Tests with the same motion
+// share that part.
 void take_off(std::vector<double>& noise, std::span<double const> of_disp) {
   double xx = 0.0, xy = 0.0;
   for (std::size_t i = 0; i < noise.size(); ++i) xx += of_disp[i] * of_disp[i], xy += noise[i] * of_disp[i];
@@ -126,8 +127,8 @@ double correlation_at(std::span<double const> one, std::span<double const> other
   return a > 0.0 && b > 0.0 ? sum / std::sqrt(a * b) : 0.0;
 }
 
-// Whether two noises correlate in step, and far less out of step: by some samples, or by a cycle or two, where whatever
-// the rig does in every cycle would correlate too.
+// Whether two noises correlate in step and far less out of step. Out of step means shifted by some samples, or by half
+// a cycle to two cycles: a disturbance that the rig repeats in every cycle would correlate there too.
 bool is_same_noise(std::span<double const> one, std::span<double const> other, double cycle) {
   double const in_step = correlation_at(one, other, 0);
   if (in_step * std::sqrt(static_cast<double>(one.size())) < 0.7 * noise_stands_out) return false;
@@ -157,7 +158,7 @@ std::vector<double> left_of(std::span<double const> y, std::span<double const> x
   return left;
 }
 
-// By how many samples `one` must be moved on to agree best with `other`: a step of Gauss and Newton.
+// The number of samples by which `one` must be moved on to agree best with `other`, by one Gauss-Newton step.
 double shift_between(std::span<double const> one, std::span<double const> other) {
   std::vector<double> slope(one.size());
   for (std::size_t i = 1; i + 1 < one.size(); ++i) slope[i] = 0.5 * (one[i + 1] - one[i - 1]);
@@ -214,7 +215,7 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const passes = std::span(other.passes).subspan(first, count);
   auto const own_passes = std::span(one.passes).subspan(from, count);
   auto scale = fit_line(passes, own_passes);
-  if (std::abs(scale.factor - 1.0) < 0.005)  // one clock: the difference comes from noise at the passes
+  if (std::abs(scale.factor - 1.0) < 0.005)  // both have one clock: the difference comes from noise at the passes
     scale = {.offset = num::moments(own_passes).mean - num::moments(passes).mean};
   auto const index = [&](double instant) { return std::ranges::lower_bound(other.time, instant) - other.time.begin(); };
   auto const picked = [&, begin = index(passes.front()), end = index(passes.back())](std::vector<double> const& all) {
@@ -244,12 +245,12 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   if (line.error < rounding_apart && std::abs(line.factor - 1.0) < rounding_apart) return true;
   auto const left = left_of(force, own_force, line);
   if (root_mean_square(left) > root_mean_square(noise) && !is_white(left)) return false;
-  // Signals of other sampling must be compared by what noise they have at the same samples.
+  // If the sampling differs, the noise of both is taken from values at the same instants.
   bool const same_sampling = finer < 1.1;
   double const cycle = 2.0 * (passes.back() - passes.front()) / static_cast<double>(count - 1) / interval;
   auto const own = same_sampling ? laid(one.noise, shift) : noise_of(own_force, 1);
   if (is_same_noise(own, noise, cycle)) return true;
-  // If the noise of one force is too large to hold that of the other visibly, the displacement decides.
+  // If one force is so noisy that the noise of the other cannot show in it, the displacement decides.
   double const quieter = line.factor * root_mean_square(own) / root_mean_square(noise);
   if (std::min(quieter, 1.0 / quieter) * std::sqrt(static_cast<double>(noise.size())) > 2.0 * noise_stands_out)
     return false;

@@ -13,14 +13,14 @@
 
 namespace isolaw::data {
 
-struct Trace {                            // what a record is compared by; about as large as the record
+struct Trace {                            // the features by which a record is compared; about as large as the record
   std::vector<double> time, disp, force;  // without a time that rises throughout, `time` counts samples
   std::vector<double> passes;             // instants at which the displacement passes through the middle of its range
   bool rises_first = true;                // whether the displacement rises at the first of them
   std::vector<double> outline;            // the force at points between these instants
   // Noise of the displacement, and of the force without what follows from that of the displacement.
   std::vector<double> disp_noise, noise;
-  std::size_t stride = 1;    // samples from one that is compared to the next
+  std::size_t stride = 1;    // distance in samples from one sample that is compared to the next
   double noise_share = 0.0;  // standard deviation of `noise` relative to that of the force
 
   double samples_per_pass() const { return static_cast<double>(time.size()) / static_cast<double>(passes.size()); }

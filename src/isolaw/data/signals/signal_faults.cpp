@@ -64,7 +64,7 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   return {};
 }
 
-// Counts the samples of a fault from the start of the record, where its stage was searched by itself.
+// Counts the samples of a fault from the start of the record, after a stage was searched by itself.
 void shift(SignalFault& fault, std::size_t by) {
   for (auto& sample : fault.samples) sample += by;
   for (auto& number : fault.finding.numbers)
@@ -249,7 +249,7 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
     std::vector<SignalFault> more;
     for (auto& fault : faults_within(stage.of(disp_mm), stage.of(force_kN), stage.of(time_s), nullptr)) {
       shift(fault, stage.first);
-      // Whether a channel lacks its sign shows in the whole record.
+      // Only the whole record shows whether a channel lacks its sign.
       if (fault.kind != FaultKind::rectified && !is_known(fault, found, stage)) more.push_back(std::move(fault));
     }
     found.insert(found.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

@@ -33,7 +33,7 @@ Finding finding_at(FindingKind kind, std::string const& channel, std::string_vie
 // The stages of a test, as ranges of samples, that are much smaller than the whole motion. Spikes and dropouts must
 // have been taken out of the displacement. Empty if the record is not cyclic.
 std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<double const> time_s);
-// The spikes of a channel: those of the whole record, and those that only the scale of their own stage shows.
+// The spikes of a channel: those of the whole record, and those that stand out only within their own stage.
 std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange const> stages);
 
 // All channels have the same length, but time_s may be empty. O(n log n) in time, O(n) in memory.

@@ -13,15 +13,19 @@ namespace {
 constexpr double least_spike = 0.04;       // fraction of the half range; kinks of true records deviate by 3 %
 constexpr double spike_deviations = 13.0;  // standard deviations of the noise
 constexpr double spike_quanta = 2.5;
-// Times the neighbours' rms distance from the cubic through them; a spike is farther off. Corners reach 7.4, steps 5.6.
+// Times the rms distance of the neighbours from the cubic through them; a spike is farther from this cubic. Corners
+// reach 7.4, steps 5.6.
 constexpr double spike_contrast = 10.0;
-constexpr double edge_contrast = 2.0;   // times spike_contrast near an end, where most neighbours are on one side
-constexpr double on_one_side = 0.5;     // times a spike's size; a sample closer to its neighbours' line is no spike
-constexpr double beyond_others = 1.25;  // times the size of many other samples that look like spikes; a fault is larger
-constexpr std::size_t fewest_others = 24;  // if more samples look like spikes, the signal itself is rough
+constexpr double edge_contrast = 2.0;  // times spike_contrast near an end, where most neighbours are on one side
+constexpr double on_one_side = 0.5;    // times a spike's size; a sample closer to its neighbours' line is no spike
+// A signal is rough if more than 24 samples, and more than one in 75, look like spikes. If so many of the largest are
+// set aside, a fault must be larger by a quarter than the largest that is left.
+constexpr double beyond_others = 1.25;
+constexpr std::size_t fewest_others = 24;
 constexpr std::size_t samples_an_other = 75;
-constexpr std::size_t fewest_texture = 6;     // so many spikes are reported even in a short record
-constexpr std::size_t samples_a_spike = 150;  // if more than one in 150 samples is a spike, the signal itself is rough
+// If more than 6 spikes, and more than one in 150 samples, are found, they belong to the signal: none is reported.
+constexpr std::size_t fewest_texture = 6;
+constexpr std::size_t samples_a_spike = 150;
 
 // `expected` is the value of the least-squares cubic through six neighbours, `left` their rms distance from the cubic.
 struct Neighbours {

@@ -13,9 +13,9 @@ struct Spike {
 };
 std::vector<Spike> spikes(std::span<double const> values);
 
-// Whether a spike of force is no fault, since it lies at a turn of displacement and the force also stands out at two or
-// more other turns: a device's force may jump at each turn, far from neighbouring samples. Displacement turns at the
-// samples `turns`, and `all` holds the spikes of force.
+// Whether a spike of force is no fault: a device's force may jump at each turn of displacement. The spike is no fault
+// if it lies at a turn and the force also stands out from its neighbours at two or more other turns. Displacement turns
+// at the samples `turns`, and `all` holds the spikes of force.
 bool is_of_every_turn(Spike const& spike, std::vector<Spike> const& all, std::span<double const> force,
                       std::span<std::size_t const> turns);
 

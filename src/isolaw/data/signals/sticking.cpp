@@ -138,7 +138,7 @@ class Sticking {
     return found;
   }
 
-  // Whether the force is clearly another one at other times when the motion passes the end of this stretch in the same
+  // Whether the force differs clearly at other times when the motion passes the end of this stretch in the same
   // direction. The force of a device with play, or of one that yields and stiffens again, is the same in every cycle.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
@@ -172,7 +172,8 @@ class Sticking {
     add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
-  // Whether the stretch is play of the device. Play has no force, and it begins near a reversal or without a jump.
+  // Whether the stretch is play (backlash) of the device. Play has no force, and it begins near a reversal or without a
+  // jump.
   bool is_backlash(SampleRange const& run, std::size_t lag) const {
     double const noise = 5.0 * pair_.force.noise + pair_.force.quantum;
     if (std::abs(mean_of(pair_.force.x, run.first, run.last + 1)) > noise) return false;

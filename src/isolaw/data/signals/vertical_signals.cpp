@@ -14,11 +14,11 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::size_t fewest_standing = 4;  // samples
-constexpr double standing_noise = 6.0;      // standard deviations of noise between the extremes of a plateau
+constexpr double standing_noise = 6.0;      // standard deviations of the noise by which samples of a plateau may differ
 constexpr double standing_quanta = 1.5;
 constexpr double goes_beyond = 0.03;   // times the range; during clipping, the other channel rises by more
 constexpr double goes_on = 0.1;        // times the range; while one channel is stuck, the other moves by more
-constexpr double width_of_both = 4.0;  // times a plateau's width over the range; the other channel moves by more
+constexpr double width_of_both = 4.0;  // times a plateau's noise, as part of the range; the other channel moves by more
 constexpr double carries = 0.1;        // times the load's range above the least load; from there the device is loaded
 constexpr double load_jump = 0.05;     // times the load's range; a stuck load ends with a larger jump
 
