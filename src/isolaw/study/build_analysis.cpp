@@ -41,7 +41,7 @@ void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::S
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // A single run is always the best run of the campaign, so its success would say nothing.
+  // A single run has no other run to agree with, so its share would say nothing.
   if (usable < 2) return;
   fit.success_share = static_cast<double>(found) / usable;
   fit.success_reference = "best of this campaign";
@@ -339,7 +339,7 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
   if (count > 0) law.loo_objective = sum / static_cast<double>(count);
 }
 
-constexpr double least_misfit_percent = 10.0;  // above the median; the misfit of a device that is an outlier
+constexpr double least_misfit_percent = 10.0;  // a misfit is an outlier only if it exceeds the median by this much
 
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;

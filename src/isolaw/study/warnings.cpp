@@ -177,7 +177,7 @@ class Collector {
     if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
-    // If there are many runs, some may end at a worse objective. If there are two or three, each counts.
+    // If there are many runs, some may end at a worse objective. Two or three runs must all agree.
     constexpr int few_runs = 3;
     for (auto const* fit : fits(law))
       if (fit->runs <= few_runs && fit->runs_apart > found_within)
