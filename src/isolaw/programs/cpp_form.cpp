@@ -51,7 +51,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Lines of the check that compare the factors of the bounds with those that isolaw wrote.
+// Lines of the self-check that compare the factors in the file with those that isolaw wrote, in case a user edited
+// them.
 std::string bounds_check(Subject const& subject, UnitSystem const& units) {
   auto const space = identifier(subject, units);
   std::string rows;

@@ -72,8 +72,9 @@ std::optional<data::GroundMotion> scaled_to(data::GroundMotion const& motion, Ma
       chosen.file = fmt::format("{:.3g} x {}", scale, motion.file);
       return chosen;
     }
-    // The peak is about proportional to the scale, but may change little over a range of it, or leap. So the step that
-    // this suggests is doubled until the target lies between two scales, and from then on every other step halves.
+    // If the peak were proportional to the scale, multiplying the scale by `ratio` would reach the target. But the peak
+    // may hardly change over a range of scales, or jump. Until the target lies between two tried scales, the scale is
+    // therefore multiplied by ratio^2. From then on, every second step takes the geometric mean of these two scales.
     bool const between = low > 0.0 && high > 0.0;
     double const ratio = peaks ? 0.5 * (1.0 + near) * target_mm / peaks->disp_mm : 0.5;
     scale *= between ? ratio : ratio * ratio;
@@ -177,7 +178,7 @@ RefitResponse BuildingOnLaw::with(std::string_view refit, laws::LawEntry const& 
     for (std::size_t k = 0; k < 2; ++k) least[k] = std::min(least[k], off[k]), most[k] = std::max(most[k], off[k]);
   }
   auto const [disp, shear] = differences(refit_sum, law_sum);
-  // Codes take the mean of seven motions or more, and the most unfavourable of fewer.
+  // Building codes use the mean over seven motions or more, and the most unfavourable result of fewer motions.
   double const off = motions_.size() >= building::motions_for_a_mean
                          ? std::max(std::abs(disp), std::abs(shear))
                          : std::max({-least[0], most[0], -least[1], most[1]});

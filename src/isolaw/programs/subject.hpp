@@ -100,8 +100,8 @@ History tested_cycles(Subject const& subject);
 
 // Makes the path of every self-check, without forces: from rest through two growing cycles up to `tested_mm` and
 // through smaller loops within them, so that turning points, peaks, travel and the dead band act on the force. Each
-// swing is half a cosine, no faster than the sine of amplitude `tested_mm`, and samples are as far apart as in a cycle
-// of it with protocol_steps steps.
+// swing is half a cosine and no faster than a sine of amplitude `tested_mm` and frequency `frequency_Hz`. The time
+// between samples is the period of this sine divided by protocol_steps.
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm);
 
 // Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces runs of others.
