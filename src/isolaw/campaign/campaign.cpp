@@ -279,7 +279,8 @@ class Computation {
       for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
-    store_.add(run);  // nothing may fail after this: a task that ran out of memory is repeated
+    // Nothing may fail after this: a task that runs out of memory is repeated, and would store its run a second time.
+    store_.add(run);
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate_.done(TaskKind::run, run.law);

@@ -69,8 +69,8 @@ void refuse_device(Device& device, std::string why) {  // keeps only the record'
   device.record = {};
 }
 
-// Whether a device with a signal that cannot be true is refused, as for a campaign, which fits no law to it, or is
-// shown, as for an inspection.
+// Decides about a device whose record has an impossible signal. A campaign refuses it, since no law can be fitted to
+// it. An inspection shows it.
 enum class FalseSignals { shown, refused };
 
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
@@ -121,8 +121,9 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   }
 }
 
-// Takes the temperature that the header of the record states, if the lot file gives none. The lot has a verdict only if
-// its devices were tested at one temperature, so it must not depend on how the lot was given.
+// Takes the temperature that the header of the record states, if the lot file gives none. The lot gets a verdict only
+// if all devices were tested at one temperature. This must not depend on whether the user gave a lot file or only
+// records.
 void take_temperature(Device& device) {
   DeviceInfo stated;
   take_device_facts(device.raw.device_facts, stated);
