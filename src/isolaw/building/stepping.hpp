@@ -1,8 +1,8 @@
 // The explicit integration of a building, and the code that it shares with the implicit one (integrate.cpp): the modes
 // of the superstructure over one step, and the results that are measured during a run. The scalar T is double, or a
 // batch that computes one building in each lane, each with its own bearings drawn from the lot. This file is compiled
-// for several instruction sets. It uses plain arrays only: of a container's functions, the linker keeps one copy, which
-// may have instructions that the processor lacks.
+// for several instruction sets. It uses plain arrays and no containers: the linker keeps one copy of each function of a
+// container, and this copy may use instructions that the processor lacks.
 //
 // Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes move with average acceleration
 // (beta = 1/4) in both. The base moves with average acceleration in the implicit integration, and by central
