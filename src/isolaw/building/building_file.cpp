@@ -20,7 +20,7 @@ namespace isolaw::building {
 namespace {
 
 constexpr double mm_in_m = 1e3;
-constexpr double most_drawn = 2e6;  // buildings in a study
+constexpr double most_drawn = 2e6;  // the largest number of drawn buildings in a study
 constexpr double most_g = 1e3;      // the largest ground acceleration that isolaw accepts, in g
 
 struct TableInfo {

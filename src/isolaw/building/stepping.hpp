@@ -31,8 +31,9 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// The array of a run's measures holds these first, then the accelerations of all diaphragms from the base up, the
-// shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each bearing.
+// The array of a run's measures begins with these. The accelerations of all diaphragms from the base up follow, then
+// the shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each
+// bearing.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 

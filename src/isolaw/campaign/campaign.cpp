@@ -83,7 +83,8 @@ Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord c
   }
   run.parameters.resize(box.parameters.size());
   box.expand(result.best, run.parameters);
-  std::vector<double> work;  // scalar code computes what is reported, whichever vector code searched
+  // Scalar code computes the reported objective, so that it does not depend on the vector code of the search.
+  std::vector<double> work;
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;

@@ -71,7 +71,7 @@ struct Run {
   int number = 0;  // counted from 1
   Outcome outcome = Outcome::no_finite_value;
   double objective = 0.0;          // NaN if no parameter set gave a finite force
-  double integration_shift = 0.0;  // how far the objective moves on a path 20 times finer
+  double integration_shift = 0.0;  // by how much 20 times finer integration steps change the objective
   int refinement = 1;              // the number of integration steps per sample that the run ended with
   int evaluations = 0;
   int failed_evaluations = 0;           // evaluations that gave no finite force

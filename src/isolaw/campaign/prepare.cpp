@@ -121,9 +121,8 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   }
 }
 
-// Takes the temperature that the header of the record states, if the lot file gives none. The lot gets a verdict only
-// if all devices were tested at one temperature. This must not depend on whether the user gave a lot file or only
-// records.
+// Takes the temperature that the header of the record states, if the lot file gives none. The verdict on the lot
+// requires one temperature for all devices, and must be the same whether the user gave a lot file or only records.
 void take_temperature(Device& device) {
   DeviceInfo stated;
   take_device_facts(device.raw.device_facts, stated);

@@ -17,7 +17,8 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Names the command that computed the store, since `merge --fresh` would not compute a damaged part again.
+// The advice in messages about a damaged store. It names the command that computed the store, since `merge --fresh`
+// would not compute a damaged part again.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 

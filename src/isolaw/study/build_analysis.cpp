@@ -141,8 +141,8 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
 
 // The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. If a parameter
 // is at its bound and the test does not determine it, its variance is a quarter of the squared width of its box: no
-// distribution inside the box has a larger one. To keep every variance above zero, the square of a small length is
-// added: a millionth of the estimate or of a thousandth of the box's width, whichever is larger.
+// distribution inside the box has a larger one. To keep every variance above zero, (1e-6 s)^2 is added, where s is the
+// estimate's magnitude or a thousandth of the box's width, whichever is larger.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;

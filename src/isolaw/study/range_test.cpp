@@ -156,8 +156,8 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
 }
 
 // If the building's cycles are faster or slower than all tests: the period [s] of cycles of the tested displacement
-// whose peak velocity is the tested one nearest to the building's. nullopt if some tests are at most as fast as the
-// building's cycles and some at least as fast, or if no velocity is known.
+// whose peak velocity is the tested one nearest to the building's. nullopt if the building's velocity lies between
+// those of the tests, or if no velocity is known.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;

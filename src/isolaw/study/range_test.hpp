@@ -1,6 +1,6 @@
 // Tests whether the laws of a campaign give plausible forces in the cycles of a building, within the tested
-// displacements and up to those that the design asks for. A law that does not is not recommended. docs/decision.md has
-// the limits.
+// displacements and up to those that the design asks for. A law whose forces are not plausible is not recommended.
+// docs/decision.md has the limits.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"

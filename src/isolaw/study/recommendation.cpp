@@ -226,8 +226,8 @@ std::vector<Standing> standings_of(Summary const& summary) {
   return standings;
 }
 
-// Puts the laws in order and marks those that tie with the least error. Of these, the one with the fewest parameters is
-// taken.
+// Sorts the laws by error, those that are ruled out last. Laws tie if their error is near the least one (tie_share); of
+// these, the law with the fewest parameters is taken and comes first.
 void rank(std::vector<Standing>& standings) {
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return s.reason.has_value(); });

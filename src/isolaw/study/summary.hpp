@@ -148,7 +148,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // Members from here to `reduced` rest on the least objective known for each device, without the optimiser's noise.
+  // Members from here to `reduced` refer to the least objective known for each device, not to the means over the runs.
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
@@ -163,7 +163,7 @@ struct LawResult {
   // The means over the devices of the two values of the same names in DeviceFit, for the devices that have them; and
   // the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;  // empty if there is neither a law of the lot nor a fit to such a device
+  std::optional<BeyondTests> beyond;  // empty if neither the lot nor such a device has parameters
   // Faults of the law inside the tested displacements, each with the device or, for the law of the lot, without one.
   std::vector<Finding> faults_inside = {};
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not recommended for a building
