@@ -26,7 +26,7 @@ struct Target {
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
   bool of_model = false;  // writes a whole building and needs Subject::model
   bool is_named = false;  // the file defines a name, which the user may choose (Subject::name)
-  bool refits = false;    // may put the re-fit of another law in the law's place
+  bool refits = false;    // may write a re-fit, which is another law fitted to this one, in the law's place
 };
 std::span<Target const> targets();
 std::vector<std::string_view> targets_where(bool Target::*is);

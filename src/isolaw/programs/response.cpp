@@ -22,7 +22,7 @@ struct Peaks {
   double disp_mm = 0.0, shear_kN = 0.0;
 };
 
-// In percent of `truth`: displacement and shear.
+// How far displacement and shear differ from those of `truth`, in percent of the latter.
 std::array<double, 2> differences(Peaks const& value, Peaks const& truth) {
   return {100.0 * (value.disp_mm / truth.disp_mm - 1.0), 100.0 * (value.shear_kN / truth.shear_kN - 1.0)};
 }
@@ -37,7 +37,7 @@ class MassOnBearing {
         virgin_(
             building::make_bearing(law.info.id, parameters, building::Coupling::separate, dead_band_mm, refinement)) {}
 
-  // Empty if the integration did not come to the motion's end.
+  // The peak responses. Empty if the integration did not reach the end of the motion.
   std::optional<Peaks> under(data::GroundMotion const& motion) const {
     std::vector<std::unique_ptr<building::Bearing>> bearing;
     bearing.push_back(virgin_->copy());

@@ -1,6 +1,6 @@
 // Computes how a re-fit changes the response of a building: a rigid mass on one bearing under a ground motion,
 // integrated (building/integrate.hpp) once with the law and once with the law that was fitted in its place. Every
-// export of a re-fit states it.
+// export of a re-fit states this change.
 #pragma once
 
 #include <optional>

@@ -52,7 +52,8 @@ struct BoundFactors {
 struct Bounds {
   std::optional<BoundFactors> lower, upper;
   std::string source;  // where the factors come from, or why there are none
-  // k, if all factors are those that hold 95 % of the devices with confidence 95 %; see num/tolerance_factor.hpp.
+  // The tolerance factor k (num/tolerance_factor.hpp), if all factors were computed with it. The bounds then hold 95 %
+  // of the devices with a confidence of 95 %.
   std::optional<double> tolerance_factor = {};
 };
 
@@ -67,7 +68,7 @@ struct Subject {
   // Number of the device in the campaign, from 1, if plain_name() gives another device the same name. Otherwise 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's order and units
-  // Parameters with which springs around a circle follow the tests, if the campaign fitted them.
+  // Parameters with which springs around a circle fit the tests best, if the campaign fitted them.
   std::optional<std::vector<double>> springs;
   // One history for each test of the device, or of the lot's devices. The one of largest amplitude is first.
   std::vector<History> histories;
