@@ -333,9 +333,9 @@ void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& s
     checked.equivalent_period_s = linear.period_s;
     checked.equivalent_damping = linear.damping;
     checked.equivalent_error_percent = 100.0 * (linear.displacement_mm / run.of(Measure::centre) - 1.0);
+    if (run.outcome != Outcome::completed) continue;
     // The verdict and its warnings already say how far the draws go beyond the tests. The 0.0 for the tested
     // displacement therefore leaves out the doubt about this.
-    if (run.outcome != Outcome::completed) continue;
     std::ranges::move(run_doubts(run, source.law, motions[motion].name, 0.0), std::back_inserter(checked.doubts));
     if (std::abs(checked.draws_error_percent) > largest_difference_percent)
       checked.doubts.push_back(

@@ -78,7 +78,7 @@ class Model {
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
   StructureArrays arrays() const;
   std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of length dt
-  Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
+  Matrix3 condensed_mass(double dt) const;      // M - sum over the modes of share participation participation^T
   // Stiffness of all bearings against the base's motion at its centre of mass, from each bearing's 2 x 2 by rows.
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 

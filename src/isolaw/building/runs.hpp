@@ -134,7 +134,7 @@ struct RunProgress {
   std::size_t done = 0, total = 0;  // numbers of analyses
 };
 struct RunAllOptions {
-  std::function<void(RunProgress const&)> progress = {};  // by one thread at a time; an exception ends the runs
+  std::function<void(RunProgress const&)> progress = {};  // called by one thread at a time; an exception ends the runs
   std::optional<campaign::Part> part = {};                // compute this part only
   std::function<bool()> interrupted = {};                 // asked between and during runs, from any thread
 };

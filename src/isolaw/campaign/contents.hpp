@@ -84,7 +84,7 @@ struct Run {
   bool usable() const { return !parameters.empty(); }
 };
 
-struct DeviceAnalysis {  // how well one device's test determines a law, examined at the least objective
+struct DeviceAnalysis {  // how well one device's tests determine a law's parameters, examined at the least objective
   std::size_t device = 0;
   std::string law;
   int refinement = 1;  // refinement of the run at which the analysis starts

@@ -88,7 +88,7 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
 }
 
 // Notes the options that the record was read with, so that a report can state a command that reads it again. They are
-// kept as JSON in the first finding about how the record was read, and the text of the decision does not show them.
+// kept as JSON in the first finding about how the record was read; the sentence of this finding does not show them.
 void note_options(TestInput const& input, std::vector<Finding>& recognised) {
   if (recognised.empty()) return;
   Json given = Json::object();

@@ -30,7 +30,8 @@ bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  static Connection create(std::filesystem::path const& file);  // like those below, may throw Error and std::bad_alloc
+  // These functions may throw Error and std::bad_alloc.
+  static Connection create(std::filesystem::path const& file);
   static Connection to_write(std::filesystem::path const& file);
   // Takes no locks and makes no files unless a log lies beside `file`, so read-only media and network shares work.
   static Connection to_read(std::filesystem::path const& file);

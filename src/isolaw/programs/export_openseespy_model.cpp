@@ -59,7 +59,8 @@ building::Coupling coupling_in_model(Subject const& subject) {
   return coupling == building::Coupling::springs && !springs_follow ? building::Coupling::separate : coupling;
 }
 
-// True if springs around the circle have the parameters that the campaign fitted to them. Draws have none.
+// True if the bearings are springs around a circle with the parameters that the campaign fitted to such springs. It
+// fits none for drawn laws.
 bool as_fitted_springs(Subject const& subject) {
   return coupling_in_model(subject) == building::Coupling::springs && subject.springs && subject.model->draws.empty();
 }
