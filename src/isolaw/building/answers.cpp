@@ -34,8 +34,8 @@ std::string titles_of(std::vector<Judged> const& judged, Keeps keeps) {
   return wording::enumerate(titles);
 }
 
-// Whether the building with this law holds: yes, no or open; untested if only the tests do not reach that far; and
-// unlimited if the building file sets no limit.
+// Whether the building with this law keeps its limits: "yes", "no" or "open"; "untested" if it keeps them but its
+// bearings may move farther than in the tests; "unlimited" if the building file sets no limit.
 std::string_view holds(LawAnswer const& law) {
   bool limited = false, tested = true;
   auto keeps = Keeps::yes;
@@ -333,8 +333,9 @@ void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& s
     checked.equivalent_period_s = linear.period_s;
     checked.equivalent_damping = linear.damping;
     checked.equivalent_error_percent = 100.0 * (linear.displacement_mm / run.of(Measure::centre) - 1.0);
-    // The verdict and its warnings say how far draws go beyond the tests, so this is asked of the accuracy alone.
     if (run.outcome != Outcome::completed) continue;
+    // The verdict and its warnings already say how far the draws go beyond the tests. The 0.0 for the tested
+    // displacement therefore leaves out the doubt about this.
     std::ranges::move(run_doubts(run, source.law, motions[motion].name, 0.0), std::back_inserter(checked.doubts));
     if (std::abs(checked.draws_error_percent) > largest_difference_percent)
       checked.doubts.push_back(

@@ -35,16 +35,16 @@ struct Checked {
 
 struct LawAnswer {
   std::string law;
-  Coupling coupling = Coupling::coupled;  // if it differs between motions, springs
-  bool mixed = false;                     // it differs between motions: separate under those along x alone
-  bool fitted_as_springs = false;         // the springs have parameters fitted as springs around the circle
+  Coupling coupling = Coupling::coupled;  // springs if it differs between motions
+  bool mixed = false;                     // true if it differs: Coupling::separate under motions along x alone
+  bool fitted_as_springs = false;         // true if the springs' parameters were fitted as springs around the circle
   std::size_t draws = 0;
   std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
   std::size_t collapsed = 0;                // draws with such a run; they count as outside of all bounds
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
   std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
-  Judged reach = {};                        // displacement of a bearing as it counts for design, against no limit
+  Judged reach = {};                        // displacement of a bearing as it counts for design; has no limit
   std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
   // Share of the draws whose bearing displacement lies between the bounds of the study's first law with a result. Empty
@@ -59,8 +59,8 @@ struct LawAnswer {
 };
 
 std::string_view name(Coupling coupling);  // "coupled", "separate" or "springs"
-// Names how the law acts in the plane: as name(), or "springs as given" if no parameters were fitted for the springs,
-// which then have the parameters of the law in one direction.
+// Names how the law acts in the plane: as name(), or "springs as given" if the springs have the parameters of the law
+// in one direction because none were fitted for springs.
 std::string_view form(LawAnswer const& law);
 // Whether any run of the law gave finite numbers, and the clause that says so if none did: "none of its 364 analysis
 // runs gave finite numbers".

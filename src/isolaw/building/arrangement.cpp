@@ -57,7 +57,7 @@ class Search {
     best_.eccentricity_mm = eccentricity;
   }
 
-  // Tries every device that is left on each place from `place` on.
+  // Tries all arrangements of the remaining devices on the places from `place` on.
   void try_all(std::vector<std::size_t>& device, std::size_t place, Sums const& so_far) {
     if (place == places_.size()) return take_if_better(device, so_far.eccentricity());
     for (std::size_t i = place; i < device.size(); ++i) {

@@ -9,9 +9,9 @@
 namespace isolaw::building {
 
 // Puts a device of known stiffness on each place, so that the centre of stiffness is as near to `centre` as possible.
-// Up to most_tried arrangements are all tried, which is so for 8 devices on 8 places. Of more, isolaw exchanges pairs
-// of devices until no exchange helps, from many starts; this finds a near arrangement that may not be the nearest.
-// Needs as many devices as places, or more.
+// If there are at most most_tried arrangements, for example of 8 devices on 8 places, all are tried. Otherwise pairs of
+// devices are exchanged until no exchange helps, from many starts; the result is good but need not be the best. Needs
+// at least as many devices as places.
 inline constexpr double most_tried = 5e4;
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]

@@ -66,18 +66,18 @@ class OneDirection {
   bool went_ = false, goes_ = false;
 };
 
-// Whether the force at a displacement of `rest_mm` is more than twice what the tangent at rest says. This is so for
-// laws with a power of the displacement whose slope at 0 is infinite: they state a finite tangent there.
+// Whether the force at a displacement of `rest_mm` is more than twice what the tangent at rest predicts. This is so for
+// laws whose power of the displacement has an infinite slope at 0: they return a finite tangent there.
 bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
   double const rest = rest_mm / info.length.in_record_units, slope = law.trial(0.0, 0.0).by_x;
   constexpr double much = 2.0;
   return law.trial(rest, 0.0).force > much * slope * rest;
 }
 
-// Springs around the circle, as laws::Springs, of a law without a slope at rest. A spring across the motion moves by
-// rounding only, and the law's force is noise there. So each spring follows a straight line, the chord of the law from
-// 0 to `rest_mm`, until it first moves beyond `rest_mm`. Exactly at 0 it still gives the law's own tangent, because the
-// longest integration step is chosen from that.
+// Springs around the circle, as laws::Springs, for a law without a slope at rest. A spring at right angles to the
+// motion moves by rounding only, and the law's force would be noise there. So each spring follows the chord of the law
+// from 0 to `rest_mm` until it first moves beyond `rest_mm`. Exactly at 0 it still gives the law's own tangent, from
+// which the longest integration step is chosen.
 class RestingSprings final : public Bearing {
  public:
   RestingSprings(laws::Online const& law, laws::LawInfo const& info)

@@ -20,8 +20,8 @@ namespace isolaw::building {
 namespace {
 
 constexpr double mm_in_m = 1e3;
-constexpr double most_drawn = 2e6;  // buildings in a study
-constexpr double most_g = 1e3;      // acceleration of the ground that is computed at all
+constexpr double most_drawn = 2e6;  // the largest number of drawn buildings in a study
+constexpr double most_g = 1e3;      // the largest ground acceleration that isolaw accepts, in g
 
 struct TableInfo {
   std::string_view name, help;
@@ -534,7 +534,8 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
     };
     for (std::size_t i = 0; i < file.bearings.size(); ++i)
       if (!stands(fmt::format("bearing {}", i + 1), file.bearings[i].at)) break;
-    // A mass that lies within the plan has a radius of gyration below half the diagonal. A floor may reach beyond.
+    // A mass within the plan has a radius of gyration below half the diagonal. The limit is the whole diagonal, because
+    // a floor may reach beyond the plan.
     double const most_mm = std::hypot(right - left, back - front);
     auto const lies = [&](std::string const& what, Diaphragm const& slab) {
       stands("the centre of mass of " + what, slab.centre);

@@ -21,7 +21,7 @@ struct Settings {
   std::string title;
   std::vector<std::string> laws;  // empty: the law that the campaign recommends
   int draws = 500;
-  int populations = 0;  // how often the population is re-estimated within the tests' uncertainty; 0: taken as known
+  int populations = 0;  // how often the population is estimated again, to show the uncertainty of the tests; 0: never
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
@@ -114,7 +114,7 @@ struct ReplacedKeys {
   isolaw::Values settings = {};      // new values by key of [building]
 };
 
-// The options of the command line that state what the files of --motion do not.
+// The options of the command line that state what the files given to --motion leave open, such as the time step.
 std::span<Option<data::StatedMotion> const> stated_table();
 // Reads a motion along x from one file, "x.AT2", or along x and y from two, "x.AT2,y.AT2". Throws Error.
 Motion read_motion(std::string const& files, data::StatedMotion const& stated = {});

@@ -1,5 +1,5 @@
-// Judges whether the two bound analyses of a building, which scale all forces of its bearings by a lower and an upper
-// factor, cover the responses of its draws, the buildings with bearings drawn at random from the lot.
+// Judges whether the two bound analyses of a building cover the responses of its draws. A bound analysis multiplies all
+// forces of the bearings by the lower or the upper factor. A draw is the building with bearings drawn from the lot.
 #pragma once
 
 #include <array>
@@ -21,18 +21,18 @@ struct Coverage {
   std::string_view quantity;                       // Quantity::key
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;  // shares of the draws below and above both bound analyses; above if not finite
+  double below = 0.0, above = 0.0;  // shares of the draws below and above both; one that is not finite counts as above
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic = {};  // its remark, in kN and mm
+  std::string not_monotonic = {};  // the remark of `monotony`, in kN and mm
 };
 Finding covering_factors(Coverage const& coverage);
 
-// `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i). A
-// response that is not a number is that of a building that collapsed in the model: it lies outside of all bounds.
+// `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i). If a
+// building collapsed in the model, its response is not a number; it then lies outside of all bounds.
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
                  Settings const& settings, std::vector<double> const& grid);
 

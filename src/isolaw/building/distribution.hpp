@@ -24,10 +24,11 @@ Histogram histogram(std::vector<double> const& values);
 struct Distribution {
   double nominal = 0.0, lower = 0.0, upper = 0.0;  // the three analyses without draws, means over the motions
   std::array<double, 4> fractiles{};               // at `shares`, of the draws' means over the motions
-  double motion_std_ln = 0.0, lot_std_ln = 0.0;    // spread of ln(response) in two parts, by the law of total variance
-  double lot_share = 0.0;                          // share of the lot in the variance of ln(response)
-  std::optional<double> uncertain_std_ln;          // standard deviation of ln(median) over the re-estimated populations
-  std::vector<std::array<double, 4>> by_motion;    // [motion] fractiles of the draws
+  // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance.
+  double motion_std_ln = 0.0, lot_std_ln = 0.0;
+  double lot_share = 0.0;                        // share of the lot in the variance of ln(response)
+  std::optional<double> uncertain_std_ln;        // standard deviation of ln(median) over the re-estimated populations
+  std::vector<std::array<double, 4>> by_motion;  // [motion] fractiles of the draws
   std::vector<double> nominal_by_motion;
   Histogram histogram = {};  // of the draws' means over the motions
 };

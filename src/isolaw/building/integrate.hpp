@@ -20,8 +20,8 @@
 
 namespace isolaw::building {
 
-// Ground accelerations at equal steps from time 0, linear between samples. They fall to zero in one step after the
-// last.
+// Ground accelerations at equal steps from time 0, linear between samples. After the last sample they fall to zero
+// within one step.
 struct Motion {
   std::string name;
   double step_s = 0.0;
@@ -78,7 +78,7 @@ class Model {
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
   StructureArrays arrays() const;
   std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of length dt
-  Matrix3 condensed_mass(double dt) const;      // M - sum share participation participation^T
+  Matrix3 condensed_mass(double dt) const;      // M - sum over the modes of share participation participation^T
   // Stiffness of all bearings against the base's motion at its centre of mass, from each bearing's 2 x 2 by rows.
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
@@ -97,7 +97,7 @@ Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 // The bearings start in their present state and keep the state at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-bool asks(void const* interrupted);  // Ground::asked, for an Options::interrupted
+bool asks(void const* interrupted);  // a function for Ground::asked; `interrupted` points to Options::interrupted
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});

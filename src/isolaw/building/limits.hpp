@@ -34,8 +34,8 @@ inline constexpr std::string_view tested_mm = "tested_mm";  // Judged::limit if 
 enum class Keeps { yes, no, open };
 std::string_view name(Keeps keeps);
 
-// How the buildings of a law keep one limit. A response is the mean over motions_for_a_mean motions or more, else the
-// largest, as codes take it for design.
+// Whether the buildings with one law keep one limit. A response is the one that building codes use for design: the mean
+// over the motions if there are at least motions_for_a_mean of them, else the largest.
 struct Judged {
   std::string_view limit;     // LimitInfo::key or tested_mm
   std::string_view quantity;  // Quantity::key
@@ -45,8 +45,8 @@ struct Judged {
   std::optional<double> p95;  // of the draws, if bearings are drawn
   // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
   std::optional<double> kept, kept_low, kept_high;
-  // No: the nominal building or a bound analysis breaks the limit, or fewer than wanted_share of the draws keep it. Open:
-  // the draws are too few to tell.
+  // No: the nominal building or a bound analysis breaks the limit, or fewer than wanted_share of the draws keep it.
+  // Open: the draws are too few to tell.
   Keeps keeps = Keeps::open;
 };
 Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,

@@ -14,13 +14,14 @@ inline constexpr double largest_ground_g = 2.0;
 // A mean acceleration beyond this share of the peak, or a final velocity beyond this share of the largest one, shows
 // that a baseline was not corrected.
 inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
-// Limits of an analysis: error of the energy balance by the implicit integrator and in any run, difference of the
-// draws' integration from the implicit one in percent, rotation of the base up to which its displacements are those of
-// small rotations.
+// Limits beyond which an analysis is doubted, in this order: the error of the energy balance in the implicit analysis
+// of the nominal building, and in any run; the difference of the draws' integrator from the implicit one in percent;
+// and the rotation of the base, since displacements are computed as for small rotations.
 inline constexpr double largest_energy_error = 1e-3, largest_energy_error_of_runs = 2e-3;
 inline constexpr double largest_difference_percent = 1.0, largest_rotation_rad = 0.1;
 
-// Periods on the bearings beyond these show masses in another unit, or bearings that are missing.
+// If the period of the building on its bearings is outside these limits, a mass may have the wrong unit or bearings may
+// be missing.
 inline constexpr double least_period_s = 0.3, most_period_s = 15.0;
 
 // How a ground motion was changed when it was read, and doubts about it: ground_too_strong, ground_off_zero,

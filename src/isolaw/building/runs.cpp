@@ -156,7 +156,7 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   return db;
 }
 
-// Shows whether the stored numbers of a run are those that were computed.
+// A hash that is stored with a run, to show later whether its stored numbers are still those that were computed.
 std::string hash_of(RunStore::Row const& run) {
   auto const* const bytes = reinterpret_cast<char const*>(run.measured.data());
   return sha256(fmt::format("{};{};{};", run.law, run.motion, run.place) +

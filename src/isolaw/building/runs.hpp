@@ -33,13 +33,13 @@ struct StudyProperty {
 // Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
 
-// Which part of a study a store holds (nullopt: all of it), and the paths of the study's input files. A merge is given
-// only the stores of the parts; it reads these files to compute the answers, such as the distribution of a response.
+// The part of a study that a store holds (nullopt: all of it), and the paths of the study's input files. A merge is
+// given only the stores of the parts, and reads these files to compute the answers.
 struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};
   std::vector<std::string> motions = {};
-  isolaw::Values stated = {};  // of the motions, from stated_table()
+  isolaw::Values stated = {};  // what the user stated about the motions: options of stated_table()
 };
 
 // Cuts the runs of a study into blocks of cases of one law and motion. Threads and parts share out whole blocks.
@@ -117,7 +117,7 @@ class Runs {
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
-  // Whether the block's runs are integrated implicitly, one by one, as all those of a law not in its coupled form.
+  // Whether the block's runs are integrated implicitly, one by one. This is so unless the law acts in its coupled form.
   bool one_by_one(Blocks::Block const& block) const { return devices_[place(block)].coupling() != Coupling::coupled; }
 
  private:
@@ -134,7 +134,7 @@ struct RunProgress {
   std::size_t done = 0, total = 0;  // numbers of analyses
 };
 struct RunAllOptions {
-  std::function<void(RunProgress const&)> progress = {};  // by one thread at a time; an exception ends the runs
+  std::function<void(RunProgress const&)> progress = {};  // called by one thread at a time; an exception ends the runs
   std::optional<campaign::Part> part = {};                // compute this part only
   std::function<bool()> interrupted = {};                 // asked between and during runs, from any thread
 };

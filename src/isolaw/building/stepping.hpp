@@ -1,8 +1,8 @@
 // The explicit integration of a building, and the code that it shares with the implicit one (integrate.cpp): the modes
 // of the superstructure over one step, and the results that are measured during a run. The scalar T is double, or a
 // batch that computes one building in each lane, each with its own bearings drawn from the lot. This file is compiled
-// for several instruction sets. It uses plain arrays only: of a container's functions, the linker keeps one copy, which
-// may have instructions that the processor lacks.
+// for several instruction sets. It uses plain arrays and no containers: the linker keeps one copy of each function of a
+// container, and this copy may use instructions that the processor lacks.
 //
 // Both integrations are Newmark's method with gamma = 1/2 (Newmark 1959). The modes move with average acceleration
 // (beta = 1/4) in both. The base moves with average acceleration in the implicit integration, and by central
@@ -31,8 +31,9 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
 };
 
-// The array of a run's measures holds these first, then the accelerations of all diaphragms from the base up, the
-// shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each bearing.
+// The array of a run's measures begins with these. The accelerations of all diaphragms from the base up follow, then
+// the shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each
+// bearing.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 

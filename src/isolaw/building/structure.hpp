@@ -25,7 +25,7 @@ namespace isolaw::building {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-inline constexpr double Mg_in_mass = 1e-3;  // kN s2/mm
+inline constexpr double Mg_in_mass = 1e-3;  // 1 Mg in kN s2/mm
 
 struct Point {
   double x_mm = 0.0, y_mm = 0.0;
@@ -65,8 +65,8 @@ struct Frame {
 // A frame and its modes on a fixed base. The arrays are row-major.
 class Structure {
  public:
-  // Throws one Error that lists all faults: masses and radii that are not above 0, storeys whose stiffness matrix is not
-  // positive definite, centres that are not finite, and damping ratios outside [0, 1).
+  // Throws one Error that lists all faults: masses and radii that are not above 0, storeys whose stiffness matrix is
+  // not positive definite, centres that are not finite, and damping ratios outside [0, 1).
   explicit Structure(Frame frame);
 
   Frame const& frame() const { return frame_; }

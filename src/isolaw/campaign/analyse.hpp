@@ -1,5 +1,5 @@
-// Makes the analyses that follow the runs: of each law on each device's test, of one law for all devices, and of that
-// law without each device.
+// Makes the analyses that follow the runs: it examines each law on each device's tests, fits one set of the law's
+// parameters to all devices (the lot's law), and fits it again without each device in turn.
 #pragma once
 
 #include <cstddef>
@@ -37,8 +37,8 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                      // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // Makes only this share of the analyses of a law on a device. Once those of all shares are there, fits this share of
-  // the laws to the lot.
+  // analyse() makes only this share of the analyses of laws on devices. Once the analyses of all shares are in the
+  // store, it fits only this share of the laws to the lot.
   std::optional<Part> share = {};
 };
 

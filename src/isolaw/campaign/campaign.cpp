@@ -83,7 +83,8 @@ Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord c
   }
   run.parameters.resize(box.parameters.size());
   box.expand(result.best, run.parameters);
-  std::vector<double> work;  // scalar code computes what is reported, whichever vector code searched
+  // Scalar code computes the reported objective, so that it does not depend on the vector code of the search.
+  std::vector<double> work;
   run.objective = model.objective(run.parameters, work);
   run.integration_shift = model.integration_shift(run.parameters);
   return run;
@@ -279,7 +280,8 @@ class Computation {
       for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
-    store_.add(run);  // nothing may fail after this: a task that ran out of memory is repeated
+    // Nothing may fail after this: a task that runs out of memory is repeated, and would store its run a second time.
+    store_.add(run);
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);
     estimate_.done(TaskKind::run, run.law);

@@ -20,8 +20,8 @@
 namespace isolaw::campaign {
 namespace {
 
-// Smaller objectives are compared with the tolerance for this one. If the law itself computed the record, they consist
-// of rounding errors.
+// Objectives below this one are compared with the tolerance that it has. They may consist of rounding errors, if the
+// law itself computed the record.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});

@@ -71,7 +71,7 @@ struct Run {
   int number = 0;  // counted from 1
   Outcome outcome = Outcome::no_finite_value;
   double objective = 0.0;          // NaN if no parameter set gave a finite force
-  double integration_shift = 0.0;  // how far the objective moves on a path 20 times finer
+  double integration_shift = 0.0;  // by how much 20 times finer integration steps change the objective
   int refinement = 1;              // the number of integration steps per sample that the run ended with
   int evaluations = 0;
   int failed_evaluations = 0;           // evaluations that gave no finite force
@@ -84,13 +84,15 @@ struct Run {
   bool usable() const { return !parameters.empty(); }
 };
 
-struct DeviceAnalysis {  // how well one device's test determines a law, examined at the least objective
+struct DeviceAnalysis {  // how well one device's tests determine a law's parameters, examined at the least objective
   std::size_t device = 0;
   std::string law;
   int refinement = 1;  // refinement of the run at which the analysis starts
   analysis::Determination determination;
   analysis::Intervals intervals;
-  std::optional<fit::AsSprings> springs = {};  // the law as springs, if asked for and the optimum has no coupled form
+  // The law fitted as springs around a circle (fit/as_springs.hpp). Only if the settings ask for it, and if the law has
+  // no two-dimensional form with the parameters of the optimum.
+  std::optional<fit::AsSprings> springs = {};
   std::optional<analysis::LargerSwings> larger_swings =
       {};  // empty if the test shows nothing about larger swings, or if no force is finite
   std::size_t maker = 0;
@@ -101,8 +103,8 @@ struct LotAnalysis {  // one parameter vector for all devices that have a Device
   int refinement = 1;                          // the largest refinement of the devices
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
   analysis::OneLaw mean = {};                  // the law of least mean objective; `objectives` follow `devices`
-  analysis::LeastWorst worst = {};             // the law whose largest objective of any device is least
-  std::optional<fit::AsSprings> springs = {};  // fitted from `mean`, if asked for and if `mean` has no coupled form
+  analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
+  std::optional<fit::AsSprings> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
   std::size_t maker = 0;
 };
 
@@ -128,7 +130,8 @@ struct EarlierAnalyses {
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// How far the tests of devices may differ and still be of one condition. Percentages are of the largest value.
+// How far the tests of devices may differ and still count as made under one condition. Percentages are of the largest
+// value.
 struct Alike {
   // isolaw's own tolerances, where neither the rule set nor the user states one
   static constexpr double own_temperature_C = 2.0, own_frequency_percent = 10.0, own_load_percent = 10.0,
@@ -175,13 +178,14 @@ struct Contents {
   std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // sorted by law
   std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
-  std::vector<Maker> makers = {};                    // the first one read the records; empty stands for this program
+  std::vector<Maker> makers = {};                    // the first read the records; an empty list means this program
   std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
   EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
 
   std::size_t expected_runs() const;  // in all parts together, without refused searches
   std::size_t expected_here() const;  // the runs of this part
-  // Analyses of the whole campaign that the present runs call for; 0 if none are asked for. A part makes none itself.
+  // The number of analyses that the whole campaign makes from the present runs; 0 if the settings ask for none. A part
+  // makes none itself.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }

@@ -12,8 +12,8 @@
 
 namespace isolaw::campaign {
 
-// The kinds in order: one run of a search; the analysis of one device; the fit of a law to the lot; its fit to the lot
-// without one device.
+// One run of a search; the analysis of a law on one device; the fit of a law to the lot; its fit to the lot without one
+// device.
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 

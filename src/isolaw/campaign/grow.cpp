@@ -23,7 +23,8 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-Settings grown(Settings settings, Settings const& asked) {  // `settings`, as far as they grow to `asked`
+// Returns `settings` with the values of `asked` wherever a campaign may grow: more laws, more runs, more analyses.
+Settings grown(Settings settings, Settings const& asked) {
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;
   if (overrides_of(settings.overrides, settings.laws) == overrides_of(asked.overrides, settings.laws))

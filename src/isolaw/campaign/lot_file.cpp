@@ -41,8 +41,8 @@ bool has_tests(TomlTable& device) {
   return tests != nullptr && tests->is_array_of_tables();
 }
 
-// `skip_tests` passes over the option `test`, which chooses one of a file's tests: in a device with [[device.test]]
-// tables this key holds these tables.
+// With `skip_tests` the key `test` is not read. As an option of reading it chooses one of a file's tests, but in a
+// device with [[device.test]] tables it holds these tables.
 void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests = false) {
   for (auto const& option : data::reading_table())
     if (!skip_tests || option.option() != "test")

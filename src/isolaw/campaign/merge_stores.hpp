@@ -21,7 +21,7 @@ struct Merged {
   std::size_t missing = 0;
   int parts = 0;                          // the number of parts; 0 if no store states it
   std::vector<std::string> absent;        // given paths that do not exist
-  std::string lost = {};                  // a sentence on what `fresh` replaced if that was no sound store; else empty
+  std::string lost = {};                  // a sentence if `fresh` replaced a damaged or empty file; else empty
   std::map<int, std::size_t> missing_of;  // missing runs by the part that should hold them; part 0 if that is not known
 };
 // "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.

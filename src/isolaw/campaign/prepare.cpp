@@ -69,8 +69,8 @@ void refuse_device(Device& device, std::string why) {  // keeps only the record'
   device.record = {};
 }
 
-// Whether a device with a signal that cannot be true is refused, as for a campaign, which fits no law to it, or is
-// shown, as for an inspection.
+// Decides about a device whose record has an impossible signal. A campaign refuses it, since no law can be fitted to
+// it. An inspection shows it.
 enum class FalseSignals { shown, refused };
 
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
@@ -88,7 +88,7 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
 }
 
 // Notes the options that the record was read with, so that a report can state a command that reads it again. They are
-// kept as JSON in the first finding about how the record was read, and the text of the decision does not show them.
+// kept as JSON in the first finding about how the record was read; the sentence of this finding does not show them.
 void note_options(TestInput const& input, std::vector<Finding>& recognised) {
   if (recognised.empty()) return;
   Json given = Json::object();
@@ -121,8 +121,8 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   }
 }
 
-// Takes the temperature that the header of the record states, if the lot file gives none. The lot has a verdict only if
-// its devices were tested at one temperature, so it must not depend on how the lot was given.
+// Takes the temperature that the header of the record states, if the lot file gives none. The verdict on the lot
+// requires one temperature for all devices, and must be the same whether the user gave a lot file or only records.
 void take_temperature(Device& device) {
   DeviceInfo stated;
   take_device_facts(device.raw.device_facts, stated);

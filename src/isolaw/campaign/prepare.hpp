@@ -14,13 +14,14 @@ namespace isolaw::campaign {
 // The key of the word in a record's first finding that holds the options it was read with, as a JSON object.
 inline constexpr std::string_view given_options = "given_options";
 
-// A device that cannot be used is kept with its reason. Throws Error if none is usable or the settings are not allowed.
+// A device that cannot be used is kept, with the reason. Throws Error if no device is usable or a setting is not
+// allowed.
 Contents prepare(Lot const& lot);
 
 struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
-  data::TestRecord uncorrected = {};  // `record` without corrections by hand, if it has any and this is known
+  data::TestRecord uncorrected = {};  // `record` without corrections by hand; empty if it has none or this is not known
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };

@@ -137,8 +137,8 @@ std::vector<Setting> make_settings() {
                "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
                at(&S::turning_points), turnings)},
       {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "2; ga: 20")},
-      // The upper limits keep the number of evaluations within an int. That of selection_pressure keeps the weights of
-      // the roulette above zero.
+      // The upper limits keep the number of evaluations within an int. The limit of selection_pressure keeps the
+      // weights above zero with which the genetic algorithm selects parents.
       {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},

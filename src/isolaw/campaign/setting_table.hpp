@@ -37,6 +37,6 @@ std::vector<std::string> differences(Settings const& there, Settings const& now,
 // The options of the rules that tests are checked against. Setting the option `rules` only keeps the name of the rule
 // set; other code loads the file.
 std::span<Option<Acceptance> const> acceptance_table();
-std::span<Option<Acceptance> const> alike_table();  // its options for Acceptance::alike
+std::span<Option<Acceptance> const> alike_table();  // those options of acceptance_table() that set Acceptance::alike
 
 }  // namespace isolaw::campaign

@@ -48,7 +48,8 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
     auto const found = stored.find(setting.key);
     auto const value = found == stored.end() ? setting.without : Json::parse(found->second);
     if (value.is_null()) throw Error({.where = {}, .found = "is missing in the store"});
-    // An initial value is not set again: a number of runs that was left open is stored as 0, which set() would refuse.
+    // A value that `settings` has already is not set again: the store may hold 0 runs, for a number that the user left
+    // open, and set() would refuse 0.
     if (value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;

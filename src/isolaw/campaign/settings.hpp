@@ -47,7 +47,8 @@ std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settin
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
 inline constexpr std::string_view usual_laws = laws::law_sets[1].first;  // fitted if none are asked for
-// Turns "paper,gallardo" into ids without repetition; "paper", "usual", "all" name sets. Throws Error with the laws.
+// Turns "paper,gallardo" into ids without repetition; "paper", "usual" and "all" name sets. Throws Error that lists the
+// laws if a name is unknown.
 std::vector<std::string> parse_laws(std::string_view text);
 int parse_lot_size(std::string_view text);  // 1 to 10,000,000
 

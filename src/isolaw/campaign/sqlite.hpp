@@ -17,7 +17,8 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// Names the command that computed the store, since `merge --fresh` would not compute a damaged part again.
+// The advice in messages about a damaged store. It names the command that computed the store, since `merge --fresh`
+// would not compute a damaged part again.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
@@ -29,7 +30,8 @@ bool has_log(std::filesystem::path const& file);
 
 class Connection {
  public:
-  static Connection create(std::filesystem::path const& file);  // like those below, may throw Error and std::bad_alloc
+  // These functions may throw Error and std::bad_alloc.
+  static Connection create(std::filesystem::path const& file);
   static Connection to_write(std::filesystem::path const& file);
   // Takes no locks and makes no files unless a log lies beside `file`, so read-only media and network shares work.
   static Connection to_read(std::filesystem::path const& file);

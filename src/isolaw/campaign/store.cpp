@@ -109,8 +109,8 @@ Contents Store::read(std::filesystem::path const& file) {
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
-  // Each part changes pages all over the database. With a long log such a page is written into the file once, not once
-  // for every part.
+  // Every part that is merged changes pages all over the database. The log may therefore grow long: a page that several
+  // parts change is then written into the file once, not once for each part.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);

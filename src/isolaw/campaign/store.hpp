@@ -40,13 +40,15 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies all runs of another store or, with an Error, none. That store must be of this campaign, and this build must
-  // have computed it. A run that both stores hold must be the same in both. Holds one row at a time in memory.
+  // Copies all runs of another store; if it throws Error, it has copied none. The other store must be of this campaign,
+  // and this build must have computed it. A run that both stores hold must be the same in both. Memory holds one row at
+  // a time.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies analyses missing here, all or none, from a store of this campaign that has every run; returns how many.
+  // Copies from another store of this campaign, which must have every run, all analyses that are missing here, or none
+  // if it throws. Returns how many.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

@@ -48,7 +48,7 @@ class StoreKind {
   std::string lost_with(std::filesystem::path const& file) const;
   // Writes the log that a killed program left into the file, or undoes the transaction that was not finished.
   void fold_log(std::filesystem::path const& file) const;
-  // Writes a store without a log again, with its rows in the order of their keys. Equal results then give equal files,
+  // Rewrites a store that has no log, with its rows in the order of their keys. Equal results then give equal files,
   // byte by byte, in whatever order and on however many machines they were computed. Does nothing if the rows are in
   // order already, and keeps the old file if the new one cannot be written.
   void put_in_order(std::filesystem::path const& file) const;

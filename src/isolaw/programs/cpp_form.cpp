@@ -51,7 +51,8 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Lines of the check that compare the factors of the bounds with those that isolaw wrote.
+// Lines of the self-check that compare the factors in the file with those that isolaw wrote, in case a user edited
+// them.
 std::string bounds_check(Subject const& subject, UnitSystem const& units) {
   auto const space = identifier(subject, units);
   std::string rows;
@@ -76,7 +77,8 @@ std::string cpp_law(Subject const& subject, UnitSystem const& units) {
     throw Error({.where = "law " + std::string(subject.law->info.id),
                  .found = "no C++ form of it",
                  .allowed = "another target"});
-  // Files of one name that are compiled apart have no symbols in common, thanks to the inline namespace.
+  // The name of the inline namespace is unique to the file (own_number_mark). Two exports of the same name that are
+  // compiled separately therefore share no symbols.
   auto const space = identifier(subject, units);
   std::string text = fmt::format(
       "#include <algorithm>\n#include <cmath>\n#include <cstddef>\n#include <vector>\n\nnamespace {} {{\ninline namespace of_{} {{\n\n",

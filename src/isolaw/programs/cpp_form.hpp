@@ -11,7 +11,7 @@ namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
 // Returns the includes and the law in namespace identifier(subject, units). Throws Error if the law has no C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// Puts `code` between lines that the compiler reads once, and that refuse another file of this name.
+// Puts an include guard around `code`. Another file that defines the same name is then a compile error.
 std::string guarded(std::string_view name, std::string_view code);
 // Returns a main() for ISOLAW_SELF_CHECK. It drives `material` over the self-check's motion by trial() and commit().
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);

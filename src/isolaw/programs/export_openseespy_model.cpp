@@ -50,15 +50,17 @@ std::string python_isolator(ModelNumbers const& n) {
              : python_springs(n.function);
 }
 
-// How the law itself acts in plan, as in isolaw.building: by its own form in two directions, else as springs around the
-// circle, which round its knee, so a motion along x alone has the law once along each axis.
+// How the law itself acts in two horizontal directions, as in isolaw.building: by its own form for two directions, if
+// it has one, else as springs around a circle. Such springs round off the loop's knee and need a law that is odd. With
+// a motion along x alone, or a law that is not odd, one spring along each axis follows the law instead.
 building::Coupling coupling_in_model(Subject const& subject) {
   auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);
   bool const springs_follow = subject.law->info.traits.odd && subject.model->motions.size() > 1;
   return coupling == building::Coupling::springs && !springs_follow ? building::Coupling::separate : coupling;
 }
 
-// True if springs around the circle have the parameters that the campaign fitted to them. Draws have none.
+// True if the bearings are springs around a circle with the parameters that the campaign fitted to such springs. It
+// fits none for drawn laws.
 bool as_fitted_springs(Subject const& subject) {
   return coupling_in_model(subject) == building::Coupling::springs && subject.springs && subject.model->draws.empty();
 }

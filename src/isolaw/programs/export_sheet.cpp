@@ -30,7 +30,7 @@ template <class Values>
 struct Set {
   std::string how;      // "exact", or the fitted law and its error
   bool is_near = true;  // false if the fitted law is far off the exported law
-  std::string off;      // how far, if it is fitted
+  std::string off;      // how far off the fitted law is, in words
   RefitResponse response = {};
   Values nominal;
   std::optional<Values> lower, upper;
@@ -349,7 +349,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;  // the last that was computed: all have the same building
+  RefitResponse response;  // the last one computed; any would do, since all are of the same building
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);

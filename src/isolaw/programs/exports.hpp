@@ -16,8 +16,8 @@ namespace isolaw::programs {
 struct Remarks {
   std::vector<std::string> objections;  // reasons to refuse the export, unless the user asks for it `anyway`
   std::vector<std::string> cautions;    // warnings that are shown with the export
-  std::vector<Finding> responses;       // of a building with each re-fit (response.hpp)
-  // Adds what `response` says, or a caution if it has no result. Without a re-fit `response` is empty.
+  std::vector<Finding> responses;       // how each re-fit changes the response of a building (response.hpp)
+  // Adds the finding of `response`, or a caution if it has none. Adds nothing if there is no re-fit and so no response.
   void add(RefitResponse const& response, Subject const& subject);
 };
 
@@ -26,7 +26,7 @@ struct Target {
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
   bool of_model = false;  // writes a whole building and needs Subject::model
   bool is_named = false;  // the file defines a name, which the user may choose (Subject::name)
-  bool refits = false;    // may put the re-fit of another law in the law's place
+  bool refits = false;    // may write a re-fit, which is another law fitted to this one, in the law's place
 };
 std::span<Target const> targets();
 std::vector<std::string_view> targets_where(bool Target::*is);
@@ -50,9 +50,9 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 std::string opensees_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_law(Subject const& subject, UnitSystem const& units);
-// Python code that has the law itself by isolaw.opensees: its parameters and bounds, and the functions arguments(),
-// material() and self_check(). `prefix` ("" or "law_") begins the names, in capitals those of constants. Needs `ops`
-// and `isolaw`.
+// Returns Python code that uses the law itself through isolaw.opensees: the law's parameters and bounds, and the
+// functions arguments(), material() and self_check(). All names begin with `prefix` ("" or "law_"), those of constants
+// with its capitals. The module must have imported `ops` and `isolaw`.
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);

@@ -53,7 +53,8 @@ laws::BilinearForm scaled(laws::BilinearForm values, BoundFactors const& scale);
 laws::BoucWenForm scaled(laws::BoucWenForm values, BoundFactors const& scale);
 laws::MenegottoPintoForm scaled(laws::MenegottoPintoForm values, BoundFactors const& scale);
 
-// Return a bilinear or a Bouc-Wen law in kN and mm, else nullopt. Limit curves without hardening are Bouc-Wen (n = 1).
+// Return the law's values in kN and mm if it is bilinear, or if it is Bouc-Wen; nullopt for other laws. Limit curves
+// without hardening count as Bouc-Wen with n = 1.
 std::optional<laws::BilinearForm> bilinear_values(laws::LawEntry const& law, std::span<double const> parameters);
 std::optional<laws::BoucWenForm> bouc_wen_values(laws::LawEntry const& law, std::span<double const> parameters);
 

@@ -31,9 +31,10 @@ struct ModelBearing {
 struct Model {
   std::string layout;  // path of the layout file
   std::vector<ModelBearing> bearings;
-  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;  // weight that the isolators carry, and its centre
-  std::string weight_from, centre_from, gyration_from, K_v_from;      // sources of weight, centre, gyration and K_v
-  std::vector<data::GroundMotion> motions;  // motion along x, and a second one along y if given
+  // The weight that the isolators carry, the centre of its mass and the radius of gyration.
+  double weight_kN = 0.0, x_mm = 0.0, y_mm = 0.0, gyration_mm = 0.0;
+  std::string weight_from, centre_from, gyration_from, K_v_from;  // sources of weight, centre, gyration and K_v
+  std::vector<data::GroundMotion> motions;                        // motion along x, and a second one along y if given
   double scale = 1.0;
   // Law parameters drawn for each bearing, as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;

@@ -100,8 +100,8 @@ std::vector<double> replay_in_pieces(Form const& form, std::span<double const> d
   return every(replay_kN(form, record_units, refined(disp_mm, pieces)), pieces);
 }
 
-// Pieces into which steps of at most `longest_mm` must be cut so that a cycle of the tested amplitude has the number of
-// steps that the file demands.
+// The number of pieces into which steps of at most `longest_mm` must be cut, so that a cycle of the tested amplitude
+// has at least the number of steps that the exported file demands. At most finer_steps.
 int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, Subject const& subject,
                     double longest_mm) {
   if (form.exactness != Exactness::small_steps) return 1;
@@ -110,8 +110,8 @@ int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, S
   return std::clamp(static_cast<int>(std::ceil(longest_mm / longest_demanded_mm - 1e-9)), 1, finer_steps);
 }
 
-// If the form stands for a law that it cannot give, `as_demanded` cuts the steps of the records into those that the
-// file demands: the deviation is then that of the form, without an error of integration that the file excludes.
+// `as_demanded` is for a form that can only approximate the law. It cuts the records' steps until they are as short as
+// the exported file demands, so that the deviation does not include errors of integration by longer steps.
 Realised replayed(Form const& form, Subject const& subject, bool as_demanded = false) {
   Realised realised{.nominal = form};
   if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
@@ -183,7 +183,8 @@ Realisation refit(Subject const& subject, Realisation realisation) {
       auto const& form = mapping.forms[i];
       auto realised = replayed(form, subject, true);
       if (!std::isfinite(realised.from_law.largest) || !has_a_force(form, subject)) continue;
-      // A cycle of any amplitude has the demanded number of steps.
+      // Every cycle has protocol_steps steps, whatever its amplitude, so the pieces of a cycle of the tested amplitude
+      // give all cycles the demanded number of steps.
       int const pieces = pieces_demanded(form, realised.steps, subject,
                                          2.0 * std::numbers::pi * subject.tested.disp_mm / protocol_steps);
       realised.other_cycles =

@@ -40,13 +40,14 @@ struct Realised {
   std::vector<std::pair<std::string, Form>> draws =
       {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
   Deviation from_law = {};  // the largest over all histories, in steps of at most replayed_step_mm
-  std::optional<Deviation> finer =
-      {};  // the same, steps finer_steps times smaller; for small_steps, not for a substitute
+  // The same with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
+  std::optional<Deviation> finer = {};
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute
   std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no number of steps was enough
-  double longest_travel_mm = 0.0, longest_step_mm = 0.0;  // of the records: in one direction, between two samples
-  double replayed_step_mm = 0.0;  // the longest in the replay: that of the records, or for a substitute as demanded
+  // The records' longest travel in one direction, and their longest step between two samples.
+  double longest_travel_mm = 0.0, longest_step_mm = 0.0;
+  double replayed_step_mm = 0.0;  // longest step of the replay; for a substitute cut as the exported file demands
 };
 inline constexpr int finer_steps = 16;
 
@@ -56,7 +57,7 @@ struct Realisation {
   std::vector<Realised> forms;  // the preferred form is first
   std::string substitute;       // id of the law that was fitted instead of the subject's law; "" if none
   std::vector<double> substitute_parameters;
-  RefitResponse response;                   // of a building with the substitute
+  RefitResponse response;                   // how the substitute changes the response of a building
   std::vector<std::string> refused;         // rejected forms, each with the reason: "form: how its replay failed"
   std::optional<Deviation> draws_from_law;  // largest deviation of a form from its drawn law, on the first history
 };

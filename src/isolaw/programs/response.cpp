@@ -22,7 +22,7 @@ struct Peaks {
   double disp_mm = 0.0, shear_kN = 0.0;
 };
 
-// In percent of `truth`: displacement and shear.
+// How far displacement and shear differ from those of `truth`, in percent of the latter.
 std::array<double, 2> differences(Peaks const& value, Peaks const& truth) {
   return {100.0 * (value.disp_mm / truth.disp_mm - 1.0), 100.0 * (value.shear_kN / truth.shear_kN - 1.0)};
 }
@@ -37,7 +37,7 @@ class MassOnBearing {
         virgin_(
             building::make_bearing(law.info.id, parameters, building::Coupling::separate, dead_band_mm, refinement)) {}
 
-  // Empty if the integration did not come to the motion's end.
+  // The peak responses. Empty if the integration did not reach the end of the motion.
   std::optional<Peaks> under(data::GroundMotion const& motion) const {
     std::vector<std::unique_ptr<building::Bearing>> bearing;
     bearing.push_back(virgin_->copy());
@@ -79,8 +79,9 @@ std::optional<Scaled> scaled_to(data::GroundMotion const& motion, MassOnBearing 
       tried.file = fmt::format("{:.3g} x {}", scale, motion.file);
       return Scaled{.scale = scale, .motion = std::move(tried), .peaks = *peaks};
     }
-    // The peak is about proportional to the scale, but may change little over a range of it, or leap. So the step that
-    // this suggests is doubled until the target lies between two scales, and from then on every other step halves.
+    // If the peak were proportional to the scale, multiplying the scale by `ratio` would reach the target. But the peak
+    // may hardly change over a range of scales, or jump. Until the target lies between two tried scales, the scale is
+    // therefore multiplied by ratio^2. From then on, every second step takes the geometric mean of these two scales.
     bool const between = low > 0.0 && high > 0.0;
     double const ratio = peaks ? 0.5 * (1.0 + near) * target_mm / peaks->disp_mm : 0.5;
     scale *= between ? ratio : ratio * ratio;
@@ -190,7 +191,7 @@ RefitResponse BuildingOnLaw::with(std::string_view refit, laws::LawEntry const& 
     for (std::size_t k = 0; k < 2; ++k) least[k] = std::min(least[k], off[k]), most[k] = std::max(most[k], off[k]);
   }
   auto const [disp, shear] = differences(refit_sum, law_sum);
-  // Codes take the mean of seven motions or more, and the most unfavourable of fewer.
+  // Building codes use the mean over seven motions or more, and the most unfavourable result of fewer motions.
   double const off = motions_.size() >= building::motions_for_a_mean
                          ? std::max(std::abs(disp), std::abs(shear))
                          : std::max({-least[0], most[0], -least[1], most[1]});

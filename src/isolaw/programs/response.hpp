@@ -1,6 +1,6 @@
 // Computes how a re-fit changes the response of a building: a rigid mass on one bearing under a ground motion,
 // integrated (building/integrate.hpp) once with the law and once with the law that was fitted in its place. Every
-// export of a re-fit states it.
+// export of a re-fit states this change.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,9 @@
 
 namespace isolaw::programs {
 
-// Beyond this difference of the peak displacement or base shear, in percent of the law's, the user is warned: of the
-// mean over building::motions_for_a_mean motions or more, else under any motion.
+// The user is warned if the peak displacement or base shear with the re-fit differs from that with the law by more than
+// this percentage. With building::motions_for_a_mean motions or more the means over the motions are compared, with
+// fewer the peaks under each motion.
 inline constexpr double response_off_percent = 10.0;
 // Period of the mass with the law's K_eff at the tested amplitude, if no vertical load is known.
 inline constexpr double usual_period_s = 2.5;
@@ -28,19 +29,20 @@ struct UnderMotion {
 
 struct RefitResponse {
   std::vector<UnderMotion> motions;
-  // refit_response, or refit_response_off: how far the means of the re-fit's peaks over the motions are off those of
-  // the law, and the least and the most under one motion. If one motion has no result, there is none, no motion is
-  // listed, and why_not says why.
+  // FindingKind::refit_response, or refit_response_off beyond the limit: the difference between the mean peaks with the
+  // re-fit and with the law, and the least and largest difference under one motion. If the integration fails under one
+  // motion, this is empty, `motions` is empty too, and why_not has the reason.
   std::optional<Finding> finding;
   double mass_Mg = 0.0, period_s = 0.0;
   std::string mass_from, motions_from;
   std::string why_not;
 };
 
-// The building on the law. The motions are Subject::motions, else the one of Subject::model along x. Without either
-// they are building::example_motion, each scaled so that the law moves to the tested displacement, or up to 2 % less
-// far. The mass is that which the model puts on a bearing, else that of the mean vertical load of the tests, else the
-// one of usual_period_s.
+// The building on bearings that follow the law. The motions are Subject::motions or, if there are none, the motion of
+// Subject::model along x. Without a model they are those of building::example_motion(), each scaled so that the peak
+// displacement with the law is the tested one, or up to 2 % less. The mass is the mean one that the model puts on a
+// bearing; without a model it follows from the mean vertical load of the tests, or from usual_period_s if no load is
+// known.
 class BuildingOnLaw {
  public:
   explicit BuildingOnLaw(Subject const& subject);

@@ -11,7 +11,7 @@ namespace isolaw::programs {
 struct ScriptAddition {
   std::vector<Fact> facts;
   std::string usage;       // comment lines
-  std::string head;        // code at the head of the script, behind its comments
+  std::string head;        // code at the head of the script, after its comments
   std::string procedures;  // functions to add to the script's namespace or module
   std::string dispatch;    // code that reads the script's arguments; in Tcl it follows the self-check
 };

@@ -10,12 +10,13 @@
 
 namespace isolaw::programs {
 
-// The largest difference from the expected force that a self-check allows, as a share of its peak. The numbers of a
-// file have ten digits; rounding in the program comes on top.
+// The largest difference from the expected force that a self-check allows, as a share of the largest expected force.
+// The numbers in the file have ten digits, and the program adds rounding of its own.
 inline constexpr double check_tolerance = 1e-8;
 
-// The motion of a check of the law itself, as the file has it, and the force that the law's exported code gives there.
-// Laws with an exact flow (laws/flows/) read their curve there from a table, as law_force() does not.
+// For a check of the law itself: the motion, rounded as in the file, and the force that the law's exported code gives.
+// This code reads the curve of a law with an exact flow (laws/flows/) from a table. law_force() does not, so it cannot
+// give the expected force.
 struct LawCheck {
   std::vector<double> disp, velocity, force;
 };

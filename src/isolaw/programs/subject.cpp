@@ -244,7 +244,8 @@ void add_lot_parameters(Subject& subject, campaign::Contents const& contents, st
     add_histories(subject, contents.devices[device], contents.settings.turning_points);
 }
 
-// A record may begin away from zero. The law may then have no finite force between zero and the record's first sample.
+// Throws Error if a force is not finite. This may happen if a record begins away from zero: the exported law starts at
+// zero, and may have no finite force on the way to the first sample.
 void require_finite(Subject const& subject, std::string const& where) {
   auto const finite = [](History const& history) {
     return std::ranges::all_of(history.law_kN, [](double f) { return std::isfinite(f); });
@@ -312,8 +313,9 @@ History tested_cycles(Subject const& subject) {
 
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {
   constexpr double pi = std::numbers::pi;
-  // After a turn a law with a memory rests for two dead bands and has caught up after six (memory/followed.hpp), so the
-  // turn by four of them shows the width of the band.
+  // In a law with a dead band (laws/memory/followed.hpp), the followed motion rests after a turn until the motion has
+  // gone back by two bands, and has caught up after six. The small loop goes back by four bands, where the force
+  // depends on the band's width.
   double const tremor = 4.0 * dead_band_mm / tested_mm, step_s = 1.0 / (protocol_steps * frequency_Hz);
   History history{.device = {}, .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
   double from = 0.0;

@@ -52,7 +52,8 @@ struct BoundFactors {
 struct Bounds {
   std::optional<BoundFactors> lower, upper;
   std::string source;  // where the factors come from, or why there are none
-  // k, if all factors are those that hold 95 % of the devices with confidence 95 %; see num/tolerance_factor.hpp.
+  // The tolerance factor k (num/tolerance_factor.hpp), if all factors were computed with it. The bounds then hold 95 %
+  // of the devices with a confidence of 95 %.
   std::optional<double> tolerance_factor = {};
 };
 
@@ -67,7 +68,7 @@ struct Subject {
   // Number of the device in the campaign, from 1, if plain_name() gives another device the same name. Otherwise 0.
   std::size_t number_among_alike = 0;
   std::vector<double> parameters;  // in the law's order and units
-  // Parameters with which springs around a circle follow the tests, if the campaign fitted them.
+  // Parameters with which springs around a circle fit the tests best, if the campaign fitted them.
   std::optional<std::vector<double>> springs;
   // One history for each test of the device, or of the lot's devices. The one of largest amplitude is first.
   std::vector<History> histories;
@@ -100,8 +101,8 @@ History tested_cycles(Subject const& subject);
 
 // Makes the path of every self-check, without forces: from rest through two growing cycles up to `tested_mm` and
 // through smaller loops within them, so that turning points, peaks, travel and the dead band act on the force. Each
-// swing is half a cosine, no faster than the sine of amplitude `tested_mm`, and samples are as far apart as in a cycle
-// of it with protocol_steps steps.
+// swing is half a cosine and no faster than a sine of amplitude `tested_mm` and frequency `frequency_Hz`. The time
+// between samples is the period of this sine divided by protocol_steps.
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm);
 
 // Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces runs of others.

@@ -13,13 +13,15 @@ namespace isolaw::programs {
 // in a comment.
 std::string harmless(std::string_view text);
 std::string harmless_markdown(std::string_view text);
-// Name of the export, "isolaw_bouc_wen_lot_P_1_kN_mm", of law, campaign, device and units, if the subject has none:
-// letters, digits, single underscores; unique for each device of a campaign.
+// Returns the name of the export: Subject::name or, if it is empty, a name made from law, campaign, device and units,
+// such as "isolaw_bouc_wen_lot_P_1_kN_mm". It has letters, digits and single underscores only, and differs between the
+// devices of a campaign.
 std::string identifier(Subject const& subject, UnitSystem const& units);
 // Throws Error if `name` cannot be the name of an export in Tcl, Python and C++.
 void require_export_name(std::string_view name);
-// Two files of one name that differ are not for one program. A script or C++ file holds a number that its whole text
-// determines, by which it recognises another file. with_own_number() replaces `own_number_mark` by it.
+// Two different files that define the same name must not be used in one program. Every script and C++ file therefore
+// holds a number computed from its whole text, by which it notices a different file of the same name.
+// with_own_number() puts this number in place of `own_number_mark`.
 inline constexpr std::string_view own_number_mark = "@own number@";
 std::string with_own_number(std::string text);
 

@@ -25,7 +25,7 @@ struct DeviceAcceptance {
   std::optional<int> block;   // the block that is assessed; empty if the record has no cyclic properties
   std::string choice;         // why this block was chosen
   std::string copy_of;        // the device that is assessed instead: AssessedTest::copy_of
-  std::string withheld = {};  // why its test cannot pass it: a force that is lost, or a faulty block; empty otherwise
+  std::string withheld = {};  // why the device cannot pass: its test lost force, or the block is faulty; else empty
   bool as_corrected = false;  // the device passes, and would not without the corrections by hand
   std::vector<rules::Assessment> assessments;
 };
@@ -56,8 +56,8 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the scatter of the lot permits an analysis with mean properties. It does only if every quantity with a limit
-// on this scatter permits it; K_v is not asked.
+// Whether the devices differ so little that a structure may be analysed with the lot's mean properties. Every quantity
+// whose scatter the rule set limits must permit it. K_v is not considered.
 struct MeanAnalysis {
   std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity cannot be judged
   std::string sentence;

@@ -11,8 +11,9 @@
 
 namespace isolaw::study {
 
-// The limits that an adequate law may not exceed, for means over the devices: of the objective, and of the errors of
-// K_eff and energy in the cycle by which law and test are compared (normally the reported cycle).
+// An adequate law exceeds none of these limits. They hold for means over the devices: of the objective, and of the
+// magnitudes of the errors of K_eff and energy in the cycle where law and test are compared (normally the reported
+// one).
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 // The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for

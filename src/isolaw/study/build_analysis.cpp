@@ -41,7 +41,7 @@ void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::S
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // A single run is always the best run of the campaign, so its success would say nothing.
+  // A single run has no other run to agree with, so its share would say nothing.
   if (usable < 2) return;
   fit.success_share = static_cast<double>(found) / usable;
   fit.success_reference = "best of this campaign";
@@ -141,8 +141,8 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
 
 // The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. If a parameter
 // is at its bound and the test does not determine it, its variance is a quarter of the squared width of its box: no
-// distribution inside the box has a larger one. To keep every variance above zero, the square of a small length is
-// added: a millionth of the estimate or of a thousandth of the box's width, whichever is larger.
+// distribution inside the box has a larger one. To keep every variance above zero, (1e-6 s)^2 is added, where s is the
+// estimate's magnitude or a thousandth of the box's width, whichever is larger.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -339,7 +339,7 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
   if (count > 0) law.loo_objective = sum / static_cast<double>(count);
 }
 
-constexpr double least_misfit_percent = 10.0;  // above the median; the misfit of a device that is an outlier
+constexpr double least_misfit_percent = 10.0;  // a misfit is an outlier only if it exceeds the median by this much
 
 void add_outliers(Summary& summary) {
   std::vector<std::string> names, units, laws;

@@ -14,12 +14,13 @@ namespace isolaw::study {
 inline constexpr double found_within = 1e-3;
 // The largest mean objective on the predicted blocks for each grade. Beyond the last value a prediction is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
-// A prediction that collapses is unusable too. It collapses if the objective on some block exceeds collapsed_objective,
-// which a constant force reaches as well, or if the mean objective is at least collapsed_least and more than
-// collapsed_ratio times the mean on the fitted blocks. docs/decision.md gives the reasons.
+// A prediction that collapses is unusable too. It collapses if the objective on some predicted block exceeds
+// collapsed_objective (a constant force does no worse), or if the mean objective on the predicted blocks is at least
+// collapsed_least and more than collapsed_ratio times the mean on the fitted blocks. docs/decision.md gives the
+// reasons.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
-// `constant`: as bad on some block as a constant force. `far`: much worse on predicted blocks than on fitted ones.
+// `constant`: no better on some block than a constant force. `far`: much worse on predicted blocks than on fitted ones.
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
@@ -27,7 +28,8 @@ Collapse collapse(double fitted_objective, double predicted_objective, double wo
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
 // Must be called after the fits of this law on all devices are filled in.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);
-// Marks each law that no other law beats; smaller is better in both coordinates. A law that lacks one is never marked.
+// front_of() returns true for each law that no other law beats; mark_front() stores this in the member `on_front`.
+// Smaller is better in both coordinates. A law that lacks one of them is never on the front.
 using Coordinate = std::optional<double> (*)(LawResult const&);
 std::vector<bool> front_of(std::vector<LawResult> const& laws, Coordinate robust, Coordinate accurate);
 void mark_front(std::vector<LawResult>& laws, Coordinate robust, Coordinate accurate, bool LawResult::*on_front);

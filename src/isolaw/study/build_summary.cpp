@@ -29,8 +29,9 @@
 namespace isolaw::study {
 namespace {
 
-// True if a record has no reported cycle and the sole reason is that its motion is not cyclic. For the properties of a
-// TestRecord this also means that its signals are sound; those of a CycleView come without a check of the signals.
+// True if a record has no reported cycle for the sole reason that its motion is not cyclic. For properties of a
+// TestRecord this also means that its signals are sound, since faults would be among the reasons. Properties of a
+// CycleView come without a check of the signals.
 bool is_irregular(data::Properties const& properties) {
   return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
     return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||

@@ -77,9 +77,9 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
   return source;
 }
 
-// A bearing may be modelled by horizontal springs in several directions, each of which follows the law. Replaces the
-// law's parameters, on each device and on the lot, by those with which such springs fit the tests best. Returns nullopt
-// if no device has an analysis of the law, or if one of the law's analyses has no such parameters.
+// A bearing may be modelled by horizontal springs in several directions, each of which follows the law. This function
+// replaces the law's parameters, on each device and on the lot, by those with which such springs fit the tests best. It
+// returns nullopt if no device has an analysis of the law, or if one of the law's analyses has no such parameters.
 std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, std::string_view law) {
   bool any = false;
   for (auto& analysis : contents.device_analyses) {

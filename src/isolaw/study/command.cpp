@@ -15,7 +15,8 @@
 namespace isolaw::study {
 namespace {
 
-// True if the device has the name that it gets without a lot file. Its random numbers depend on this name.
+// True if the device has the name that it gets without a lot file. Otherwise a command without a lot file would give
+// other results, since the random numbers of its searches depend on the name.
 bool is_named_by_its_files(DeviceResult const& device) {
   if (device.raw.tests.empty()) return device.name == campaign::name_of_file(device.file);
   return device.name == campaign::name_of_tests(device.raw.tests) &&
@@ -45,8 +46,8 @@ std::vector<std::string_view> options_of(DeviceResult const& device) {
   return options;
 }
 
-// The options that all records were read with; nullopt if they differ, since a command line gives all its records the
-// same. A device that was refused has no record and no options.
+// The options that all records were read with. nullopt if the records differ in them: no single command line can then
+// replace the lot file. A device that was refused has no record and no options.
 std::optional<std::string_view> shared_options(Summary const& summary) {
   std::optional<std::string_view> shared;
   for (auto const& device : summary.devices) {

@@ -8,7 +8,7 @@
 namespace isolaw::study {
 
 // Rebuilds `isolaw calibrate FILES --laws ... --seed N` from the store, with every setting and every option of
-// reading. FILES are without their folders. A store does not hold folders, so it is the same wherever it is made.
+// reading. FILES are names without folders: a store holds no folders, so that it does not depend on where it was made.
 // LOT.toml replaces FILES if a lot file named the devices or reads them in several ways. Empty for an inspection.
 std::string command_again(Summary const& summary);
 bool takes_lot_file(Summary const& summary);

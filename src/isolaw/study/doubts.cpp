@@ -19,7 +19,7 @@ Finding prediction_of(Summary const& summary, LawResult const& law) {
     Finding finding{.kind = FindingKind::prediction_larger_swings,
                     .law = law.id,
                     .numbers = {{"predicted", *law.larger_swings_objective}}};
-    constexpr double visible = 0.9;  // the least error is told only below this share of the largest
+    constexpr double visible = 0.9;  // the least error is stated only if it is below this share of the largest
     if (*law.larger_swings_least < visible * *law.larger_swings_objective)
       finding.numbers.push_back({"least", *law.larger_swings_least});
     return finding;

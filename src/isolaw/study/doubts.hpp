@@ -10,9 +10,9 @@
 
 namespace isolaw::study {
 
-// Grades the prediction of the blocks that the law was not fitted to: FindingKind::prediction_good to
-// prediction_unusable. If no block was left out of the fit, it is prediction_larger_swings where the tests tell the
-// error on larger swings, else prediction_unknown.
+// Grades the law's prediction of the blocks that it was not fitted to: FindingKind::prediction_good to
+// prediction_unusable. If no block was left out of the fit, the finding is prediction_larger_swings, with the error on
+// larger swings than those fitted, or prediction_unknown if this error is not known.
 Finding prediction_of(Summary const& summary, LawResult const& law);
 
 struct Doubts {

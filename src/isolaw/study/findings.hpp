@@ -45,7 +45,7 @@ struct Findings {
 };
 
 Findings findings(Summary const& summary);
-// False for a warning about a law other than the one taken, and for one that repeats a doubt of the answer.
+// False for a warning about a law that is not recommended, and for one that repeats a doubt stated in the answer.
 bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning);
 // Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
@@ -55,10 +55,10 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
 // Whether two devices have the same samples or, if both were refused, the same file.
 bool is_same_record(DeviceResult const& one, DeviceResult const& other);
-// Among more devices only exact copies are looked for, because the time to find altered ones grows with the square of
-// the number of devices.
+// With more devices than this, only exact copies of records are looked for: the time to find altered copies grows with
+// the square of the number of devices.
 inline constexpr std::size_t most_compared = 1000;
-// The devices, as pairs of indices, of which one has a record made from the other's (data/signals/copies.hpp).
+// Pairs of devices, by index, in which one device's record was made from the other's (data/signals/copies.hpp).
 std::vector<std::pair<std::size_t, std::size_t>> find_altered_copies(Summary const& summary);
 // Groups of two or more devices with the same record: the same samples, or samples made from those of the first
 // (Summary::altered_copies), or, for refused devices, the same file.

@@ -1,4 +1,4 @@
-// Places the laws in the plane of accuracy against robustness, in the three views that figures and tables show.
+// Computes each law's point in the plots of accuracy against robustness. Figures and tables show three such views.
 #pragma once
 
 #include <string>

@@ -15,7 +15,8 @@ struct Level {
   std::optional<double> strain_percent = {}, frequency_Hz, N_mean_kN;
   int cycle = 0;  // the third counted cycle, or the last if there are fewer
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0;
-  // The bilinear loop of the same peaks, energy and Q_d: stiffness before and after yielding, and where it yields.
+  // The bilinear loop that has the cycle's peaks, energy and Q_d: its stiffness before yielding (K_1) and after (K_d),
+  // and the displacement and force at which it yields.
   std::optional<double> K_1_kN_per_mm, D_y_mm, F_y_kN;
   double K_d_kN_per_mm = 0.0;
   std::optional<double> K_eff_ratio = {}, damping_ratio = {};  // relative to the block that is assessed
@@ -24,12 +25,13 @@ struct Level {
 
 std::vector<Level> levels_of(DeviceResult const& device);
 
-// The first and third counted cycles of each amplitude, whose peaks are the skeleton curve: all first cycles by rising
-// amplitude, then all third cycles. Of several blocks within 5 % of one amplitude, the earliest stands for it.
+// The first and third counted cycles of each amplitude; their peaks form the skeleton curve. All first cycles come
+// first, by rising amplitude, then all third cycles. If amplitudes differ by at most 5 %, only the earliest block is
+// taken.
 std::vector<data::Cycle> skeleton_of(DeviceResult const& device);
 
-// K_eff of a cycle over that of the first counted cycle of its block, and over that of the first counted cycle of the
-// record. nullopt where either of the two has hardly any stiffness.
+// K_eff of a counted cycle divided by K_eff of the first counted cycle of its block, and of the record. nullopt if one
+// of the two cycles has hardly any stiffness; both are nullopt for a cycle that does not count.
 struct Decay {
   std::optional<double> in_block, in_test;
 };

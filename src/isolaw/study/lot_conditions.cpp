@@ -36,7 +36,7 @@ std::string set_text(rules::RuleSet const& rules, std::string const& clause) {
   return clause.empty() ? "the rule set " + rules.id : fmt::format("the rule set {}, {}", rules.id, clause);
 }
 
-// Each test may differ from the design by the tolerance, so two tests may differ by twice as much.
+// Returns the first tolerance that is known, in the order that conditions_differ() states in the header.
 Tolerance tolerance(rules::RuleSet const& rules, std::optional<double> own, std::optional<double> from_design,
                     std::optional<double> lot, double otherwise) {
   if (own) return {*own, set_text(rules, rules.same_condition.clause)};

@@ -10,17 +10,19 @@
 
 namespace isolaw::study {
 
-// Compares temperature, frequency, vertical load and amplitude of the cycles that count, and the largest amplitude
-// before them. Devices may differ by what the rule set says of tests of one condition; else by twice its tolerance from
-// the design, since each device may differ from the design by the tolerance; else by what the lot file or the command
-// says (campaign::Alike); else by isolaw's own tolerances (also there). The finding has the smallest,
-// the largest and the allowed difference of each condition that differs by more, and says where the tolerances come
-// from. nullopt if none does.
+// Compares the temperature, frequency, vertical load and amplitude of the blocks that are assessed, and the largest
+// amplitude before each of them. The allowed difference between devices is the first of these that is known:
+// 1. the rule set's tolerance between tests that count as one condition;
+// 2. twice the rule set's tolerance from the design, since each of two devices may differ from the design by it;
+// 3. the tolerance stated in the lot file or the command (campaign::Alike);
+// 4. isolaw's own tolerance (also in campaign::Alike).
+// For each condition that differs by more, the finding has the smallest and largest value and the allowed difference.
+// It also says where the tolerances come from. nullopt if no condition differs by more.
 std::optional<Finding> conditions_differ(Summary const& summary);
 
-// Measured values of tests at another amplitude would make a device an outlier for a reason that is not its own, so
-// outliers are sought only among the devices of the usual amplitude. This is the median or, of an even number, the
-// smaller of the two middle ones, since it must be that of a device.
+// The usual amplitude of a lot's tests. Outliers are sought only among devices tested at this amplitude, because the
+// properties of a bearing change with amplitude: another amplitude would make a sound device an outlier. It is the
+// median or, for an even number of devices, the smaller of the two middle values, so some device was tested at it.
 struct UsualAmplitude {
   double mm = 0.0, allowed_percent = 0.0;  // of the larger of two amplitudes, as conditions_differ() allows
 

@@ -42,9 +42,10 @@ Tested tested_by(Summary const& summary) {
   return tested;
 }
 
-// `lot` with the device's displacements in place of the lot's, for a device whose own tests reach less than 90 % of the
-// lot's largest displacement. Its parameters say nothing about what is far beyond its tests, so they are tried no
-// farther in proportion than those of other devices. nullopt for other devices.
+// For a device whose tests reach less than 90 % of the lot's largest displacement: `lot` with the device's
+// displacements in place of the lot's. Tests say nothing about displacements far beyond them, so without a stated
+// design displacement the device's parameters are tried up to twice its own largest displacement only. nullopt for
+// other devices.
 std::optional<Tested> tested_less(DeviceResult const& device, Summary const& summary, Tested const& lot) {
   constexpr double as_far = 0.9;  // share of the lot's largest displacement from which a device counts as tested as far
   auto own = lot;
@@ -154,9 +155,9 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
   return fault_of_shape(law, tested, measured);
 }
 
-// The period [s] at which cycles of the tested displacement have the tested peak velocity that is nearest to that of
-// the building's cycles. nullopt if no velocity is known, or if the building's cycles are neither faster nor slower
-// than all tests.
+// If the building's cycles are faster or slower than all tests: the period [s] of cycles of the tested displacement
+// whose peak velocity is the tested one nearest to the building's. nullopt if the building's velocity lies between
+// those of the tests, or if no velocity is known.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;

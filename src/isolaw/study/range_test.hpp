@@ -1,6 +1,6 @@
 // Tests whether the laws of a campaign give plausible forces in the cycles of a building, within the tested
-// displacements and up to those that the design asks for. A law that does not is not recommended. docs/decision.md has
-// the limits.
+// displacements and up to those that the design asks for. A law whose forces are not plausible is not recommended.
+// docs/decision.md has the limits.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"
@@ -8,9 +8,9 @@
 
 namespace isolaw::study {
 
-// Sets `beyond`, `runs_away` and `faults_inside` of every law that was identified. A law runs away if a limit is
-// exceeded by the law of the lot, by its fit to one device of fewer than 20, or by its fits to more than 5 % of 20
-// devices or more.
+// Sets `beyond`, `runs_away` and `faults_inside` of every law that was identified. A law runs away if it exceeds a
+// limit with the lot's parameters. It also does if its fit to some device does; among 20 devices or more, if the fits
+// to more than 5 % of them do.
 void add_range_tests(Summary& summary, campaign::Contents const& contents);
 
 inline constexpr double period_of_building_s = 2.0;

@@ -31,7 +31,7 @@ std::optional<double> error_of_fits(LawResult const& law) {
 }
 
 // Whether, on some device, a block of larger amplitude than all fitted blocks was left out of the fit. The error on the
-// blocks left out then tells how the law goes on to larger amplitudes.
+// blocks left out then shows how well the law predicts larger amplitudes.
 bool larger_blocks_are_predicted(Summary const& summary, LawResult const& law) {
   for (auto const& fit : law.devices) {
     auto const device = std::ranges::find(summary.devices, fit.device, &DeviceResult::name);
@@ -135,7 +135,8 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
 
 // The displacement that the design asks for, if the tests reach less than half of it.
 std::optional<double> asked_far_beyond(LawResult const& law) {
-  constexpr double far = 2.0 * (1.0 + 1e-9);  // without a design, laws are tried at twice the tested displacement
+  // If no design displacement is stated, asked_mm is twice tested_mm. The 1e-9 keeps this case from counting as far.
+  constexpr double far = 2.0 * (1.0 + 1e-9);
   if (!law.beyond || law.beyond->asked_mm <= far * law.beyond->tested_mm) return std::nullopt;
   return law.beyond->asked_mm;
 }
@@ -225,8 +226,8 @@ std::vector<Standing> standings_of(Summary const& summary) {
   return standings;
 }
 
-// Puts the laws in order and marks those that tie with the least error. Of these, the one with the fewest parameters is
-// taken.
+// Sorts the laws by error, those that are ruled out last. Laws tie if their error is near the least one (tie_share); of
+// these, the law with the fewest parameters is taken and comes first.
 void rank(std::vector<Standing>& standings) {
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return s.reason.has_value(); });

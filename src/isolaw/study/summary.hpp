@@ -62,7 +62,7 @@ struct ParameterFit {
   std::optional<ParameterAnalysis> analysis;
 };
 
-struct TestFit {  // the law of a device on one of its several tests
+struct TestFit {  // compares a law, fitted to all tests of a device, with one of these tests
   std::string test;
   std::optional<double> objective, K_eff_error_percent, energy_error_percent, damping_error_percent;
 };
@@ -71,16 +71,18 @@ struct DeviceFit {
   std::string device;
   std::string refusal;  // why the law was not identified on this device; "" if it was
   int runs = 0, failed_runs = 0, missing_runs = 0;
-  std::string failure;                                    // reason of the first failed run
+  std::string failure;                                    // reason of the first failed run, or that none has finished
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
   std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
-  // If the device has several tests, these are the largest errors of them.
+  // If the device has several tests, each is the error of the test where it has the largest magnitude.
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::vector<TestFit> tests;  // empty if the device has one test
   std::optional<double> integration_shift;
-  int refinement = 1;                   // integration steps per sample, in the best run
-  std::optional<double> success_share;  // share of usable runs within 0.1 % of the campaign's least objective
+  int refinement = 1;  // integration steps per sample, in the best run
+  // The share of the usable runs that end within found_within (0.1 %) of the least objective that the campaign found
+  // for this law on this device, in a run or in the analysis. Empty with fewer than two usable runs.
+  std::optional<double> success_share;
   double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
   std::string success_reference;  // where that least objective comes from
   std::optional<double> optimum;  // least objective that the analyses found
@@ -90,13 +92,14 @@ struct DeviceFit {
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
   std::optional<double> lot_objective;  // objective with the parameters that fit the lot best on average
-  // Objective with those parameters of the lot whose largest objective on any device is least.
+  // Objective with the lot's other parameter set, which makes the largest objective over the devices least.
   std::optional<double> worst_objective;
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
-  // Objective on the large swings of the test with parameters fitted to its small swings: the largest among equally
-  // good fits, and the least. Infinite if a force is not finite; empty if the test does not tell.
+  // Objective on the large swings of the test with parameters fitted to its small swings. Several fits to the small
+  // swings may be equally good; these are the largest and the least objective among them. Infinite if a force is not
+  // finite; empty if the test has no such small and large swings.
   std::optional<double> larger_swings_objective, larger_swings_least;
-  std::vector<double> larger_swings_force_kN;  // the force of that fit to the small swings, at the same samples
+  std::vector<double> larger_swings_force_kN;  // the force of a fit to the small swings, at the record's samples
   // Objectives of the law's form as springs around a circle (fit/as_springs.hpp) on the device's tests: with parameters
   // fitted to these springs, and with the law's own parameters.
   std::optional<double> springs_objective, springs_given_objective;
@@ -130,8 +133,8 @@ constexpr std::string_view name(PredictionGrade grade) {
   return names[static_cast<std::size_t>(grade)];
 }
 
-// A law in steady cycles at a displacement beyond the tests. The law is that of the lot or, if there is none, that of
-// the first device with a fit.
+// A law in steady cycles at a displacement beyond the tests. It has the lot's parameters or, if there are none, those
+// of the first device that has a fit and was tested as far as the lot (at least 90 % of tested_mm).
 struct BeyondTests {
   double tested_mm = 0.0;  // the largest displacement of the tests
   double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
@@ -145,7 +148,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // Members from here to `reduced` rest on the least objective known for each device, without the optimiser's noise.
+  // Members from here to `reduced` refer to the least objective known for each device, not to the means over the runs.
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
@@ -160,13 +163,13 @@ struct LawResult {
   // The means over the devices of the two values of the same names in DeviceFit, for the devices that have them; and
   // the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;  // empty if the law was identified on no device
+  std::optional<BeyondTests> beyond;  // empty if neither the lot nor such a device has parameters
   // Faults of the law inside the tested displacements, each with the device or, for the law of the lot, without one.
   std::vector<Finding> faults_inside = {};
-  std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not named for a building
+  std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not recommended for a building
   std::optional<lot::Population> population;
   std::optional<double> fitted_objective, predicted_objective,
-      worst_predicted;                              // means over the blocks; worst_predicted is the largest
+      worst_predicted;  // mean objective on the fitted and on the predicted blocks, and the largest on a predicted one
   std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
   bool in_programs = false;  // an analysis program has this law and can take its parameter values
   std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
@@ -184,9 +187,11 @@ struct DeviceResult {
   std::vector<Complaint> complaints;  // the parts of the refusal, for an inspection
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
-  data::TestRecord raw;                             // empty if the device was refused
-  data::FitRecord record;                           // the record that the laws were fitted to
-  std::vector<bool> in_large_swings;                // for each sample of `record`; empty without such a prediction
+  data::TestRecord raw;    // empty if the device was refused
+  data::FitRecord record;  // the record that the laws were fitted to
+  // For each sample of `record`, whether it lies in the large swings that laws predict from a fit to the small ones.
+  // Empty if the laws predict none.
+  std::vector<bool> in_large_swings;
   data::Properties properties;                      // of the raw record
   std::optional<data::Properties> uncorrected;      // of the raw record without corrections by hand, if it had any
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness

@@ -54,7 +54,8 @@ void add(std::vector<Requirement>& requirements, std::string const& name, Verdic
   found->verdict = verdict;
 }
 
-// Adds the requirements on the lot as a whole. Without one condition for all tests it has no verdict.
+// Adds the requirements on the lot as a whole. If the conditions of the tests differ, the lot as a whole has no
+// verdict.
 void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_one_condition) {
   auto const& lot = acceptance.lot;
   if (!has_one_condition && !overall.requirements.empty())

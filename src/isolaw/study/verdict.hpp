@@ -50,13 +50,14 @@ struct DeviceRemark {
 // set, or if the set limits nothing in these tests.
 struct OverallVerdict {
   std::string word;  // "PASS", "FAIL", "INCOMPLETE", or empty
-  // The PASS rests on corrections by hand: without them the verdict is another. People read "PASS as corrected".
+  // True for a PASS that rests on corrections by hand: without them the verdict would differ. Shown as "PASS as
+  // corrected".
   bool as_corrected = false;
   std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict
   std::vector<DeviceRemark> failing, not_assessed;
   std::vector<Requirement> requirements;
-  // The words printed across a certificate that is no proof of a pass. They are red if a test failed or is missing; such
-  // a certificate may be signed as a report of the tests. Grey words, such as "NOT MEASURED", mean that nobody may sign.
+  // The words printed across a certificate that does not prove a pass. Red words: a test failed or is missing, and the
+  // certificate may be signed as a report of the tests only. Grey words, such as "NOT MEASURED": nobody may sign it.
   std::string mark;
   bool is_red = false;
 

@@ -177,7 +177,7 @@ class Collector {
     if (auto const found = fits(law); scope_.device && !found.empty()) share = found.front()->success_share;
     constexpr double enough_runs = 0.5;
     if (share && *share < enough_runs) add({.kind = searches_disagree, .law = law.id, .numbers = {{"share", *share}}});
-    // If there are many runs, some may end at a worse objective. If there are two or three, each counts.
+    // If there are many runs, some may end at a worse objective. Two or three runs must all agree.
     constexpr int few_runs = 3;
     for (auto const* fit : fits(law))
       if (fit->runs <= few_runs && fit->runs_apart > found_within)
@@ -301,7 +301,8 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// The mistake that explains a stiffness of `ratio` times the design value; "" if the ratio is not that of known units.
+// The question whether a mistake was made that explains a stiffness of `ratio` times the design value; "" if no known
+// mistake gives this ratio.
 std::string_view mistake_of(double ratio) {
   struct Mistake {
     double ratio, within;
@@ -320,7 +321,7 @@ std::string_view mistake_of(double ratio) {
   return {};
 }
 
-// Values that suggest a wrong unit, by what is known of the device: its design stiffness and its rubber.
+// Adds a finding for each value that suggests a wrong unit, judged by the device's design stiffness and its rubber.
 void add_implausible(Summary const& summary, DeviceResult const& device, std::vector<Finding>& found) {
   auto const* cycle = counting_cycle(device.properties, device.acceptance.block);
   if (cycle == nullptr) return;
@@ -339,8 +340,8 @@ void add_implausible(Summary const& summary, DeviceResult const& device, std::ve
                      .numbers = {{"amplitude_mm", cycle->amplitude_mm}, {"strain_percent", strain_percent}}});
 }
 
-// The warnings about the record and the reasons why it has no cyclic properties, except reasons that are among these
-// warnings.
+// The warnings about the record and the reasons why it has no cyclic properties. A reason that is also a warning comes
+// once.
 std::vector<Finding> Collector::record_findings(Summary const& summary, DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)
