@@ -13,7 +13,7 @@
 // Source: Cody and Waite 1980 (the argument is reduced to a short interval), fdlibm (log through s = (m-1) / (m+1)),
 // own coefficients (tools/elementary_coefficients.py). Departure: doubles are rounded to integers by adding 1.5 * 2^52,
 // because SSE2 and AVX2 cannot convert between doubles and 64-bit integers.
-// Polynomials use Horner's scheme, which has the fewest operations. Each of them waits for the one before, but
+// Polynomials use Horner's scheme, which has the fewest operations. Each operation waits for the one before, but
 // meanwhile the processor computes other vectors. Rejected: sums of even and odd powers (faster for one or two vectors,
 // slower from four on), log2 without a division (twice the terms).
 // This code assumes round to nearest and IEEE NaN and infinity: never use -ffast-math or -ffinite-math-only.
