@@ -50,7 +50,7 @@ struct ShownUnit {
   // The number of decimals that a converted value needs to be as precise as the original with `decimals`.
   int decimals(int decimals) const;
 };
-// The unit in `system` of values whose unit is `unit`, one of result_units: "kip/in" for "kN/mm", "in" for "mm". In N
+// Returns the unit in which `system` shows values that are stored in `unit`: "kip/in" for "kN/mm", "in" for "mm". In N
 // and m a pressure stays in MPa. The system of the records leaves every unit as it is, and every system leaves a unit
 // without force and length ("%", "Hz").
 ShownUnit shown_unit(std::string_view unit, UnitSystem const& system);

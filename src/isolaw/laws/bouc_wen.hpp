@@ -53,7 +53,7 @@ struct BoucWen {
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
-  // reduced() returns parameters with A = 1, so that dz/dx = 1 at z = 0, which give the same forces as `p`.
+  // reduced() returns parameters that give the same forces as `p`, with A = 1, so that dz/dx = 1 at z = 0.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};

@@ -1,5 +1,5 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
-// slips about a small force (pinching).
+// slips where the force passes a small value, so that its loops are pinched.
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
 // Ao, zetas, Shi, deltaShi, lamda), but in its zu, the largest |z|, degradation and A are left out.  Step: between
 // reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower. Classical

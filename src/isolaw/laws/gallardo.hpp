@@ -17,7 +17,7 @@
 
 namespace isolaw::laws {
 
-// The coefficient of (x/100 mm)^power that gives the record's stiffness times x at the largest displacement x.
+// The coefficient c for which c (x/100 mm)^power is the record's stiffness times x at the largest displacement x.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);

@@ -139,7 +139,7 @@ struct JointLimit {
 
 struct Traits {
   bool rate_independent = false;  // the velocity does not matter
-  bool odd = false;               // F(-x) = -F(x) for the mirrored history
+  bool odd = false;               // the mirrored motion gives the mirrored force
   bool path_integrated = false;   // a differential law: the integration method matters
   bool remembers = false;         // its step reads the path's Memory
   bool masing = false;            // branches close where they began; a small loop leaves no trace once it has closed

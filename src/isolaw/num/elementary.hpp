@@ -236,7 +236,8 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. GCC 12 with -fno-signed-zeros would turn base * 0 into 0.
+  // If base is not finite, base - base is NaN and makes the result NaN; else it is 0. GCC 12 with -fno-signed-zeros
+  // would turn base * 0 into 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // `rest` is computed from p and not from `exponent`, so that it lacks the rounding error of `exponent`.
   T const exponent = p * (whole + fraction);

@@ -39,7 +39,7 @@ constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Replaces `finish` in descents of which many are only reported together. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
+constexpr double rounding_after_outline = 0.03;  // most delta after a descent on the outline, as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
 constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage
@@ -87,7 +87,8 @@ constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5; 
 
 // In hit tolerances. The floor counts as smooth if at least half of the hits are this close to the best value.
 constexpr double sharp = 0.2;
-// Number of best ends to polish if the hits scatter. Polishing one left 3 of 29 logged searches 0.1 % too high.
+// Number of descents to polish, the best ones, if the values of the hits scatter. Polishing only the best left the
+// result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
 constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
@@ -310,7 +311,8 @@ class Descent {
     }
     double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
-    // Puts a coordinate whose step would leave the box on the edge and computes the other coordinates' steps again.
+    // If the step of a coordinate would leave the box, the coordinate goes to the edge, and the steps of the others are
+    // computed again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
@@ -430,9 +432,9 @@ class Search {
   }
 
   // Runs one descent from `start`. Worker threads call this early, in any order; count_in() later adds the descents to
-  // the result in their own order. A descent is refined to its end (settled) only if its value is less than `promising`
-  // times the best value known now. That best value can only fall before count_in() asks, so count_in() never asks for
-  // a descent that was not settled here.
+  // the result in the order of their starts. A descent is refined to its end (settled) only if its value is less than
+  // `promising` times the best value known now. That best value can only fall until count_in() compares with it, so a
+  // descent that count_in() takes as settled has been settled here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

@@ -1,12 +1,12 @@
-// The exact flow of the hysteretic laws between two reversals.
+// The exact flow of several hysteretic laws: the solution of their differential equation between two reversals.
 // Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
-// autonomous equation in dimensionless travel t:
+// autonomous equation in the dimensionless travel t, called time:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
-// Every device history between reversals is a piece of one curve u(t), with t = 0 at u = 0. On either side of 0 one
-// polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a step
-// size nor a stability limit.
-// A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
+// Between two reversals u therefore always runs along a piece of one curve u(t), with t = 0 at u = 0. On either side of
+// 0 one polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a
+// step size nor a stability limit. The choice of its variable x keeps it short. With E = exp(-rate |t|),
+//     x = (1 - E) / (1 + bend E)
 //   - rate = n for u > 0, because near saturation u is an analytic function of exp(-n t). For u < 0, look back in time
 //     from u = 0: if kappa < 0, |u| comes to rest, and rate = n |kappa|^(1/n); if kappa > 0, |u| grows ever faster, and
 //     rate is negative;

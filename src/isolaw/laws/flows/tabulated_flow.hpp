@@ -104,7 +104,8 @@ class TabulatedFlow {
   static T duration_of(std::size_t cell, T const& n, T const& kappa, T const& rate0, T const& rate1);
   void fit_cell(std::size_t i, T const& duration, Motion const& a, Motion const& b);
 
-  // Within a cell the key is a polynomial of the time since its begin. The table holds these values in this order.
+  // Within a cell the key is a polynomial of the time since the cell's begin. A row of the table holds these members in
+  // this order.
   struct Cell {
     T begin, duration;
     std::array<T, 6> c;

@@ -26,7 +26,7 @@ struct BoucWen {
   template <class T>
   struct State {
     Vector<T> z{T(0.0), T(0.0)};      // in units of z_max
-    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and travel of z per travel of the device
+    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and A / z_max
     T unloading = T(0.0);             // the c of the equations above for p < 0
   };
 

@@ -17,7 +17,7 @@ namespace isolaw::laws::plane {
 // times a shorter length that the law sets. A distance below least_distance counts as least_distance.
 inline constexpr double step_share = 0.25;
 inline constexpr double least_distance = 1e-8;
-// A motion that lies back by more yield displacements of travel no longer matters, except for exponents below 0.01.
+// Motion farther back than this, in yield displacements of travel, no longer matters, except for exponents below 0.01.
 inline constexpr double longest_memory = 1024.0;
 
 namespace follow_parts {
