@@ -160,8 +160,8 @@ struct LawInfo {
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
   // Time of one step of one parameter set [0.01 ns], as `isolaw bench` once measured it on a processor with AVX-512. It
-  // only serves to divide a campaign between several machines so that all take about as long. Without such a processor,
-  // give a new law the value of a law of similar cost.
+  // only serves to estimate the time of runs and to divide a campaign evenly between several machines. Without such a
+  // processor, give a new law the value of a law of similar cost.
   unsigned step_cost = 500;
 };
 
@@ -198,13 +198,13 @@ struct Memory {
   double peak0, peak;   // largest |x| before and after the step
   double inside;        // the part of the step's length with |x| below peak0
   double side_peak;     // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;        // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
-  double log2_worn;     // log2(1 + NT), NT the travel of both sides relative to the largest |x|
+  double virgin;        // (1 + N)^(-1/3), N: travel on the side over its peak; it fades as that peak grows
+  double log2_worn;     // log2(1 + NT), NT: travel on both sides over the largest |x|; it fades too
   double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
   // log2 of G and C. G is half the travel outwards plus four times the travel back, C is the travel back.
   double log2_softening, log2_way_back;
   std::size_t side;                      // 0: x >= 0, 1: x < 0
-  bool softens, returns;                 // G, C have changed since the last step that ended on this side
+  bool softens, returns;                 // whether G, C have changed since the last step that ended on this side
   bool peak_grows, side_peak_grows;      // whether the peak grows in this step
 };
 

@@ -39,7 +39,7 @@ constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Replaces `finish` in descents of which many are only reported together. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // most delta after a descent on the outline, as a share of the value
+constexpr double rounding_after_outline = 0.03;  // limit of delta after the outline, as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
 constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage

@@ -47,7 +47,7 @@ struct Sides {
   };
   Side sides[2];                 // x >= 0, x < 0
   X side_peak = 0.0;             // largest |x| on the side of x after the step
-  X travel = 0.0;                // N: travel on that side relative to its peak
+  X travel = 0.0;                // N: travel on that side over its peak; it fades as the peak grows
   X virgin = 1.0;                // (1 + N)^(-1/3)
   bool side_peak_grows = false;  // whether that peak grows in this step
 

@@ -37,7 +37,8 @@ struct Softening {
       each(G, C);
     }
   };
-  // Adds up each motion in one direction from its start, so that the number of steps does not matter.
+  // Computes G and C from the start of the present motion in one direction, so that they do not depend on the number of
+  // steps.
   struct SofteningSide {
     Amounts now, reported, at_start;  // at present; after the last step that ended on this side; where the motion began
     X peak = 0.0, start = 0.0, peak_at_start = 0.0;
@@ -66,7 +67,7 @@ struct Softening {
   };
   SofteningSide softening_sides[2];
   X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and C on the side of x
-  bool softens = false, returns = false;        // G, C have changed since the last step that ended on this side
+  bool softens = false, returns = false;        // whether these have changed since the last step that ended there
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);
