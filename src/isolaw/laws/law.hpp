@@ -143,7 +143,7 @@ struct Traits {
   bool path_integrated = false;   // a differential law: the integration method matters
   bool remembers = false;         // its step reads the path's Memory
   bool masing = false;            // branches close where they began; a small loop leaves no trace once it has closed
-  bool exact_flow = false;  // follows the curve of saturating_flow.hpp; a trial uses a table of that curve
+  bool exact_flow = false;        // follows the curve of saturating_flow.hpp; a trial uses a table of that curve
 };
 
 // paper: a law of Cucuzza et al. 2025. These and the usual laws are computed by default, the further ones on request.
@@ -203,9 +203,9 @@ struct Memory {
   double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
   // log2 of G and C. G is half the travel outwards plus four times the travel back, C is the travel back.
   double log2_softening, log2_way_back;
-  std::size_t side;                      // 0: x >= 0, 1: x < 0
-  bool softens, returns;                 // whether G, C have changed since the last step that ended on this side
-  bool peak_grows, side_peak_grows;      // whether the peak grows in this step
+  std::size_t side;                  // 0: x >= 0, 1: x < 0
+  bool softens, returns;             // whether G, C have changed since the last step that ended on this side
+  bool peak_grows, side_peak_grows;  // whether the peak grows in this step
 };
 
 // The record as a piecewise linear path. The first step has no length; its end is the first sample.
