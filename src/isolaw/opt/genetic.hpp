@@ -23,15 +23,15 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. The search
-// ends with one of four outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if
-// no point of the initial population has a finite value; interrupted, with a best point if at least one generation was
-// computed. All points of a generation are evaluated in one call. Random numbers depend only on (stream, generation,
-// individual or pair), so that equal streams give equal results. A point without a finite value survives only if there
-// are too few others. `interrupted`, if given, is called before each generation; the search ends if it returns true. A
-// generation is an improvement if its best value is below (1 - stagnation_tolerance) times the best value of the last
-// improvement. If all points have the same value, the search therefore ends after 1 + stagnation generations. Throws
-// Error if the problem has no dimensions.
+// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. All points
+// of a generation are evaluated in one call. A point without a finite value survives only if there are too few others.
+// Random numbers depend only on (stream, generation, individual or pair), so that equal streams give equal results.
+// `interrupted`, if given, is called before each generation; the search ends if it returns true.
+// A generation is an improvement if its best value is below (1 - stagnation_tolerance) times the best value of the last
+// improvement. If all points have the same value, the search therefore ends after 1 + stagnation generations.
+// Outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if no point of the
+// initial population has a finite value; interrupted, with a best point if at least one generation was computed.
+// Throws Error if the problem has no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
