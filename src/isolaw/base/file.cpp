@@ -87,7 +87,8 @@ std::string read_file(fs::path const& file, ReadLimits const& limits) {
     if (bytes.size() > limits.largest_bytes)  // the file grew, or the system reports no size for it
       refuse("is " + size_text(bytes.size(), limits.largest_bytes), limits.when_too_large);
   }
-  // A file that somebody still writes would be read in part. Files of the system, such as those in /proc, have size 0.
+  // Refuses a file that was written to meanwhile, since perhaps only a part of the new text was read. Files of the
+  // system, such as those in /proc, have size 0 and are not checked.
   struct stat after {};
   bool const is_same = ::fstat(handle.get(), &after) == 0 && after.st_size == status.st_size &&
                        after.st_mtim.tv_sec == status.st_mtim.tv_sec && after.st_mtim.tv_nsec == status.st_mtim.tv_nsec;
@@ -108,7 +109,8 @@ std::optional<fs::path> leads_outside(fs::path const& file, fs::path const& fold
   if (failure) return file;
   auto const target = fs::weakly_canonical(fs::absolute(file, failure), failure).lexically_normal();
   if (failure) return file;
-  // A link that weakly_canonical left has no target yet. It counts as outside, since its target may appear anywhere.
+  // weakly_canonical() leaves a link in the path if the target of the link does not exist. Such a link counts as
+  // outside, since its target may be created anywhere.
   fs::path part;
   for (auto const& name : target) {
     part /= name;

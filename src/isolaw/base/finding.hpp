@@ -12,7 +12,7 @@
 namespace isolaw {
 
 // The kinds have the order of the rows in wording/rows.cpp; words in brackets name the parts of that table. Findings
-// are shown in this order, the most serious first.
+// are shown in this order. Within a part the serious ones mostly come first.
 // clang-format off
 enum class FindingKind {
   // [campaign]

@@ -1,6 +1,6 @@
 // Writes JSON straight into a string. A number takes the shortest text that reads back as the same number; one that is
-// not finite becomes null. Invalid UTF-8 becomes U+FFFD. The writer builds no document tree, since the report page of
-// 160 devices holds a million numbers.
+// not finite becomes null. Invalid UTF-8 becomes U+FFFD. The writer does not build the document in memory first, since
+// the report page of 160 devices holds a million numbers.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ class JsonWriter {
   JsonWriter& value(std::uint64_t number) { return put(std::to_string(number)); }
   JsonWriter& value(double number);  // null when not finite
   JsonWriter& value(std::optional<double> const& number);
-  JsonWriter& rounded(std::optional<double> const& number, int digits);  // to significant digits; for plots
+  JsonWriter& rounded(std::optional<double> const& number, int digits);  // to `digits` significant digits; for plots
   JsonWriter& line(std::vector<double> const& numbers, int digits);  // rounded, on one line in any layout; for curves
   JsonWriter& null() { return put("null"); }
   // Inserts `text`, which should be JSON. Text that does not parse is written as a string instead.

@@ -1,4 +1,4 @@
-// The known word that a mistyped word most likely stands for.
+// Finds the known word that a mistyped word most likely stands for.
 #pragma once
 
 #include <algorithm>

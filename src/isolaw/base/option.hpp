@@ -34,7 +34,7 @@ struct Limits {
   double most = std::numeric_limits<double>::infinity();
   std::string words = {};  // describes the limits in messages and help instead of "least to most"
   int step = 1;            // allowed whole numbers are `least` plus multiples of this
-  bool or_zero = false;    // zero is allowed too and means none
+  bool or_zero = false;    // zero is allowed too and stands for "none"
 
   bool allow(double value) const;
   std::string text() const;
@@ -143,7 +143,8 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// Makes an option that takes one of several words, each of which stands for a value. A bool also takes true and false.
+// Makes an option that takes one of several words, each of which stands for a value of type T. If T is bool, the option
+// takes true and false too.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,
                     std::pair<std::string_view, T> const (&words)[N]) {

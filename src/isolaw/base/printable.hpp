@@ -16,7 +16,8 @@ constexpr bool continues_character(char byte) {  // true for the second and late
 constexpr std::size_t character_count(std::string_view utf8) {
   return utf8.size() - static_cast<std::size_t>(std::ranges::count_if(utf8, continues_character));
 }
-// True if the text is UTF-8 without control characters, line or paragraph separators and direction marks.
+// True if the text is UTF-8 without control characters, line or paragraph separators, and characters that embed or
+// override a direction of writing.
 bool is_printable(std::string_view text);
 // Spells out unprintable characters: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);

@@ -65,7 +65,7 @@ Symbol symbol_of(std::string_view name) {
   if (name == "OF") return {"OF", "\\mathit{OF}", {}};  // the objective function has a symbol of two letters
   if (auto const* letter = greek_at_head(name))
     return {letter->sign, letter->latex, index_of(name.substr(letter->name.size()))};
-  auto const rest = name.substr(1);  // "dbeta", the degradation of beta, becomes delta with the index beta
+  auto const rest = name.substr(1);  // "dpsi", the growth of psi with work, becomes delta with the index psi
   if (name.front() == 'd')
     if (auto const* degrading = greek_letter(rest)) return {"δ", "\\delta", std::string(degrading->sign)};
   return {name.substr(0, 1), {}, index_of(rest)};

@@ -23,7 +23,7 @@ class NestingCheck {
   std::size_t deep_line() {  // returns the first line that nests too deep, or 0 if none does
     constexpr int deepest = 64;
     int depth = 0;
-    std::vector<int> dots{0};  // for the document and each open table and list: dots in the name being read
+    std::vector<int> dots{0};  // for the document and each open bracket: the number of dots in the name being read
     auto const end_name = [&] {
       depth -= dots.back();
       dots.back() = 0;

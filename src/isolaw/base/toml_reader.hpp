@@ -1,5 +1,5 @@
-// Reads TOML files from outside safely. It bounds the nesting before the parser runs, collects every mistake with its
-// line, converts no kind of value into another, and takes only printable text of bounded length.
+// Reads TOML files from other people safely. The reader limits the nesting before the parser runs, collects every
+// mistake with its line, and accepts only values of the expected kind and printable text of limited length.
 #pragma once
 
 #include <toml++/toml.h>
@@ -76,7 +76,8 @@ class TomlTable {
   bool guarded(toml::node const& node, std::string_view key, std::function<void()> const& action);
 
  private:
-  // True if the value has exactly the type T. toml++ itself would convert 1 to true and true to a number.
+  // True if the value is of the kind T, where a whole number is also a real one. toml++ itself would convert 1 to true
+  // and true to a number.
   template <class T>
   static bool is_kind(toml::node const& node) {
     if constexpr (std::is_same_v<T, bool>)

@@ -19,7 +19,7 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system) {
       shown.unit += system.force.symbol;
     else if (c == 'L')
       shown.unit += system.length.symbol;
-    else  // in "122 kip in a cycle" the unit would read as a word
+    else  // "kip-in" instead of "kip in": in "122 kip in a cycle", the inch would read as the word "in"
       shown.unit += c == ' ' && uses_kip ? '-' : c;
   }
   return shown;

@@ -71,7 +71,7 @@ constexpr std::array aliases{
     Alias{"microns", "um"},
     Alias{"feet", "ft"},
     Alias{"foot", "ft"},
-    Alias{"\xD0\xBC\xD0\xBC", "mm"},  // Russian: mm, cm, m, kN, N, MN, tonf, kgf, s
+    Alias{"\xD0\xBC\xD0\xBC", "mm"},  // from here Russian: mm, cm, m, kN, N, MN, tonf, kgf, s (two spellings)
     Alias{"\xD1\x81\xD0\xBC", "cm"},
     Alias{"\xD0\xBC", "m"},
     Alias{"\xD0\xBA\xD0\x9D", "kN"},

@@ -1,4 +1,5 @@
-// Units of a record's channels. isolaw computes with kN, mm and s; each law converts a record once to its own units.
+// Units of a record's channels. isolaw stores kN, mm and s. Before a law is fitted, the record is converted once to the
+// units of the law.
 #pragma once
 
 #include <optional>
@@ -21,13 +22,13 @@ inline constexpr Unit mm{Dimension::length, "mm", 1.0};
 inline constexpr Unit cm{Dimension::length, "cm", 10.0};
 inline constexpr Unit m{Dimension::length, "m", 1e3};
 inline constexpr Unit s{Dimension::time, "s", 1.0};
-inline constexpr Unit counts{Dimension::count, "1", 1.0};  // of a counter; no text names it
+inline constexpr Unit counts{Dimension::count, "1", 1.0};  // for a channel that counts; parse_unit() never returns it
 
 // The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
 // are ignored. "mN" is unknown nevertheless: without its case, a millinewton would be read as a meganewton.
 std::optional<Unit> parse_unit(std::string_view text);
 
-std::string known_units(Dimension dimension);  // "kN, N, MN, tonf, kgf, daN, kip, lbf"
+std::string known_units(Dimension dimension);  // "mm, cm, m, in, ft, dm, um" for length
 
 std::string_view name(Dimension dimension);
 

@@ -5,6 +5,6 @@
 
 namespace isolaw {
 
-std::string_view version();  // "0.2.0"
+std::string_view version();  // for example "0.4.0"
 
 }  // namespace isolaw

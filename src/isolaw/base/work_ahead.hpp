@@ -14,9 +14,9 @@ namespace isolaw {
 
 class WorkAhead;
 
-// A thread that makes a HelpListener learns through it when other threads help. A helping thread calls help_begins()
-// before and help_ends() after each item that it computes, if the item's WorkAhead was made during the listener's life,
-// by the listener's thread or by a thread that was helping it.
+// A thread makes a HelpListener to be told when other threads compute items of its work. A helping thread calls
+// help_begins() before each such item and help_ends() after it. The listener is told about every WorkAhead that is made
+// while the listener exists, by its own thread or by a thread that is computing an item of that thread's work.
 class HelpListener {
  public:
   HelpListener();
@@ -48,6 +48,7 @@ class WorkerGroup {
   std::vector<WorkAhead*> offered_;
 };
 
+// While it exists, the thread that made it belongs to the group.
 class Membership {
  public:
   explicit Membership(WorkerGroup& crew);

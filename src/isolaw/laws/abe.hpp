@@ -68,7 +68,7 @@ struct Abe {
   template <class N>
   struct State {
     N F2 = N(0.0);
-    N growth = N(0.0);  // |x / Uh|^p at the last sample
+    N growth = N(0.0);  // |x / Uh|^p at the present x
     abe_parts::Softened<N> softened;
     template <class Each>
     void members(Each& each) {
@@ -101,10 +101,10 @@ struct Abe {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // A step is cut at x = 0, where |x|^p is not smooth, and into pieces as long as the largest step of a sine of 200
-      // samples per cycle, 2 pi / 200 = 0.0314 of its peak, and 1 % more, so that each step of such a sine stays in one
-      // piece. From 64 pieces on they are longer. The last piece is what is left, so that the force does not jump
-      // where the number of pieces changes.
+      // A step is cut at x = 0, where |x|^p is not smooth, and into pieces of 0.0317 times the peak. This is 1 % more
+      // than the largest step of a sine of 200 samples per cycle (2 pi / 200 of the peak), so that the steps of such a
+      // sine stay whole. At most 64 pieces are made; they are longer in a longer step. The last piece is what is left,
+      // so that the force does not jump where the number of pieces changes.
       double const length = value_of(step.length);
       double const piece = std::max(0.0317 * value_of(step.peak1), length / 64.0);
       X x = step.x0, peak = step.peak0;
@@ -131,17 +131,18 @@ struct Abe {
   }
 
   // Advances F2 over a piece of the step. F2 first follows the exact flow du/dt = f(u) of u = F2 / Y, with the yield
-  // force Y held at its mean. Then the effect of the relative change d of Y over the piece is added. The result is of
-  // fourth order where Y is smooth. For the travel t and the rates f0, f1 = du/dt at the ends of the piece, the change
-  // of Y itself adds (with f - u f' = n + (1 - n) f)
+  // force Y held at its mean over the piece. Two terms then add the effect of d, the relative change of Y over the
+  // piece. The result is of fourth order where Y is smooth. Let t be the travel and f0, f1 the rates du/dt at the ends
+  // of the piece. The first term comes from the change of Y itself (with f - u f' = n + (1 - n) f):
   //     n d t/12 (1 - f1 / f0)
-  // and the curvature of Y f(F2 / Y) over Y adds (with |u|^n = 1 - f, taken with the sign of u)
-  //     n (1 - n) d^2 t/24 (1 - f).
-  // Over a long travel F2 ends at the yield force of the end, which is d/2 above the mean. There the first term
-  // therefore goes over into d/2, and the second fades out. The mean of |x / Uh|^p over x is exact, since its integral
-  // is x |x / Uh|^p / (p + 1); a piece that is too short for this difference uses the mean of its two ends. The flow
-  // needs the mean over the travel instead. If the peak grows, the travel per x falls as 1 / (Us + peak). The
-  // covariance of |x / Uh|^p and this travel, both taken as linear in x, is therefore added.
+  // The second comes from the curvature of Y f(F2 / Y) over Y (with |u|^n = 1 - f, taken with the sign of u):
+  //     n (1 - n) d^2 t/24 (1 - f)
+  // Over a long travel F2 ends at the yield force of the end, which is d/2 above the mean. The first term therefore
+  // tends to d/2 there, and the second fades out.
+  // The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p / (p + 1). A piece that is too short for
+  // a difference of two integrals uses the mean of its two ends. The flow needs the mean over the travel instead, and
+  // if the peak grows, the travel per x falls as 1 / (Us + peak). The covariance of |x / Uh|^p and this travel, both
+  // taken as linear in x, is therefore added to the mean.
   template <class T, class X, class N>
   static void advance(Params<T> const& p, Constants<T, X> const& c, State<N>& state, N const& direction, X const& x0,
                       X const& x1, X const& peak0, X const& peak1) {

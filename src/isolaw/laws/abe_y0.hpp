@@ -55,8 +55,8 @@ struct AbeY0 {
   // [export struct AbeY0]
   template <class N>
   struct State {
-    N u = N(0.0);  // F2 / Y0
-    N time = N(0.0);
+    N u = N(0.0);     // F2 / Y0
+    N time = N(0.0);  // travel along the curve u(t) of `flow`
     abe_parts::Softened<N> softened;
     template <class Each>
     void members(Each& each) {

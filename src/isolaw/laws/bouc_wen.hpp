@@ -1,8 +1,8 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
 // Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are both the elastic stiffness
 // Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone. Polynomials, fitted once per parameter set, give
-// its exact solution (saturating_flow.hpp). Integration::paper takes one classical Runge-Kutta step per sample, which
-// blows up where a step is longer than about two yield displacements.
+// its solution, nearly exact (saturating_flow.hpp). Integration::paper takes one classical Runge-Kutta step per sample,
+// which blows up where a step is longer than about two yield displacements.
 #pragma once
 
 #include <limits>
@@ -53,7 +53,7 @@ struct BoucWen {
        parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
-  // reduced() gives parameters with A = 1 that give the same forces as `p`. They make dz/dx 1 at z = 0.
+  // reduced() returns parameters that give the same forces as `p`, with A = 1, so that dz/dx = 1 at z = 0.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 4> redundant_with{"alpha", "Ke", "beta", "gamma"};
@@ -84,7 +84,7 @@ struct BoucWen {
       each(z, time);
     }
   };
-  // u = z / z_max follows the curve u(t) of `flow`, on which a unit of travel takes the time `rate`.
+  // u = z / z_max follows the curve u(t) of `flow`. A travel of 1 mm advances it by the time `rate` on this curve.
   template <class T, class X>
   struct Constants {
     T z_max, rate;

@@ -1,10 +1,11 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
-// slips about a small force (pinching).
+// slips where the force passes a small value, so that its loops are pinched.
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
-// Ao, zetas, Shi, deltaShi, lamda), but its zu, the largest |z|, leaves out degradation and A.  Step: between reversals
-// u = z / zu follows one curve (saturating_flow.hpp); pinching and degradation slow its pace. Classical Runge-Kutta
-// steps advance u along that curve, and with it the work e. The path alone decides the number of these steps, and each
-// step uses the zu at its middle. No step is unstable; without pinching and degradation every step is exact.
+// Ao, zetas, Shi, deltaShi, lamda), but in its zu, the largest |z|, degradation and A are left out.  Step: between
+// reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower. Classical
+// Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the number of
+// these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation every
+// step is exact.
 #pragma once
 
 #include <algorithm>
@@ -71,8 +72,8 @@ struct Bwbn {
        parameter("deta", "1/(kN mm)", "stiffness lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
   });
 
-  // reduced() gives parameters with A = 1 that give the same forces. z is then 1 / A as large, and so are psi and dpsi,
-  // the range of z that slips and its growth.
+  // reduced() returns parameters with A = 1 that give the same forces. They divide z by A, and therefore also psi and
+  // dpsi, the range of z that slips and its growth.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 6> redundant_with{"alpha", "ko", "beta", "gamma", "psi", "dpsi"};
@@ -147,7 +148,8 @@ struct Bwbn {
     N const length(way), half(0.5 * way), one(1.0), none(0.0), z = direction * state.z;
     N const work = max(state.e + half * c.share * z, none);
     N const zu = c.strength * exp2(-log2(one + p.dnu * work) / p.n), pace = p.A / zu;
-    // If degradation brings zu below z, the excess decays as exp(-n t) over the curve's time t, as u - 1 does near 1.
+    // If degradation brings zu below z, the excess of z / zu over 1 decays as exp(-n t) over the curve's time t, as
+    // 1 - u does near saturation.
     N const inside = min(z / zu, N(c.flow.end_of_curve)), beyond = z / zu - inside;
     N const begin = c.flow.time_at(inside);
     // How fast the place on the curve advances per unit of travel, at the given z and work e.

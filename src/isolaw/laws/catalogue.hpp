@@ -24,10 +24,11 @@ struct LawEntry {
   std::size_t index = 0;  // in the catalogue
   std::vector<ParameterInfo> parameters;
   // Writes the force [law's unit] at each of path.samples() samples into `force`, for `parameters` in the law's order
-  // and units. A force that overflows is infinite or NaN; a parameter that is not finite makes all NaN. Throws nothing.
+  // and units. A force that overflows is infinite or NaN. If a parameter is not finite, all forces are NaN. Throws
+  // nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
-  // The law of analysis programs that equals this one (canonical.hpp), for parameters in the law's order and units.
+  // Returns the equal law in analysis programs (parts/canonical.hpp), for parameters in the law's order and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
   // Conditions between several parameters. unmet() gives the first one that `parameters` do not meet, for example found
   // "K1 = 1, K2 = 2" and statement "K1 >= K2", or nullopt if they meet all.

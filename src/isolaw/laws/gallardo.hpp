@@ -1,11 +1,11 @@
-// Gallardo: an elastic part that softens with the travel on each side, and Bouc-Wen's hysteresis, where the turn before
-// a branch sets that branch's strength.
+// Gallardo: an elastic part that softens with the travel on each side of x = 0, and Bouc-Wen's hysteresis, in which
+// each turning point sets the strength of the branch that begins there.
 // Source: Gallardo, de la Llera, Restrepo and Chen 2023, with the authors' programs; docs/laws.md. The source's strain
 // is x over the height of the rubber; this file divides x by 100 mm, and uy is a displacement. Units kN, mm. Step:
-// exact. The states of the elastic part depend on the displacement alone (Memory). Between turns z runs along one curve
-// while z dx < 0 and along another while z dx > 0. In the first case z is divided by one strength for all branches, in
-// the second by the branch's own strength. The quotient then follows one flow (saturating_flow.hpp) that no turn
-// changes.
+// exact. The softening of the elastic part depends on the displacement alone (Memory). The hysteretic variable z
+// follows one equation in unloading (z dx < 0) and another in loading (z dx > 0). In unloading it is divided by one
+// strength for all branches, in loading by the strength of its branch. The quotient then follows one curve
+// (saturating_flow.hpp) that does not depend on the turning points.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"
@@ -17,13 +17,13 @@
 
 namespace isolaw::laws {
 
-// The coefficient of (x/100 mm)^power that gives the record's stiffness times x at the largest displacement x.
+// The coefficient c for which c (x/100 mm)^power is the record's stiffness times x at the largest displacement x.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
 }
 
-// The rate f for which f (x/100 mm)^p, with p about 1/2, is 1 at the largest displacement.
+// The rate f for which f (x/100 mm)^p is 1 at the largest displacement if p is 1/2, its usual size.
 inline double rate_at_reference(RecordScales const& s) {
   return std::sqrt(reference_mm / s.disp);
 }
@@ -111,8 +111,8 @@ struct Gallardo {
     N z = N(0.0);
     N here = N(1.0);                // strength of the branch that z was on at the last turn
     N ahead = N(1.0);               // strength of the branch that z is on once it has passed 0
-    N from = N(0.0), way = N(0.0);  // travel past z = 0 at the last turn and now, in yield displacements
-    double turn_x = 0.0;
+    N from = N(0.0), way = N(0.0);  // travel from z = 0 in yield displacements, at the last turn and now
+    double turn_x = 0.0;            // displacement of the last turn
     template <class Each>
     void members(Each& each) {
       each(sides[0], sides[1], z, here, ahead, from, way, turn_x);
@@ -161,7 +161,7 @@ struct Gallardo {
     return rounded(p.fy * state.z) + elastic(p, state.sides[memory.side], step.x1, memory);
   }
 
-  // The z at which dz/dx is 0.
+  // The strength of a branch: the z at which its dz/dx is 0.
   template <class T>
   static T strength_at(Params<T> const& p, T const& phi) {
     return exp2(-log2(T(1.0) - T(2.0) * phi) / p.n);

@@ -1,6 +1,6 @@
-// Deformation-history integral: a force that remembers the motion over a length D, and an elastic force that softens
-// with the amplitude. The integral of the motion with exponentially fading weights over the travel l from 0 to L,
-// q(L) = int exp(-(L - l)/D) dx(l) / D, obeys dq = (dx - q |dx|)/D.
+// Deformation-history integral: a force that remembers about the last length D of the motion, and an elastic force
+// that softens with the amplitude. The first is proportional to an integral over the travel l from 0 to L,
+// q(L) = int exp(-(L - l)/D) dx(l) / D, whose weights fade exponentially. It obeys dq = (dx - q |dx|)/D.
 // Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums
 // several q. Units kN, mm. Step: exact along a straight path.
 #pragma once

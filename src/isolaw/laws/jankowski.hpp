@@ -66,7 +66,7 @@ struct Jankowski {
   template <class T, class X, class N>
   static N step(Params<T> const& p, NoConstants const&, State<N>&, StepOf<X> const& step) {
     N const x(step.x1), v(step.v1), x2(step.x1 * step.x1);
-    // Nothing overflows in 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2), with e = exp(-|u|) and E = e^2.
+    // With e = exp(-|u|) and E = e^2, nothing overflows in 1/cosh^2 u = 4 E / (1 + E)^2 and 1/cosh u = 2 e / (1 + e^2).
     // All terms share one denominator, since a division costs as much as an exponential.
     N const one(1.0), two(2.0);
     N const log2_e_v(log2_e * step.v1), log2_e_x(log2_e * step.x1);

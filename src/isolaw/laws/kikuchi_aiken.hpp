@@ -1,18 +1,18 @@
-// Kikuchi-Aiken: loops between plus and minus the largest displacement so far, the peak. Their secant stiffness,
-// damping and shape depend on the peak; inner branches follow Masing's rules.
+// Kikuchi-Aiken: loops between plus and minus the peak, which is the largest |x| so far. The secant stiffness, damping
+// and shape of the loops depend on the peak; inner branches follow Masing's rules.
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
-// points and the peak of the displacement, which the record decides. Departures:
-// - A branch from one peak to the opposite one has risen, after a travel of s peaks, by 2 - 2 exp(-a s) + b s exp(-c s)
-//   strengths; the strength is the hysteretic force at the peak. At s = 2 the published branch therefore misses the
-//   opposite peak by 2 exp(-2a) - 2 b exp(-2c) strengths (1e-6 to 5e-4 for the published compounds). Here terms in
-//   (s/2)^8 add this difference, so that the force is continuous. Inner branches have these terms too: a branch that
-//   begins just short of a peak is then the same as one from the peak. They move the forces of the published compounds
-//   by up to 1e-5 of the peak.
+// points and the peak of the displacement, which the record decides. Departures from the source:
+// - The unit of the hysteretic force is the strength, its value at the peak. On a branch from one peak to the opposite
+//   one it has risen by 2 - 2 exp(-a s) + b s exp(-c s) after a travel of s peaks. At s = 2 this branch of the source
+//   misses the opposite peak by 2 exp(-2a) - 2 b exp(-2c) (1e-6 to 5e-4 for the published compounds). Here terms in
+//   (s/2)^8 add this difference, so that the force is continuous. Inner branches have these terms too, so that a branch
+//   that begins just short of a peak is the same as one from the peak. The terms move the forces of the published
+//   compounds by up to 1e-5 of the peak.
 // - b acts only at peaks where a has reached its largest value, as for the published compounds.
-// - b is at most e (1/U - 1) min(c, 5), U the hysteretic share of the force at the peak. The term of b is then nowhere
-//   larger than the elastic share, so that a loop does not exceed its force at the peak. The 5 keeps the force from
-//   falling by that share within a short travel, where c is large. No published compound reaches this limit up to a
-//   strain of 4.1.
+// - b is at most e (1/U - 1) min(c, 5), where U is the hysteretic share of the force at the peak. The term of b is then
+//   nowhere larger than the elastic share, so that a loop does not exceed its force at the peak. If c is large, the 5
+//   keeps the force from falling by the whole elastic share within a short travel. No published compound reaches this
+//   limit up to a strain of 4.1.
 #pragma once
 
 #include <cmath>
@@ -37,7 +37,7 @@ struct AtPeak {
   N force, damping, share, exponent;
 };
 
-// (1 - exp(-2a))/a: the share of the loop's parallelogram that the exponential branches cut off.
+// (1 - exp(-2a))/a: the share of its bounding parallelogram that a loop with exponential branches leaves out.
 template <class T>
 inline T area_left(T const& a) {
   return (T(1.0) - exp2(T(-2.0 * log2_e) * a)) / a;
@@ -69,7 +69,7 @@ struct Loops {
   };
   N hysteretic = N(0.0);
   N strength = N(0.0), half_elastic = N(0.0), exponent = N(0.0);  // u Fm, (1 - u) Fm / 2, n
-  N a = N(0.0), b = N(0.0), closing = N(0.0);                     // a is the rate of the branches times log2(e)
+  N a = N(0.0), b = N(0.0), closing = N(0.0);                     // a times log2(e), b, 2 exp(-2a)
   std::vector<Turn> turned;
   template <class Points>
   void make_room(Points const& points) {
@@ -119,8 +119,8 @@ struct Loops {
     closing = N(2.0) * exp2(N(-2.0) * a);
   }
 
-  // How far the hysteretic force has risen on a branch, in strengths and before it is scaled, at a distance of s peaks
-  // from the branch's turn. It is 2 at s = 2.
+  // How far the hysteretic force has risen on a branch, at a distance of s peaks from the turning point where the
+  // branch began. It is 2 at s = 2. force() multiplies it by the strength and the scale of the branch.
   template <class T, class X>
   N shape(Constants<T> const& c, X const& s, bool bump) const {
     X const half = 0.5 * s, half2 = half * half, half4 = half2 * half2;

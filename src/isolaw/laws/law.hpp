@@ -1,9 +1,10 @@
-// The contract of a law. A law is one file: a struct that declares what the law is and how it takes one step, for every
-// use of it. A step is written once, for three kinds of numbers:
-//   T   the number of a parameter: double, a derivative number, or a batch of candidates (the lanes of a kernel)
-//   X   the number of the motion: double in a record, whose motion is known ahead, and Dual in a trial, whose motion is
-//       not (online/numbers.hpp). A Dual has two slopes, so that a trial knows its tangent.
-//   N   the number of a force: T in a record, Dual in a trial, where T is double
+// The contract of a law. A law is one file with a struct that describes the law and computes one step of its motion.
+// Every use of the law is made from this struct. The step is written once, for three kinds of numbers:
+//   T   the type of a parameter: double, a number with derivatives (num::Dual), or a batch of several parameter sets
+//       (num::Batch), whose places are called lanes
+//   X   the type of the motion. In a record the motion is known ahead, and X is double. In a trial it is not, and X is
+//       the Dual of online/numbers.hpp; it has two slopes, so that a trial knows its tangent.
+//   N   the type of a force: T in a record, Dual in a trial, where T is double
 // The struct has
 //   info                  LawInfo: id, name, title, source, units, traits, a note on how the source was read
 //   Params<T>             the parameters, in the paper's symbols
@@ -13,17 +14,18 @@
 // and, where they apply,
 //   Constants<T, X>, constants<T, X>(params)      what follows from the parameters alone, computed once
 //   start(params, constants, state, step)         sets the state at the first sample, if it is not State's own values
-//   Memory<X>             if traits.remembers: which parts of the path's memory the law reads (memory/). Its step
-//                         gets them as a fifth argument. A State with a stack sizes it in make_room. Such a law ignores
-//                         motion within the record's dead band, and its first motion goes from 0 to the first sample.
-//                         Whatever else the law remembers belongs in State, and each candidate computes it anew.
+//   Memory<X>             for a law with the trait `remembers`: the parts of the path's memory that it reads (memory/).
+//                         Its step gets them as a fifth argument. If its State has a stack, make_room resizes it.
+//                         Such a law ignores motion within the record's dead band (memory/followed.hpp), and its first
+//                         motion goes from 0 to the first sample. Whatever else the law remembers belongs in State,
+//                         which is computed for each parameter set.
 //   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
-//   crowded               true: a step holds so many values at once that kernels compute fewer lanes
+//   crowded               true: a step holds so many values at once that kernels (fit/kernels.cpp) use fewer lanes
 //   joint_limits          one JointLimit for each condition between several parameters
 //   reduced(params)       for a law with a redundant parameter: returns parameters that give the same forces. In them
 //                         the parameter that `redundant` names has the value `redundant_value`, and the parameters in
 //                         `redundant_with` make up for the change
-//   canonical(params)     the law of analysis programs that equals this one, or NoForm{what those programs lack}
+//   canonical(params)     the equal law in analysis programs such as OpenSees, or NoForm{what their laws lack}
 //                         (parts/canonical.hpp)
 //
 // Four rules keep one step fast and right for all three kinds of numbers:
@@ -31,7 +33,7 @@
 //   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
 //   - min and max return their first argument if both are equal: put the one first whose slope is meant.
 //   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope that its value
-//     alone does not give. For a record they do nothing.
+//     alone does not give. For a record they are plain comparisons, or do nothing.
 // A step neither throws nor logs, and in a record it allocates nothing: kernels size stacks before the first step.
 //
 // Exported C++17 files are made from the lines of a law's file between `// [export struct NAME]` and `// [end]`, with
@@ -80,7 +82,7 @@ struct Interval {
 // The scale on which an interval is searched. logarithmic: in log|value|, but linearly below 1e-6 of the larger end.
 enum class Scale { linear, logarithmic };
 
-struct RecordScales {      // the size of a record, in the law's units; search boxes are multiples of it
+struct RecordScales {      // sizes of a record, in the law's units; the bounds of a search are multiples of them
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
   double stiffness = 0.0;  // effective stiffness, peak to peak
@@ -89,7 +91,7 @@ struct RecordScales {      // the size of a record, in the law's units; search b
   double work = 0.0;       // energy dissipated in a whole test; of several tests, the largest
 };
 
-struct ScaledInterval {  // a search interval in multiples of a size of the record (limits.hpp names the sizes)
+struct ScaledInterval {  // a search interval in multiples of a size of the record (parts/limits.hpp has the sizes)
   double lower, upper;
   double (*size)(RecordScales const&);
 
@@ -101,11 +103,11 @@ struct ParameterInfo {
   std::string_view unit;
   std::string_view meaning;
   Interval physical;                            // a value outside is refused
-  std::optional<Interval> published;            // the paper's search box (Table 4), always searched linearly
-  ScaledInterval scaled;                        // the search box of a device of any size
-  Scale scaled_search = Scale::linear;          // how the scaled box is searched
-  std::optional<double> fixed_by_default = {};  // the value of a parameter that is calibrated only if freed
-  std::string_view paper_name = {};             // the name in Tables 4 and A.5, if it is another one
+  std::optional<Interval> published;            // bounds of Cucuzza et al. 2025, Table 4; always searched linearly
+  ScaledInterval scaled;                        // bounds of the search for a device of any size
+  Scale scaled_search = Scale::linear;          // how the search between these bounds goes
+  std::optional<double> fixed_by_default = {};  // the value that the parameter keeps unless the user frees it
+  std::string_view paper_name = {};             // the name in that paper's Tables 4 and A.5, if it is another one
 
   constexpr ParameterInfo in_paper(std::string_view other_name) const {
     ParameterInfo renamed = *this;
@@ -127,7 +129,8 @@ struct Row {
 };
 
 // A condition between several parameters. `statement` contains their names as whole words. The condition must be
-// monotonic in each parameter: if no corner of a box meets it, then no point of the box may meet it.
+// monotonic in each parameter, so that it can be tested for a whole box of parameters: if no corner of the box meets
+// it, no point of the box does.
 template <class Params>
 struct JointLimit {
   std::string_view statement;  // "K1 >= K2"
@@ -136,11 +139,11 @@ struct JointLimit {
 
 struct Traits {
   bool rate_independent = false;  // the velocity does not matter
-  bool odd = false;               // F(-x) = -F(x) for the mirrored history
+  bool odd = false;               // the mirrored motion gives the mirrored force
   bool path_integrated = false;   // a differential law: the integration method matters
   bool remembers = false;         // its step reads the path's Memory
   bool masing = false;            // branches close where they began; a small loop leaves no trace once it has closed
-  bool exact_flow = false;  // follows the curve of saturating_flow.hpp; its online form uses a table of that curve
+  bool exact_flow = false;        // follows the curve of saturating_flow.hpp; a trial uses a table of that curve
 };
 
 // paper: a law of Cucuzza et al. 2025. These and the usual laws are computed by default, the further ones on request.
@@ -156,9 +159,9 @@ struct LawInfo {
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
   LawSet set = LawSet::further;
-  // Time of one step of one candidate [0.01 ns], once measured by `isolaw bench` with 512-bit lanes. It only estimates
-  // which runs cost more, so that each machine of a campaign gets its share. Whoever adds a law without such a
-  // processor takes the value of a law of similar cost.
+  // Time of one step of one parameter set [0.01 ns], as `isolaw bench` once measured it on a processor with AVX-512. It
+  // only serves to estimate the time of runs and to divide a campaign evenly between several machines. Without such a
+  // processor, give a new law the value of a law of similar cost.
   unsigned step_cost = 500;
 };
 
@@ -173,7 +176,7 @@ struct StepOf<double> {             // one step of the path; it depends on the r
   double v0, v1;                    // velocity before and after; 0 for a record without time
   double dx;                        // x1 - x0
   double length;                    // |dx|
-  double direction;                 // +1, -1; as before if dx = 0; 0 before the first motion
+  double direction;                 // +1 or -1; if dx = 0, that of the step before; 0 before the first motion
   bool reversal;                    // the direction differs from the step before
   bool sample;                      // the end is a sample of the record, so its force is reported
   double peak0, peak1;              // largest |x| up to the start and the end of the step
@@ -181,8 +184,9 @@ struct StepOf<double> {             // one step of the path; it depends on the r
 };
 using Step = StepOf<double>;
 
-// Laws with the trait `remembers` read this at the end of a step. memory/ says how each member follows from the
-// displacement. A first sample away from 0 counts as a motion from 0.
+// The memory of the displacement after a step. Laws with the trait `remembers` read it. memory/ computes the members. A
+// first sample away from 0 counts as a motion from 0. A law's stack has one value for each turning point that Masing's
+// rules still need (memory/open_branches.hpp). The skeleton is the force curve of the first loading.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;           // whether the motion turned at the begin of this step
@@ -194,13 +198,14 @@ struct Memory {
   double peak0, peak;   // largest |x| before and after the step
   double inside;        // the part of the step's length with |x| below peak0
   double side_peak;     // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;        // (1 + N)^(-1/3), N: travel relative to the side's peak, fading as that peak grows
-  double log2_worn;     // log2(1 + NT), NT the travel of both sides relative to the largest |x|
+  double virgin;        // (1 + N)^(-1/3), N: travel on the side over its peak; it fades as that peak grows
+  double log2_worn;     // log2(1 + NT), NT: travel on both sides over the largest |x|; it fades too
   double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
-  double log2_softening, log2_way_back;  // G: half the travel outwards and four times the travel back; C: travel back
-  std::size_t side;                      // 0: x >= 0, 1: x < 0
-  bool softens, returns;                 // G, C have changed since the last step that ended on this side
-  bool peak_grows, side_peak_grows;      // whether the peak grows in this step
+  // log2 of G and C. G is half the travel outwards plus four times the travel back, C is the travel back.
+  double log2_softening, log2_way_back;
+  std::size_t side;                  // 0: x >= 0, 1: x < 0
+  bool softens, returns;             // whether G, C have changed since the last step that ended on this side
+  bool peak_grows, side_peak_grows;  // whether the peak grows in this step
 };
 
 // The record as a piecewise linear path. The first step has no length; its end is the first sample.
@@ -232,8 +237,8 @@ using ParamsOf = typename Law::template Params<T>;
 template <class Law>
 inline constexpr std::size_t parameter_count = Law::template rows<double>.size();
 
-// The member pointers of rows<T>. The functions in the rows are left out, because each instruction set would get a copy
-// of them.
+// The member pointers of rows<T>, without the rest of the rows: kernels would otherwise contain the functions in the
+// rows once for each instruction set.
 template <class Law, class T>
 inline constexpr auto members = [] {
   std::array<T ParamsOf<Law, T>::*, parameter_count<Law>> pointers{};
@@ -242,7 +247,7 @@ inline constexpr auto members = [] {
 }();
 
 // Operations that a step calls, here for a record, whose motion has no slopes. online/numbers.hpp has the same
-// operations for a trial and explains them.
+// operations for a trial and says why a trial needs them.
 inline bool moves(Step const& step) {
   return step.length > 0.0;
 }
@@ -286,10 +291,13 @@ using NumberOf = std::conditional_t<std::is_same_v<X, double>, T, X>;
 
 struct NoConstants {};
 
-// Kernels size the stack of a law before the first step, for the most turning points that are remembered at once.
+// For make_room before the first step of a record: sizes a law's stack for the most turning points that the record's
+// path remembers at once.
 struct Depth {
   std::size_t depth, dropped = Memory::none;
 };
+// For make_room in each step of a record: if two turning points are dropped, the values behind theirs move up. The
+// stack keeps its size.
 template <class List>
 void hold(List& list, Memory const& memory) {
   if (memory.dropped == Memory::none) return;

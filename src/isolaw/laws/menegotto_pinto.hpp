@@ -1,9 +1,10 @@
 // Menegotto-Pinto: from each reversal a smooth curve, which starts along the elastic line, leads to the asymptote of
 // the other side.
-// Source: Menegotto and Pinto 1973 with the sharpness R of Filippou et al. 1983, without isotropic hardening. This file
-// does not compute the intersection (x0, F0) but writes F = b E x + (1 - b) z. At the reversal z has the value zr, at a
-// distance D from the value +-Fy ahead of it. After an elastic travel t = E |x - xr|, z has moved towards +-Fy by
-// (D^-R + t^-R)^(-1/R). The source's x0 follows from E (x0 - xr) = +-D. Units kN, mm. Step: exact.
+// Source: Menegotto and Pinto 1973 with the sharpness R of Filippou et al. 1983, without isotropic hardening. The
+// source computes the intersection (x0, F0) of the elastic line with the asymptote. Here F = b E x + (1 - b) z instead.
+// At the reversal (xr, Fr) z has the value zr, at a distance D from the value +-Fy ahead of it. With t = E |x - xr|, z
+// has then moved towards +-Fy by (D^-R + t^-R)^(-1/R). The source's x0 follows from E (x0 - xr) = +-D. Units kN, mm.
+// Step: exact.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -79,7 +79,7 @@ struct Ozdemir {
   };
   template <class T, class X>
   struct Constants {
-    T rate;  // K/Y, the time on the curve of `flow` that a unit of travel takes
+    T rate;  // K/Y, the time on the curve of `flow` by which a travel of 1 mm advances z
     Flow<T, X, Reach::within_saturation> flow;
   };
   template <class T, class X>

@@ -1,5 +1,5 @@
-// Power-law Masing with scragging: branches of one power law by Masing's rules, an elastic force that softens with the
-// amplitude of the tests, hardening towards the peak, and a virgin stiffness that travel removes.
+// Power-law Masing with scragging: hysteretic branches that follow one power law and Masing's rules, an elastic force
+// that softens with the amplitude and hardens towards the peak, and a virgin stiffness that travel removes (scragging).
 // Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends only on the
 // turning points and peaks of the displacement, which the record decides.
 #pragma once
@@ -50,7 +50,7 @@ struct PowerMasing {
       },
   });
 
-  // The rows of a law that extends this one by further parameters: the rows of this law, then `added`.
+  // Returns the parameter rows of a law that extends this one: the rows of this law, then `added`.
   template <class T, class Extended, std::size_t Added>
   static constexpr auto rows_and(std::array<Row<T, Extended>, Added> const& added) {
     std::array<Row<T, Extended>, rows<T>.size() + Added> all{};
@@ -94,7 +94,8 @@ struct PowerMasing {
     state.make_room(memory);
     N const Fh = state.branches.move(step.x1, memory, [&](X const& x) { return skeleton(p, x); });
     if (memory.peak_grows) state.per_strength = T(1.0) / max(N(skeleton(p, memory.peak)), N(smallest_power_base));
-    // If both arguments are equal, min and max return the first, so a force of exactly the strength keeps its slope.
+    // If both arguments are equal, min and max return the first. A hysteretic force that just equals its strength
+    // therefore keeps its slope.
     N const share = min(max(Fh * state.per_strength, N(-1.0)), N(1.0));
     return {Fh, state.scragging.force(p, step.x1, memory, share, p.U)};
   }

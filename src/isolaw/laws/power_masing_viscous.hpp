@@ -1,4 +1,4 @@
-// power-masing in parallel with a dashpot, for tests whose velocity varies independently of their amplitude.
+// The law power-masing in parallel with a dashpot, for tests whose velocity varies independently of their amplitude.
 // Source: this project; docs/laws.md. Units kN, mm, s. Step: exact, as in power-masing.
 #pragma once
 

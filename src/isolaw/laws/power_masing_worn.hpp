@@ -1,6 +1,7 @@
-// power-masing with two more terms. The hysteretic force decreases with the distance travelled. And each growth of the
-// largest |x| leaves a lasting force in proportion to it, positive for a growth at x > 0 and negative for one at x < 0.
-// The terms describe differences between the first and last cycles of a record, and between its two sides.
+// The law power-masing with two more terms. The first makes the hysteretic force decrease with the distance travelled.
+// The second is a lasting force: each growth of the largest |x| adds a force in proportion to it, positive for a growth
+// at x > 0 and negative for one at x < 0. The terms describe differences between the first and last cycles of a record,
+// and between its two sides.
 // Source: this project; docs/league.md lists the variants tried. Units kN, mm. Step: exact, as in power-masing.
 #pragma once
 

@@ -1,6 +1,6 @@
-// The smooth relative of power-masing: two fading memories of the motion replace its turning points, for programs whose
-// materials cannot keep turning points. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give
-// out work: prefer power-masing wherever turning points can be kept.
+// A smooth variant of power-masing: two fading memories of the motion replace its turning points. It is made for
+// programs whose materials cannot keep turning points. Small vibrations relax its force, and loops of unloading and
+// reloading below 1 mm give out work, so prefer power-masing wherever turning points can be kept.
 // Source: this project; docs/laws.md. Units kN, mm. Step: exact along a straight path.
 #pragma once
 
@@ -95,8 +95,8 @@ struct PowerScragging {
     return state.strength * share + state.scragging.force(p, step.x1, memory, share, rounding);
   }
 
-  // The integral of dM / (U (M/100)^h) over the growth of the peak M in this step. The divisor is the length of the
-  // slow memory, which changes with M.
+  // Returns the integral of dM / (U (M/100)^h) over the growth of the peak M in this step. The divisor is the length of
+  // the slow memory, which changes with M.
   template <class T, class X>
   static NumberOf<T, X> growth(Params<T> const& p, X const& peak0, X const& peak) {
     using N = NumberOf<T, X>;

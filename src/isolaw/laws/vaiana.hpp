@@ -1,7 +1,8 @@
 // Vaiana (VRM+D class): transcendental and rate independent, with different loading and unloading branches.
-// Source: Cucuzza et al. 2025, Eqs. (6)-(12), after Vaiana et al. 2021, with the auxiliary length taken to infinity:
+// Source: Cucuzza et al. 2025, Eqs. (6)-(12), after Vaiana et al. 2021. Here the source's auxiliary length is infinite:
 // the branch starts from the reversal point (xP, fP) itself and needs no internal variable and no logarithm. Units N,
-// m.  Step: exact; a branch continued from any of its points is the same branch, so every sample serves as (xP, fP).
+// m.  Step: exact. A branch that is begun again at any of its points stays the same branch, so each step takes the
+// sample before it as (xP, fP).
 #pragma once
 
 #include "isolaw/laws/law.hpp"

@@ -1,10 +1,11 @@
-// A batch of W doubles that behaves like one double. Each lane belongs to one candidate parameter set or, in building/,
-// to one draw of a building's devices; lanes never mix. A batch consists of a few native vectors of GCC or Clang
-// (vector_size). A law's code therefore uses the vector registers of the target processor. The vectors do not depend on
-// one another, so the processor computes some while it waits for the results of others. The names of the types
-// contain the instruction set, so that objects compiled for different instruction sets can be linked into one program
-// (fit/kernels.cpp). A function that several of these objects compile must therefore take one of these types. A lane
-// agrees with the computation on plain doubles within rounding. elementary.hpp provides exp, exp2, log2 and power.
+// A batch of W doubles that behaves like one double. Its W places are called lanes. Each lane computes one candidate
+// parameter set or, in building/, one draw of a building's devices; lanes never mix. A lane agrees with the computation
+// on plain doubles within rounding.
+// A batch consists of a few native vectors of GCC or Clang (vector_size), so a law's code uses the vector registers of
+// the processor. The vectors do not depend on one another: the processor computes one while it waits for another.
+// The code is compiled once for each instruction set, and the objects are linked into one program (fit/kernels.cpp).
+// The linker keeps only one of several functions with the same name. The names of the types here therefore contain the
+// instruction set, and every function that several of the objects compile must have one of these types in its name.
 #pragma once
 
 #include <array>
@@ -235,7 +236,7 @@ ISOLAW_INLINE bool any(Mask<W> const& mask) {
   return bits != 0;
 #endif
 }
-// Selects one batch for all lanes by a condition that does not depend on the candidates.
+// select() for a condition that holds for all lanes or for none, because it does not depend on the parameters.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> select(bool condition, Batch<W> const& a, Batch<W> const& b) {
   return condition ? a : b;
@@ -249,8 +250,9 @@ ISOLAW_INLINE Batch<W> max(Batch<W> const& a, Batch<W> const& b) {
   return select(a < b, b, a);
 }
 
-// Returns the product `a` and keeps it out of a fused multiply-add, at no cost. In a sum of two products the compiler
-// may fuse either one with the addition, so that a lane's last bits would depend on the batch's width.
+// Returns the product `a` and keeps the compiler from fusing it with an addition, at no cost. In a sum of two products
+// the compiler may fuse either product with the addition. Which one it fuses could depend on the width of the batch,
+// and so could the last bits of a lane.
 template <std::size_t W>
 ISOLAW_INLINE Batch<W> rounded(Batch<W> a) {
   a.each([&]([[maybe_unused]] std::size_t i) ISOLAW_LAMBDA {
@@ -304,8 +306,9 @@ ISOLAW_INLINE Batch<W> as_batch(double node) {
   return Batch<W>(node);
 }
 
-// Finds the cell of x among `cells` + 1 nodes by bisection. Comparisons with seven nodes, the same for all lanes,
-// replace the first three halvings, because one gather costs more than several comparisons.
+// Finds for each lane the cell, between two neighbouring nodes, in which x lies. There are `cells` + 1 nodes. Bisection
+// would fetch other nodes for each lane, and such a gather costs more than several comparisons. Comparisons with seven
+// nodes, the same for all lanes, therefore replace the first three halvings.
 template <class Values, std::size_t W>
 ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W> const& x) {
   Indices<W> first{Indices<W>::make([](std::size_t) ISOLAW_LAMBDA { return VectorMask{}; })};
@@ -342,7 +345,8 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// One round of a matrix transposition: swaps bit `Bit` of the row index with the same bit of the lane index.
+// One round of the transposition of a square matrix: moves each number to the place whose row index and lane index have
+// exchanged their bits `Bit`.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {

@@ -1,5 +1,5 @@
-// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls. They serve code that computes
-// many lanes at once: loops over doubles that a compiler vectorises, and the same bodies on vectors.
+// 2^x, e^x, e^x - 1, log2 x, |x|^p and x^(1/5) without branches, tables or library calls. They are made for code that
+// computes many numbers at once: loops over doubles that a compiler vectorises, and the same code on vectors.
 //   function           largest error (with / without fused multiply-add; tests/unit checks it) and where it holds
 //   fast_exp2(x)       0.9 / 1.2 ULP in [-1022, 1023.5); +inf from 1023.5 on; gradual underflow to -1022.5, 0 below
 //   fast_exp(x)        0.9 / 1.2 ULP in [-708.3, 709.4]; +inf from 709.44 on; 0 below -708.75
@@ -8,14 +8,14 @@
 //   fast_log2(x)       1.6 / 1.8 ULP for positive normal x; +inf for +inf; NaN for anything else
 //   fast_power(x, p)   |x|^p: relative error (2 + |p|) 2^-53, and without fused multiply-add |p log2 x| 2^-53 more; not
 //                      finite where x or p is not; same range as fast_exp2
-// NaN gives NaN. Results within a factor of sqrt(2) of the largest double become +inf, and the smallest subnormal
-// numbers become 0. A second scaling would give these results, but costs time.
-// Source: Cody and Waite 1980 (arguments reduced to half a binade around 1), fdlibm (log through s = (m-1) / (m+1)),
-// own coefficients (tools/elementary_coefficients.py). Departure: integers become doubles by adding 1.5 2^52, because
-// SSE2 and AVX2 cannot convert 64-bit integers.
-// Polynomials use Horner's scheme, which has the fewest operations; computing several vectors at once hides its
-// latency. Rejected: sums of even and odd powers (faster for one or two vectors, slower from four on), log2 without a
-// division (twice the terms).
+// NaN gives NaN. Powers above 2^1023.5, within a factor of sqrt(2) of the largest double, become +inf, and those below
+// 2^-1022.5 become 0 instead of subnormal numbers. A second scaling would give these results, but costs time.
+// Source: Cody and Waite 1980 (the argument is reduced to a short interval), fdlibm (log through s = (m-1) / (m+1)),
+// own coefficients (tools/elementary_coefficients.py). Departure: doubles are rounded to integers by adding 1.5 * 2^52,
+// because SSE2 and AVX2 cannot convert between doubles and 64-bit integers.
+// Polynomials use Horner's scheme, which has the fewest operations. Each operation waits for the one before, but
+// meanwhile the processor computes other vectors. Rejected: sums of even and odd powers (faster for one or two vectors,
+// slower from four on), log2 without a division (twice the terms).
 // This code assumes round to nearest and IEEE NaN and infinity: never use -ffast-math or -ffinite-math-only.
 // -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Only with -ffp-contract=fast does a compiler
 // fuse vectors' multiply-adds. All instruction sets with fused multiply-add then give the same bits.
@@ -40,8 +40,8 @@ struct Lanes {
   [[gnu::always_inline]] static inline T from_bits(Bits const& x) { return std::bit_cast<T>(x); }
   [[gnu::always_inline]] static inline T abs(T const& x) { return from_bits(bits(x) & 0x7fff'ffff'ffff'ffffU); }
   [[gnu::always_inline]] static inline T multiply_add(T const& a, T const& b, T const& c) { return a * b + c; }
-  // The same for a sum that select() takes. For AVX-512, GCC 12 merges an addition with the selection after it, and then
-  // no longer fuses the product with the addition.
+  // The same for a sum that is then passed to select(). For AVX-512, GCC 12 would merge the addition with this
+  // selection and no longer fuse the product with the addition.
   [[gnu::always_inline]] static inline T multiply_add_apart(T const& a, T const& b, T const& c) {
     T sum = a * b + c;
 #if defined(__AVX512F__)
@@ -80,7 +80,7 @@ struct Lanes<double> {
 
 namespace elementary {
 
-// Coefficients of polynomials. This one gives 2^f for |f| <= 1/2, with a relative error of 5.6e-18.
+// Coefficients of polynomials, lowest power first. This one gives 2^f for |f| <= 1/2, relative error 5.6e-18.
 inline constexpr double exp2_terms[] = {0x1.0000000000000p+0,  0x1.62e42fefa39efp-1,  0x1.ebfbdff82c5a5p-3,
                                         0x1.c6b08d704a122p-5,  0x1.3b2ab6fb9ffb3p-7,  0x1.5d87fe78a111cp-10,
                                         0x1.4309130f139cbp-13, 0x1.ffcbfc595bcf6p-17, 0x1.62bfc71ea7788p-20,
@@ -136,7 +136,8 @@ template <class T, std::size_t Count>
   return horner<T>(terms, x, std::make_index_sequence<Count - 1>());
 }
 
-// Returns mantissa * 2^n for the integer n in `shifted`, +inf or 0 out of range. Clamping x first would cost a branch.
+// Returns mantissa * 2^n for the integer n that the last bits of `shifted` hold (see `shifter`). Returns +inf or 0 if
+// `exponent` is out of range. Clamping the argument first would cost a branch.
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;
@@ -195,7 +196,7 @@ template <class T>
   return L::multiply_add(power, rest * elementary::polynomial<T>(elementary::expm1_terms, rest), power - L::all(1.0));
 }
 
-// Guesses x^(-1/5) from the bits of x and corrects the root by a polynomial of the guess's error.
+// Guesses x^(-1/5) from the bits of x, and corrects the root that follows from it by a polynomial in the guess's error.
 template <class T>
 [[gnu::always_inline]] inline T fast_fifth_root(T const& x) {
   using L = Lanes<T>;
@@ -235,7 +236,8 @@ template <class T>
   auto const split = elementary::split<T>(base);
   T const whole = elementary::whole_of<T>(split), m = elementary::mantissa_of<T>(split);
   T const s = (m - L::all(1.0)) / (m + L::all(1.0));
-  // base - base is NaN if base is not finite, else 0. GCC 12 with -fno-signed-zeros would turn base * 0 into 0.
+  // If base is not finite, base - base is NaN and makes the result NaN; else it is 0. GCC 12 with -fno-signed-zeros
+  // would turn base * 0 into 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
   // `rest` is computed from p and not from `exponent`, so that it lacks the rounding error of `exponent`.
   T const exponent = p * (whole + fraction);

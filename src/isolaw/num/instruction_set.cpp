@@ -26,7 +26,8 @@ bool always() {
 }
 
 #if defined(ISOLAW_X86_KERNELS)
-// For -march=x86-64-v3 and -v4, compilers use more than vector instructions, so all extensions of a level are checked.
+// With -march=x86-64-v3 or -v4 a compiler may use every instruction of this level, not only the vector instructions.
+// All extensions of a level are therefore checked.
 #if defined(ISOLAW_CPU_LEVELS)
 bool has_x86_64_v3() {
   return __builtin_cpu_supports("x86-64-v3") != 0;

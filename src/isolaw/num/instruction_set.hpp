@@ -6,9 +6,9 @@
 
 namespace isolaw::num {
 
-// `scalar` computes a law on plain doubles, one candidate at a time. The objectives and forces that are reported of a
-// fit come from `scalar`; the other sets agree with it within rounding. avx2 and avx512 give the same bits. `portable`
-// (called sse2 on x86) has no fused multiply-add and therefore gives other last bits.
+// `scalar` computes a law on plain doubles, one parameter set at a time. The objective and the forces in the report of
+// a fit come from `scalar`; the other sets agree with it within rounding. avx2 and avx512 give the same bits.
+// `portable` (called sse2 on x86) has no fused multiply-add and therefore gives other last bits.
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 

@@ -1,5 +1,5 @@
 // Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so only linear.cpp
-// compiles them. The order of summation in a product is therefore the same for all callers.
+// compiles them. This also gives all callers the same order of summation in a product.
 #pragma once
 
 #include <Eigen/Core>

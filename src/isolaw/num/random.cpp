@@ -56,7 +56,8 @@ double Draws::uniform() {
   return static_cast<double>(bits64() >> 11) * 0x1p-53;
 }
 
-// Draws as many bits as n - 1 has until they give a number below n. Unbiased, with fewer than two tries on average.
+// Draws as many random bits as n - 1 has, again and again until they are a number below n. Every number is equally
+// likely, and fewer than two tries are needed on average.
 std::size_t Draws::below(std::size_t n) {
   assert(n > 0);
   auto const width = std::bit_width(n - 1);
@@ -67,7 +68,8 @@ std::size_t Draws::below(std::size_t n) {
   }
 }
 
-// Uses only the cosine of Box and Muller 1958. Each number then takes four words and no earlier number has to be kept.
+// The method of Box and Muller 1958 gives two numbers, one with a cosine and one with a sine. Only the first is used:
+// each call then takes four words, and no second number has to be kept for the next call.
 double Draws::normal() {
   double const radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));  // 1 - uniform() is never 0
   return radius * std::cos(2.0 * std::numbers::pi * uniform());

@@ -8,7 +8,8 @@
 
 namespace isolaw::num {
 
-// A one-to-one mapping of 128-bit counters for each key. The low words come first in Random123's counter and key.
+// Returns the four random words that belong to a 128-bit counter. For each key the mapping is one-to-one. The low words
+// come first, as in Random123's counter and key.
 std::array<std::uint32_t, 4> philox_4x32_10(std::array<std::uint32_t, 4> const& counter, std::uint64_t key);
 
 // A family of independent generators. The key says what the numbers are for: campaign seed, device, law, run.
@@ -16,7 +17,8 @@ class Stream {
  public:
   Stream() = default;
   explicit Stream(std::uint64_t key) : key_(key) {}
-  // Derives a stream for one part of a name. Example: Stream(seed).split(hash of device).split(hash of law).split(run).
+  // Derives an independent stream that `part` selects, as in Stream(seed).split(hash of device).split(hash of
+  // law).split(run).
   Stream split(std::uint64_t part) const;
   std::uint64_t key() const { return key_; }
 

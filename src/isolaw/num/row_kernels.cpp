@@ -27,8 +27,8 @@ void sizes(RowTable const& table, std::size_t columns, double delta, double* val
   }
 }
 
-// A chunk of rows: each column minus column 0, and this difference times the cautious and times the bold curvature
-// (row_kernels.hpp). A chunk fits in the cache.
+// Some rows of the table, few enough to stay in the cache. `difference` holds each column minus column 0; `cautious`
+// and `bold` hold this difference times the row's curvature of that name (row_kernels.hpp).
 constexpr std::size_t chunk = 32, tile = 4;
 struct Chunk {
   alignas(64) double difference[chunk * most_columns], cautious[chunk * most_columns], bold[chunk * most_columns];

@@ -9,8 +9,8 @@
 
 namespace isolaw::num {
 
-// This many columns are computed together, and a table's stride is a multiple of it. Columns after the last candidate
-// may hold anything.
+// This many columns are computed together, and a table's stride is a multiple of it. The columns that fill up this
+// multiple, behind the last candidate, may hold anything.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;
@@ -35,9 +35,10 @@ struct RowKernels {
   // In column c, values[c] = sum of weight * |r| and rounded[c] = sum of weight * sqrt(r^2 + delta^2). Both arrays have
   // room for padded(columns) values.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
-  // The curvature of `cautious` is weight / size: the parabola with this curvature touches `size` from above. The
-  // curvature of `bold` is cautious_share times weight / size plus bold_share times the true one, weight * delta^2 /
-  // size^3. The arrays of `sums` have room for padded(columns) columns; columns <= most_columns.
+  // The curvature of a row in `cautious` is weight / size: a parabola with this curvature touches the row's term,
+  // weight * size, from above. In `bold` it is cautious_share times weight / size plus bold_share times the term's true
+  // curvature, weight * delta^2 / size^3. The arrays of `sums` have room for padded(columns) columns; columns <=
+  // most_columns.
   void (*normal)(RowTable const& table, std::size_t columns, double delta, double cautious_share, double bold_share,
                  NormalSums const& sums);
 };

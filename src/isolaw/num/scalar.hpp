@@ -1,11 +1,12 @@
-// The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same ones, so one body
-// serves all three. Laws call them unqualified: law.hpp makes the double overloads visible, ADL finds the others.
+// The operations that a law's step may use, here for plain doubles. Dual and Batch offer the same ones, so the same
+// code computes a law on all three. Laws call them unqualified: law.hpp makes the overloads for double visible, and
+// argument-dependent lookup finds the others.
 //   abs exp exp2 log2 sqrt min max        as in <cmath>
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
 //   any(condition)                        whether the condition is true in at least one lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; a and b are always computed
-//   rounded(x)                            x; marks the one product in a sum of two that the compiler must round before
-//                                         the sum, so that it may fuse only the other product
+//   rounded(x)                            x, a product that the compiler must round before it adds it. In a sum of two
+//                                         products one is marked so, and only the other can be fused with the addition
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
 //   Rows8                                 a table of rows of eight values, read with an index from cell_of

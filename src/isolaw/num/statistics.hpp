@@ -14,7 +14,7 @@ struct Moments {
   double std = 0.0;   // with divisor n - 1; 0 when count is 1, NaN when count is 0
 };
 Moments moments(std::span<double const> values);
-// Standard deviation with divisor n, as in the objective. NaN when there are no values.
+// Standard deviation with divisor n, as in the objective of a fit. NaN when there are no values.
 double population_std(std::span<double const> values);
 // The middle value, or the mean of the two middle ones. NaN when there are no values or one of them is NaN.
 double median(std::span<double const> values);
@@ -27,9 +27,9 @@ double median_over(Items const& items, Property property) {
 
 // Modified z-scores: (x - median) / max(1.4826 MAD, least_scale * |median|), where 1.4826 MAD (median absolute
 // deviation) estimates the standard deviation. A few outliers hardly move the median and the MAD. Source: Iglewicz and
-// Hoaglin 1993, who call a value beyond outlying_score an outlier. `least_scale` is the relative error of a value: it
-// keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0. The score of a NaN is NaN, and
-// a NaN has no influence on other scores.
+// Hoaglin 1993, who call a value an outlier if its score is beyond +-outlying_score. `least_scale` is the relative
+// error of a value: it keeps nearly equal values from being outliers. If the divisor is 0, all scores are 0. The score
+// of a NaN is NaN, and a NaN has no influence on other scores.
 struct ModifiedScores {
   double median = 0.0;
   std::vector<double> scores;

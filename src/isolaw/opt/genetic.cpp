@@ -62,7 +62,8 @@ Population select(Population const& parents, Population const& children, std::si
   return next;
 }
 
-// Measures gains from the last improvement, not between generations, so that slow steady progress is no stagnation.
+// Tells when the search stagnates. Each generation is compared with the last improvement, not with the generation
+// before it, so that slow steady progress does not count as stagnation.
 class Progress {
  public:
   explicit Progress(GeneticOptions const& options) : options_(options) {}

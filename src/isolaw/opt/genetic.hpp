@@ -1,6 +1,6 @@
 // The genetic algorithm of Cucuzza et al. 2025 (section 4.1, Table 3): real-coded, with roulette wheel, double-point
-// crossover and uniform mutation. docs/method.md explains what we chose where the paper leaves a choice. The roulette
-// wheel is defined for minimisation. Every pair crosses over. Parents and children together compete for survival. The
+// crossover and uniform mutation. The paper leaves some choices open; docs/method.md gives the reasons for ours. The
+// roulette wheel favours small values. Every pair crosses over. Parents and children together compete for survival. The
 // initial population is the first generation, so that 50 generations of 100 points take 5,000 evaluations.
 #pragma once
 
@@ -23,14 +23,15 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. The search
-// ends with one of four outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if
-// no point of the initial population has a finite value; interrupted, with a best point if at least one generation was
-// computed. Each generation takes one batch of evaluations. Random numbers depend only on (stream, generation,
-// individual or pair), so that equal streams give equal results. A point without a finite value survives only if there
-// are too few others. `interrupted`, if given, is called before each generation. A generation is an improvement if its
-// best value is below (1 - stagnation_tolerance) times the best value of the last improvement. A constant problem
-// therefore stops after 1 + stagnation generations. Throws Error if the problem has no dimensions.
+// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. All points
+// of a generation are evaluated in one call. A point without a finite value survives only if there are too few others.
+// Random numbers depend only on (stream, generation, individual or pair), so that equal streams give equal results.
+// `interrupted`, if given, is called before each generation; the search ends if it returns true.
+// A generation is an improvement if its best value is below (1 - stagnation_tolerance) times the best value of the last
+// improvement. If all points have the same value, the search therefore ends after 1 + stagnation generations.
+// Outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if no point of the
+// initial population has a finite value; interrupted, with a best point if at least one generation was computed.
+// Throws Error if the problem has no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
@@ -50,7 +51,8 @@ class RouletteWheel {
   std::vector<double> cumulative_;
 };
 
-// Cuts 0 <= first < second <= dimension, all equally likely. (0, dimension) is left out, since it swaps whole parents.
+// Two cuts with 0 <= first < second <= dimension. All pairs are equally likely, except that (0, dimension) never
+// occurs, since it would swap whole parents.
 struct Cuts {
   std::size_t first = 0, second = 0;
 };

@@ -20,32 +20,35 @@ namespace {
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A stage of a descent lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. It ends when
-// the iterations at this delta gain too little, at the latest after `iterations`.
+// A descent has stages. A stage lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. It
+// ends when the iterations at this last delta gain too little, at the latest after `iterations`.
 struct Stage {
   double smoothing;
   int iterations;
   double least_gain = 0.0;   // the stage ends if it gains less over `patience` iterations at its last delta
   std::size_t patience = 4;  // several iterations, since one may gain little while a residual crosses zero
 };
-// Finds the valley. Stops with delta at half the mean residual, where the sum is still smooth and iterations are few.
+// Finds a valley, which is the surroundings of a minimum. Delta ends at half the mean residual, where the sum is still
+// smooth and few iterations are needed.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Finds the valley's floor. Stops at gains below the hit tolerance of 5e-4, because the value at the end is only
+// Finds the floor of the valley. Ends at gains below the hit tolerance of 5e-4, because the value at the end is only
 // compared with the values of other descents.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Ends a descent on all residuals that starts at the minimum of the outline, which is close to the true minimum.
+// Replaces `settle` after a descent on the outline. It uses all residuals and starts close to their minimum, at that of
+// the outline.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// Ends a descent at about four right digits of its value. It serves many descents that are only reported together.
+// Replaces `finish` in descents of which many are only reported together. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // delta after a descent on outline(), as a share of the value
+constexpr double rounding_after_outline = 0.03;  // limit of delta after the outline, as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
 constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage
-// Delta falls by this factor, about half a decade. A few steps then lead from the minimum for one delta to the next.
+// Delta is multiplied by this. The fall is so small that a few iterations lead from the minimum for one delta to the
+// minimum for the next.
 constexpr double fall_of_delta = 0.3;
-constexpr double noise_of_gain = 1e-6;  // error of one-sided differences; smaller gains count as none
-// Step of one-sided differences. The residuals' curvature falsifies a slope by about 1e-6, and rounding by 1e-9. Both
-// errors change a Newton step less than its damping does.
+constexpr double noise_of_gain = 1e-6;  // smaller gains count as none: one-sided differences have errors of this size
+// Step of one-sided differences. A slope is wrong by about 1e-6 because the residuals are curved, and by 1e-9 because
+// of rounding. Both errors change a Newton step less than its damping does.
 constexpr double difference_step = 1e-6;
 // The curvature for bold steps is bold_share times the true curvature plus cautious_share times the cautious one, since
 // the true one vanishes if no residual is near zero.
@@ -53,7 +56,7 @@ constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: as many as a law's kernel computes at once, since fewer would cost as much.
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor after all trial steps failed; larger than the 400 just tried
+constexpr double damping_rise = 1e4;    // times the damping, if all trial steps failed; more than the 400 just tried
 constexpr int rises = 4;                // attempts in an iteration, enough to raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
@@ -62,25 +65,30 @@ constexpr double least_curvature = 1e-9;  // added to curvatures, as a share of 
 
 constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts a better valley is unlikely
 // A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
-// rule missed the best valley in 1 of 380 logged searches. A share of 0.3 among all descents missed it in 6.
+// rule missed the best valley in 1 of 380 logged searches. A rule that asked for a share of 0.3 of all descents missed
+// it in 6.
 constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
-// The valley's floor is ragged if half of the scattered starts end within ten hit tolerances of the best value, but few
-// hit it. For law abe, 8 of 300 logged searches with 72 starts missed the best point, and 2 with 96 starts.
+// If half of the scattered starts end within ten hit tolerances of the best value, but few hit it, the floor of the
+// valley is ragged: it has many minima of nearly the same value. For law abe, 8 of 300 logged searches with 72 starts
+// missed the best point, and 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third more starts
-// Above this number of dimensions, hops found better valleys than scattered starts, at a quarter of the cost.
+// Above this number of dimensions, hops (starts near the best point) found better valleys than scattered starts, at a
+// quarter of the cost.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
-// A descent is given up if its value after approach() exceeds this multiple of the best: settle() gains less than that.
+// A descent is given up if its value after approach() exceeds the best value by this factor, since settle() gains less.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
-constexpr double sharp = 0.2;  // in hit tolerances; on a smooth floor half of the hits are this close to the best value
-// Number of best ends to polish if the hits scatter. Polishing one left 3 of 29 logged searches 0.1 % too high.
+// In hit tolerances. The floor counts as smooth if at least half of the hits are this close to the best value.
+constexpr double sharp = 0.2;
+// Number of descents to polish, the best ones, if the values of the hits scatter. Polishing only the best left the
+// result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
 constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
@@ -121,7 +129,8 @@ class Counting {  // computes residuals of the problem or of its outline, and co
 
   std::size_t dimension() const { return problem_->dimension(); }
 
-  // For each point, the sum of weight * |residual| and of weight * sqrt(residual^2 + delta^2); infinite if it failed.
+  // For each point, the sum of weight * |residual| and the sum of weight * sqrt(residual^2 + delta^2). A sum that is
+  // not a finite number is infinite.
   struct Sizes {
     std::vector<double> value, rounded;
   };
@@ -159,7 +168,8 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent. approach() finds a valley and settle() its floor, on an outline if there is one. polish() adds digits.
+// One descent. approach() finds a valley, on the outline if the problem has one. settle() finds the valley's floor, on
+// the outline first and then on all residuals. polish() adds digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -229,9 +239,9 @@ class Descent {
   }
 
   // Gradient and two curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences. They are zero for a
-  // coordinate whose neighbouring point failed. The cautious curvature is that of a parabola that touches the sum from
-  // above; its steps are too short. The bold curvature is nearly the sum's own, to which only residuals near zero
-  // contribute; its steps are too long.
+  // coordinate if the point one difference away has no finite value. The cautious curvature is that of a parabola that
+  // touches the sum from above; steps with it are too short. The bold curvature is nearly the sum's own, to which only
+  // residuals near zero contribute; steps with it are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -290,7 +300,7 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the step would lead outside.
+  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the sum falls towards outside.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;
@@ -301,7 +311,8 @@ class Descent {
     }
     double const floor = tuning::least_curvature * H.diagonal().maxCoeff() + 1e-300;
     Vector moved = Vector::Zero(g.size());
-    // Puts a coordinate whose step would leave the box on the edge and computes the other coordinates' steps again.
+    // If the step of a coordinate would leave the box, the coordinate goes to the edge, and the steps of the others are
+    // computed again.
     for (int pass = 0; pass < 3 && !free.empty(); ++pass) {
       Vector held = moved;
       held(free).setZero();
@@ -329,7 +340,8 @@ class Descent {
   double damping_ = tuning::usual_damping;
 };
 
-// Adds normally distributed steps to about half of the coordinates. Their standard deviation is 10 to a random power.
+// Adds normally distributed steps to about half of the coordinates. The standard deviation of the steps is 10 to a
+// random power between least_power and most_power.
 std::vector<double> disturbed(std::vector<double> x, double least_power, double most_power, num::Draws& draws) {
   double const size = std::pow(10.0, least_power + (most_power - least_power) * draws.uniform());
   for (double& coordinate : x)
@@ -390,8 +402,9 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // Number of descents to make. It rises if few scattered starts hit the best value, since a better one was then more
-  // likely missed. The share of hits leaves hops out, because they tend to return to the valley that they came from.
+  // Number of descents to make. It is larger if few scattered starts hit the best value, since a better value was then
+  // more likely missed. Hops do not count in this share of hits, because they tend to return to the valley that they
+  // came from.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
     auto const scattered_hits = count(scattered_, near);
@@ -419,9 +432,9 @@ class Search {
   }
 
   // Runs one descent from `start`. Worker threads call this early, in any order; count_in() later adds the descents to
-  // the result in their own order. A descent is refined to its end (settled) only if its value is less than `promising`
-  // times the best value known now. That best value can only fall before count_in() asks, so count_in() never asks for
-  // a descent that was not settled here.
+  // the result in the order of their starts. A descent is refined to its end (settled) only if its value is less than
+  // `promising` times the best value known now. That best value can only fall until count_in() compares with it, so a
+  // descent that count_in() takes as settled has been settled here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

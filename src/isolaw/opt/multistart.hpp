@@ -2,12 +2,14 @@
 // In each round, descents begin at points scattered over the box (Latin hypercube) and then at disturbed copies of the
 // best point (hops, as in basin hopping). A descent is a Levenberg-Marquardt iteration with bounds. It minimises sum w
 // sqrt(r^2 + delta^2), which rounds off the corner of |r|. delta begins at the size of the residuals, where the sum
-// resembles a sum of squares, and falls to a hundredth of that size. Finite differences give the Jacobian in one batch,
-// and every iteration tries several steps at once. A problem may offer an outline: about a third of the residuals, with
-// the same valleys. A descent then minimises the outline first and uses all residuals only for its last steps.
+// resembles a sum of squares, and falls to a hundredth of that size. All points that the finite differences of a
+// Jacobian need are computed in one batch, and every iteration tries several steps at once. A problem may offer an
+// outline: a smaller problem with about a third of the residuals, whose minima lie in the same valleys. A descent then
+// minimises the outline first and uses all residuals only for its last steps.
 // A descent that ends at the best value is a hit. The larger the share of hits, the fewer descents the search makes
 // (see MultistartOptions). In more than fourteen dimensions it makes up to 2.5 times as many, half of them hops.
-// Rejected: descending only from starts of low value. For the laws in their boxes these lie in the wrong valleys.
+// Rejected: descending only from starts of low value. For the laws, within the bounds of their parameters, these starts
+// lie in the wrong valleys.
 #pragma once
 
 #include <functional>
@@ -20,9 +22,9 @@ namespace isolaw::opt {
 
 struct MultistartOptions {  // campaign::setting_table() holds the limits of each option
   int least_starts = 16;    // number of descents if three quarters of the scattered starts are hits
-  // Number of descents if fewer scattered starts are hits. A third of it suffices after a dozen hits if two fifths of
-  // the scattered starts are hits. The number rises by a third if half of the scattered starts end within ten hit
-  // tolerances of the best value.
+  // Number of descents if a smaller share of the scattered starts are hits. A third of it suffices after a dozen hits
+  // if two fifths of the scattered starts are hits. Otherwise the number rises by a third if half of the scattered
+  // starts end within ten hit tolerances of the best value.
   int starts = 72;
   int hits = 3;                    // the search continues until it has this many hits
   double hit_tolerance = 5e-4;     // relative distance of a hit from the best value
@@ -37,10 +39,10 @@ struct MultistartResult : SearchResult {
 };
 
 // Outcomes: confirmed by enough hits; budget_spent after most_evaluations; interrupted; no_finite_value if no scattered
-// start of the first round has a value. An outline with a third of the residuals adds a third to the evaluations for
-// each point. The history ends with the value after polishing. `stream` determines the result, however many threads
-// help (base/work_ahead.hpp). `interrupted`, if given, is called before each start. Throws Error if the problem has no
-// dimensions.
+// start of the first round has a finite value. A point on an outline with a third of the residuals counts as a third of
+// an evaluation. The history ends with the value after polishing. `stream` determines the result, however many threads
+// help (base/work_ahead.hpp). `interrupted`, if given, is called before each start; the search ends if it returns true.
+// Throws Error if the problem has no dimensions.
 MultistartResult minimise_multistart(DeviationProblem const& problem, num::Stream const& stream,
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
@@ -51,7 +53,8 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
 // Makes one descent from a point near a minimum, for a problem that differs little from one already solved. The result
 // is never above the value at the start; it is not usable if that value is not finite. The first delta is `rounding`
 // times the value at the start; a small delta keeps the descent in its valley. A `brief` descent ends with about four
-// right digits, which suffices if many are reported together. Throws Error if the problem has no dimensions.
+// correct digits, enough for a result of which many are reported together. Throws Error if the problem has no
+// dimensions.
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
               bool brief = false);
 

@@ -6,8 +6,8 @@
 
 namespace isolaw::opt {
 
-// Element i is true if no other point is at least as small in both objectives and smaller in one. a[i] and b[i] are the
-// objectives of point i. Equal points do not beat each other. Points with a value that is not finite are never true.
+// a[i] and b[i] are the objectives of point i. A point beats another if none of its objectives is larger and one is
+// smaller. Element i of the result is true if no point beats point i and both of its objectives are finite.
 std::vector<bool> non_dominated(std::span<double const> a, std::span<double const> b);
 
 }  // namespace isolaw::opt

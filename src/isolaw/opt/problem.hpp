@@ -44,7 +44,7 @@ class DeviationProblem : public Problem {
   // Writes the residuals side by side: residual j of point i is rows[j * stride + i]. `stride` is at least
   // num::padded(points.size()); columns after the last point may hold any numbers.
   virtual void residual_rows(Points const& points, std::size_t stride, std::span<double> rows) const;
-  // A version with fewer residuals that has the same valleys and is cheaper to search; null if there is none.
+  // A problem with fewer residuals and nearly the same minima, which is cheaper to search; null if there is none.
   virtual DeviationProblem const* outline() const { return nullptr; }
   // Converts weights of all residuals to weights of the residuals of outline(). A residual that the outline leaves out
   // gives its weight to the two kept residuals beside it. May be called only if there is an outline.

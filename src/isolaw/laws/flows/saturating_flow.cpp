@@ -1,4 +1,5 @@
-// The matrices of the flow's fit, kept out of the header because every instruction set would have its own copy.
+// The matrices that fit the flow's polynomials. They are not in the header, because every instruction set would then
+// have its own copy of this code.
 #include "isolaw/laws/flows/saturating_flow.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace isolaw::laws::flow_parts {
 namespace {
 
 // Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2). The flow's value is |u| = x
-// G(y), and interpolation of G at these zeros spreads the error of |u| evenly, not that of G.
+// G(v), y = 2 v - 1. Interpolation of G at these zeros spreads the error of |u|, and not that of G, evenly over y.
 constexpr Nodes::Values jacobi_zeros{
     -0.8482704490830196,  -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121, -0.33811348743513536,
     -0.18729277640369482, -0.03315075851919065, 0.12091734632512882, 0.27149840143588966, 0.4152466151456183,

@@ -1,20 +1,21 @@
-// The exact flow of the hysteretic laws between two reversals.
+// The exact flow of several hysteretic laws: the solution of their differential equation between two reversals.
 // Bouc-Wen's z and Abe's F2, divided by their saturation value and taken positive in the direction of motion, obey one
-// autonomous equation in dimensionless travel t:
+// autonomous equation in the dimensionless travel t, called time:
 //     du/dt = 1 - u^n            for u >= 0  (from both sides towards saturation, u = 1)
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
-// Every device history between reversals is a piece of one curve u(t), with t = 0 at u = 0. On either side of 0 one
-// polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a step
-// size nor a stability limit.
-// A suitable variable keeps the polynomial short. With E = exp(-rate |t|) and x = (1 - E) / (1 + bend E):
-//   - u is analytic in exp(-n t) at saturation, so rate = n there, and n |kappa|^(1/n) where unloading comes to rest;
-//     rate is negative where unloading speeds up;
-//   - bend = 2^(n-1) - 1 removes the pole that u has beyond saturation for n > 1 (exactly for n = 2, u = tanh t);
+// Between two reversals u therefore always runs along a piece of one curve u(t), with t = 0 at u = 0. On either side of
+// 0 one polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a
+// step size nor a stability limit. The choice of its variable x keeps it short. With E = exp(-rate |t|),
+//     x = (1 - E) / (1 + bend E)
+//   - rate = n for u > 0, because near saturation u is an analytic function of exp(-n t). For u < 0, look back in time
+//     from u = 0: if kappa < 0, |u| comes to rest, and rate = n |kappa|^(1/n); if kappa > 0, |u| grows ever faster, and
+//     rate is negative;
+//   - for n above 1.3, bend = 2^(n-1) - 1 removes a pole that u has beyond saturation (exactly for n = 2, u = tanh t);
 //   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
-// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. The fit happens once per candidate.
-// Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed form. H
-// interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method finds |u|
-// on H. All of this is arithmetic with fixed matrices, the same for all candidates.
+// So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per parameter
+// set. Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed
+// form. H interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method
+// finds |u| on H. All of this is arithmetic with fixed matrices, the same for all parameter sets.
 // Largest error in u over n in [0.01, 3], kappa in (-1, 3]: 1e-7 (abe with n < 0.1: 3e-7). For n > 2 with kappa > 1 it
 // grows to 2e-5, and near kappa = -1 the equation magnifies errors by up to 1 / (1 + kappa) (tests/verification). For
 // other n or kappa, and for abe beyond |u| = 3, a lane uses the table of tabulated_flow.hpp, with an error of 1e-5.
@@ -37,32 +38,33 @@ namespace flow_parts {
 
 inline constexpr std::size_t terms = 17, guesses = 6;
 
-struct Nodes {  // numbers of the fit that are the same for all candidates, computed at the first call
+struct Nodes {  // numbers of the fit that are the same for all parameter sets, computed at the first call
   using Values = std::array<double, terms>;
   Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // turns values at the places into means over 0 to |u|, for each place
+  std::array<Values, terms> mean;  // row i: turns values at all places into the mean over |u| from 0 to place i
   // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
   // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
   std::array<Values, terms> chebyshev, power;
-  // The fit first subtracts a rough polynomial through a few of the points, because a small remainder has small rounding
-  // errors. `few` holds the indices of these points. `chebyshev_of_few` turns the values there into the coefficients of
-  // T_k, and `at_places` holds T_k at all points `place`.
+  // The fit first subtracts a rough polynomial through a few of the points, because a small remainder has small
+  // rounding errors. `few` holds the indices of these points. `chebyshev_of_few` turns the values there into the
+  // coefficients of T_k, and `at_places` holds T_k at all points `place`.
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights that guess a place from 1 and the places above it
+  std::array<std::array<double, guesses>, terms> guess;  // weights that extrapolate a place from those above it and 1
 
   static Nodes const& get();
 };
 
-// Within these ranges of n and kappa a lane uses the polynomials, beyond them the table.
+// A lane uses the polynomials for n from least_n to SaturatingFlow::largest_n and kappa up to largest_kappa, and else
+// the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // when a time is computed from E, E counts as at least this
+inline constexpr double saturated = 1e-13;  // a smaller E counts as this, since its logarithm gives the time
 
 }  // namespace flow_parts
 
@@ -98,10 +100,11 @@ class SaturatingFlow {
   Advance advance(T const& u, T const& travel) const;
 
  private:
-  // One side of u = 0: |u| = x G(2 x^(1/5) - 1), x = w H(2 w^(1/5) - 1) with w = |u| / largest_u; x is 1 at largest_u.
+  // The polynomials G and H of one side of u = 0. They are stored for a scaled x, which is 1 at |u| = largest_u:
+  // |u| = x G(2 x^(1/5) - 1), and x = w H(2 w^(1/5) - 1) with w = |u| / largest_u.
   struct Side {
     Coefficients value, inverse;
-    T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) where x = 1
+    T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) at largest_u
     void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
   // Chooses for each lane the coefficient of its side of u = 0. `mixed`: some lanes are below 0.
@@ -263,7 +266,7 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
     tabulated_ = false;
   } else {
     rising_.bend = select(n > T(1.3), exp2(n - one) - one, zero);
-    // |u| would come to rest at 1 / rest; rest = 0 if it never rests, or only very far away.
+    // Followed back from u = 0, |u| would come to rest at 1 / rest; rest = 0 if it never rests, or only very far away.
     T const power = exp2(log2(max(-kappa, T(1e-300))) / n);
     T const rest = select(power > T(flow_parts::least_rest), power, zero), least = T(flow_parts::least_rate) * n;
     unloading_.rate = select(rest > zero, n * rest, -max(T(0.4) * n * kappa, least));

@@ -1,4 +1,5 @@
-// The nodes of the flow's table, kept out of the header because every instruction set would have its own copy.
+// The nodes of the flow's table. They are not in the header, because every instruction set would then have its own copy
+// of this code.
 #include "isolaw/laws/flows/tabulated_flow.hpp"
 
 #include <cmath>
@@ -6,8 +7,9 @@
 namespace isolaw::laws::tabulated_flow_parts {
 namespace {
 
+// A point of a grading. A grading is a function u(w) that spaces the nodes: they lie at equal distances in w.
 struct Point {
-  double u, slope, log2_abs_u;  // slope: du/dw of the grading
+  double u, slope, log2_abs_u;  // slope: du/dw
 };
 
 Point below_zero(double w) {  // |u| = e^w

@@ -1,9 +1,9 @@
-// The exact flow of the hysteretic laws between two reversals, from a table, for parameters outside the range of the
-// polynomials of saturating_flow.hpp, which states the equation and the rejected alternatives. The curve u(t) is
-// tabulated once per candidate, which costs about 500 powers; each sample then costs a lookup, however large its step.
-// Nodes are graded geometrically towards u = 0, where u^n is not smooth for n < 1, and towards saturation on both
-// sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the quintic with the value,
-// slope and curvature of both ends.
+// The exact flow of the hysteretic laws between two reversals, from a table. It serves parameters outside the range of
+// the polynomials of saturating_flow.hpp, where the equation and the rejected alternatives are. The curve u(t) is
+// tabulated once per parameter set, which costs about 500 powers; each sample then costs a lookup, however large its
+// step. Nodes come closer together, geometrically, towards u = 0, where u^n is not smooth for n < 1, and towards
+// saturation on both sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the
+// quintic with the value, slope and curvature of both ends.
 // Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to kappa
 // = -0.99, where the equation itself magnifies errors near u = -1 (tests/verification).
 #pragma once
@@ -34,12 +34,12 @@ struct Nodes {
   std::array<double, Count - 1> inverse_rise{};  // 1 / (key[i+1] - key[i])
   struct Cell {
     std::array<double, 2> log2_abs_u{};  // at the two inner Lobatto points
-    std::array<double, 4> weight{};      // |du| of the four points, in order
+    std::array<double, 4> weight{};      // the |du| that each of the four points stands for, in order
   };
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;    // between nodes, measured in w
+inline constexpr double spacing = 1.0 / 3.0;    // between nodes, measured in the w of the gradings in the .cpp file
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
 inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
@@ -54,8 +54,8 @@ constexpr std::size_t node_count(double first, double last) {
 }
 
 // The nodes go from u = -1 up to saturation. If u may exceed 1, they go from -55 up to saturation, and from 55 down to
-// it. With Reach::within_saturation they are graded towards -1 too, where the rate 1 + kappa |u|^n nearly vanishes for
-// kappa close to -1.
+// it. With Reach::within_saturation they come closer together towards -1 too, where the rate 1 + kappa |u|^n nearly
+// vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;
@@ -104,7 +104,8 @@ class TabulatedFlow {
   static T duration_of(std::size_t cell, T const& n, T const& kappa, T const& rate0, T const& rate1);
   void fit_cell(std::size_t i, T const& duration, Motion const& a, Motion const& b);
 
-  // Within a cell the key is a polynomial of the time since its begin. The table holds these values in this order.
+  // Within a cell the key is a polynomial of the time since the cell's begin. A row of the table holds these members in
+  // this order.
   struct Cell {
     T begin, duration;
     std::array<T, 6> c;

@@ -1,6 +1,5 @@
-// The exact solution of a hysteretic variable between two reversals, for a motion that is not known ahead. A table
-// gives the solution, because a single trial takes only half as long with a table as with the polynomials of
-// saturating_flow.hpp.
+// The exact flow of the hysteretic laws between two reversals (saturating_flow.hpp), for a motion that is not known
+// ahead. It comes from a table, because a trial takes half as long with a table as with the polynomials of that file.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +14,8 @@ namespace isolaw::laws::online {
 // [export]
 // The exact curve u(t) of a hysteretic variable between two reversals, tabulated once. The travel t is called time:
 //     du/dt = 1 - |u|^n for u >= 0, 1 + kappa |u|^n for u < 0
-// Nodes are graded geometrically towards 0 and towards saturation. Lobatto quadrature gives the times between nodes,
-// and quintics the values. If `beyond` is true, u may start above 1 and falls to 1.
+// Nodes come closer together, geometrically, towards 0 and towards saturation. Lobatto quadrature gives the times
+// between nodes, and quintics give the values. If `beyond` is true, u may start above 1 and falls to 1.
 template <Reach reach>
 class Flow {
   static constexpr bool beyond = reach == Reach::beyond_saturation;

@@ -1,4 +1,4 @@
-// Keeps movements within a dead band out of a motion.
+// Removes movements within a dead band, such as the noise of a displacement channel, from a motion.
 #pragma once
 
 #include "isolaw/laws/online/numbers.hpp"
@@ -6,11 +6,11 @@
 namespace isolaw::laws {
 
 // [export]
-// Follows x without its noise, which is taken to stay within +-dead_band. After a turn of x the result rests while x
-// moves two bands. It then moves one and a half times as fast as x, and has caught up four bands later.
+// Follows x without its noise, which is taken to stay within +-dead_band. After a turn of x the result rests until x
+// has moved by two bands. It then moves one and a half times as fast as x, and equals x again after four more bands.
 template <class X>
 struct Followed {
-  X behind = 0.0, lead = 0.0;  // a point that x pulls along, and how far ahead of it the followed motion is
+  X behind = 0.0, lead = 0.0;  // a point that x pulls along behind it, and the result's distance from that point
 
   X move(X const& x, double dead_band) {
     X const before = behind;

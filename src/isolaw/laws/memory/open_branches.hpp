@@ -1,7 +1,8 @@
-// The turning points whose branches Masing's rules have not yet closed. At most 256 are kept, so that the state of a
-// trial is bounded. When one more comes, the two neighbours in the list are dropped without which the force changes
-// least. Their loop then no longer closes where it began, and from there up to the next larger loop the force differs:
-// after 3000 shrinking turns by up to 0.4 % of its peak. A record keeps a few tens of turning points at most.
+// The turning points at which branches began that Masing's rules (parts/masing.hpp) have not yet closed. At most 256
+// are kept, so that the state of a trial is bounded. If one more comes, two neighbours in the list are dropped, those
+// whose loss changes the force least. Their loop then no longer closes where it began, and up to the next larger loop
+// the force is wrong: after 3000 shrinking turns by up to 0.4 % of its peak. A test record keeps a few tens of turning
+// points at most.
 #pragma once
 
 #include <cmath>
@@ -20,7 +21,7 @@ struct OpenBranches {
   static constexpr std::size_t most = 256;
   std::vector<double> turned;  // displacements at which the open branches began
   std::size_t dropped = none;  // stack index of the first of two turning points that are dropped before this step
-  std::size_t kept = none;     // if the motion turned at the step's begin: stack index for the force there
+  std::size_t kept = none;     // if the motion turned at the step's begin: stack index at which to keep the force there
   std::size_t branch = none;   // stack index of the turning point that began the branch; none: on the skeleton
   double branch_x = 0.0;       // displacement of that turning point
   std::size_t depth = 0;       // how many values a stack of the law must hold in this step
@@ -50,9 +51,10 @@ struct OpenBranches {
   }
 
  private:
-  // Without the turning points i and i + 1 the force may differ by the curvature of the branches times the two gaps that
-  // are left: from i - 2 to i + 2 and from i - 1 to i + 3. The motion turns at `next`, behind the last turning point. The
-  // first one began on the skeleton and stays.
+  // Returns the i for which the force changes least without the turning points i and i + 1. The change is estimated as
+  // the product of the two gaps that they leave, [i-2, i+2] and [i-1, i+3], over the distance [i-2, i-1], since longer
+  // branches are less curved. `next`, where the motion turns now, stands for the points after the last. The first
+  // turning point always stays, and its mirror image stands for the point before it.
   std::size_t least_needed(double next) const {
     auto const at = [&](std::size_t i) { return i < turned.size() ? turned[i] : next; };
     std::size_t best = 1;

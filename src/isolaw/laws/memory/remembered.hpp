@@ -1,6 +1,6 @@
-// A law remembers its path in parts, and lists the parts that it reads:
+// The memory of a path consists of parts, such as OpenBranches and Peaks. A law lists the parts that it reads:
 //     template <class X> using Memory = Remembered<X, OpenBranches, Peaks<X>>;
-// Kernels compute the parts once for a record, for all candidates (memory.cpp). A trial computes them with each step.
+// For a record they are computed once and serve all parameter sets (memory.cpp). A trial computes them with each step.
 #pragma once
 
 #include "isolaw/laws/online/numbers.hpp"

@@ -1,4 +1,4 @@
-// The peak and the travel of each side, x >= 0 and x < 0.
+// The peak, which is the largest |x| so far, and the travel of each side, x >= 0 and x < 0.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ inline Dual cbrt(Dual const& a) {
   return chain(a, root, root != 0.0 ? 1.0 / (3.0 * root * root) : 0.0);
 }
 
-// Travel N relative to a peak m, after the peak has grown from `from` to `to`. N fades as the peak grows: dN = |dx|/m -
-// 60 N dm/m. During a first motion from 0, N is therefore 1/60.
+// Returns the travel N relative to a peak m, after the peak has grown from `from` to `to`. Meanwhile N changes by
+// dN = |dx|/m - 60 N dm/m: the second term makes it fade. During a first motion from 0, N is therefore 1/60.
 template <class X>
 inline X travel_as_the_peak_grows(X const& travel, X const& from, X const& to) {
   constexpr double virgin = 1.0 / 60.0;
@@ -47,7 +47,7 @@ struct Sides {
   };
   Side sides[2];                 // x >= 0, x < 0
   X side_peak = 0.0;             // largest |x| on the side of x after the step
-  X travel = 0.0;                // N: travel on that side relative to its peak
+  X travel = 0.0;                // N: travel on that side over its peak; it fades as the peak grows
   X virgin = 1.0;                // (1 + N)^(-1/3)
   bool side_peak_grows = false;  // whether that peak grows in this step
 

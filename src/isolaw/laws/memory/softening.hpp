@@ -17,12 +17,12 @@ inline double log2_of_softening(double G) {
 }
 
 // [export]
-// The slope of a power of a travel has no bound at travel 0. It is therefore taken at a travel of at least 1e-3.
+// The slope of a power of a travel has no bound at travel 0. It is therefore taken at a travel of at least 1e-3 mm.
 inline Dual log2_of_travel(Dual const& travel) {
   return chain(travel, std::log2(max(travel.v, smallest_power_base)), log2_e / max(travel.v, 1e-3));
 }
-// When the motion enters a side, G is 0 and the force is 0 for every G. The tangent there is that of a small G, because
-// the one at G = 0 changes at once.
+// When the motion first enters a side, G is 0, and x = 0 makes the force 0 for every G. The tangent is then taken at a
+// small G, because it changes very fast from its value at G = 0.
 inline Dual log2_of_softening(Dual const& G) {
   return log2_of_travel(G.v > 0.0 ? G : Dual(1e-2));
 }
@@ -37,9 +37,10 @@ struct Softening {
       each(G, C);
     }
   };
-  // Adds up each motion in one direction from its start, so that the number of steps does not matter.
+  // Computes G and C from the start of the present motion in one direction, so that they do not depend on the number of
+  // steps.
   struct SofteningSide {
-    Amounts now, reported, at_start;
+    Amounts now, reported, at_start;  // at present; after the last step that ended on this side; where the motion began
     X peak = 0.0, start = 0.0, peak_at_start = 0.0;
     bool goes_out = true;
     template <class Each>
@@ -66,7 +67,7 @@ struct Softening {
   };
   SofteningSide softening_sides[2];
   X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and C on the side of x
-  bool softens = false, returns = false;        // G, C have changed since the last step that ended on this side
+  bool softens = false, returns = false;        // whether these have changed since the last step that ended there
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

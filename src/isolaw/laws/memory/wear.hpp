@@ -8,7 +8,7 @@ namespace isolaw::laws {
 // [export]
 template <class X>
 struct Wear : Peaks<X> {
-  X worn = 0.0;       // travel of both sides relative to the largest |x|, fading as that peak grows
+  X worn = 0.0;       // travel on both sides over the largest |x|; it fades as that peak grows
   X pushed = 0.0;     // growth of the largest |x| at x > 0 minus its growth at x < 0
   X log2_worn = 0.0;  // log2(1 + worn)
 

@@ -1,4 +1,4 @@
-// How a law follows a motion that is not known ahead: trials from the last committed state.
+// Computes a law for a motion that is not known ahead. Each trial starts from the last committed state.
 #pragma once
 
 #include "isolaw/laws/online/numbers.hpp"

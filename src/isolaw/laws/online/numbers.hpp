@@ -1,5 +1,5 @@
-// Dual, the number of a motion that is not known ahead. The lines between [export] and [end] are part of every exported
-// file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
+// Dual is the type of number for a motion that is not known ahead. The lines between [export] and [end] are part of
+// every exported file, so they are C++17 and need nothing but the standard library (programs/header_parts.hpp).
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace isolaw::laws {
 
-// The formatter would give each operation several lines.
+// The formatter is off, since it would spread each operation over several lines.
 // clang-format off
 // [export]
 // A number with its derivatives by the displacement and the velocity of the trial. They give every law its consistent
@@ -70,7 +70,8 @@ inline Dual sech_squared(Dual const& u) {
 // The number 0 with `slope` as its derivative by `variable`, for a term that is 0 here and still counts in the tangent.
 inline Dual slope_alone(Dual const& variable, Dual const& slope) { return chain(variable, 0.0, slope.v); }
 
-// Limits to `steepest` the size of the slope by displacement that `part`, a term of `result`, adds to it.
+// Limits how much `part`, a term of `result`, adds to the slope of `result` by displacement: at most the size of
+// `steepest`, upwards or downwards.
 template <class Part, class Steepest>
 inline void limit_slope(Dual& result, Part&& part, Steepest&& steepest) {
   double const slope = Dual(part()).by_x, most = std::abs(Dual(steepest()).v);
@@ -91,6 +92,7 @@ inline Dual through(Dual const& x, double value, Slope&& slope) { return chain(x
 inline bool grows(Dual const& growth) { return growth.v > 0.0 || growth.by_x != 0.0; }
 inline bool unmoved(Dual const& peak) { return peak.v == 0.0; }
 inline bool reaches(Dual const& size, Dual const& peak) { return size.v >= peak.v && size.v > 0.0; }
+// The tangent needs all derivatives, so a trial counts as a motion, and its values as changed, even at rest.
 inline bool may_move(Dual const&) { return true; }
 inline bool changes(Dual const&, Dual const&) { return true; }
 inline double value_of(Dual const& a) { return a.v; }

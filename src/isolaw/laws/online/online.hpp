@@ -1,4 +1,5 @@
-// A law for motions that are not known ahead: trials from the last committed state, with tangents.
+// A law, chosen by name, for a motion that is not known ahead. Each trial starts from the last committed state and
+// returns the force with its tangents.
 #pragma once
 
 #include <memory>
@@ -26,9 +27,10 @@ class Online {  // starts virgin at 0, in the law's units and seconds; copies ar
   Force trial(double x, double v);
   void commit();  // makes the last trial the committed state
 
-  // Numbers of the committed state, always as many: those of the law, in the order of members() of its State and Memory,
-  // then the displacement, the velocity, the direction of the motion (-1, 0 or 1) and the largest displacement so far. A
-  // list, such as that of turning points, is given as its length and its last item, or zeros.
+  // The committed state as numbers, whose count never changes: those of the law, in the order of members() of its State
+  // and Memory, then the displacement, the velocity, the direction of the motion (-1, 0 or 1) and the largest |x| so
+  // far. A list, such as that of turning points, is given as its length and its last item, which is zeros for an empty
+  // list.
   std::vector<double> state() const;
 
   struct Form;

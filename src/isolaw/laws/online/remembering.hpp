@@ -1,4 +1,4 @@
-// How a law with a memory follows a motion that is not known ahead.
+// Computes a law that remembers its path (trait `remembers`) for a motion that is not known ahead.
 #pragma once
 
 #include "isolaw/laws/memory/followed.hpp"
@@ -48,9 +48,9 @@ struct Remembering {
     double const pulled_to = state.follower.behind.v;
     Dual F = follow(p, c, state, step);
     if (p.dead_band <= 0.0 || state.follower.behind.v != pulled_to) return F;
-    // Within the dead band the force rests, and a tangent of 0 would make the matrix of an analysis singular. The tangent
-    // is therefore the slope of the force where the motion, in its direction, has left the band by a tenth of it. The
-    // slope at its very end may have no bound.
+    // Within the dead band the force rests, and a tangent of 0 would make the matrix of an analysis singular. The
+    // tangent is therefore taken a tenth of the band beyond the band's end in the direction of motion. At the very end
+    // of the band the slope may have no bound.
     LawState beyond = state;
     Members settled([](double&) {});
     settled(beyond);

@@ -1,4 +1,5 @@
-// Shared by `abe` and `abe-y0`: the parameters, the elastic forces F1 and F3, and the travel in yield displacements Ut.
+// Parts that the laws `abe` and `abe-y0` share: the parameters, the elastic forces F1 and F3, and the length of a
+// motion in multiples of the yield displacement Ut. abe.hpp gives the equations and their source.
 #pragma once
 
 #include <cmath>
@@ -57,7 +58,7 @@ inline Constants<T> constants(Params const& p) {
 // The quantities that change only when the peak displacement grows.
 template <class N>
 struct Softened {
-  N K1_now = N(0.0);      // softened_K1
+  N K1_now = N(0.0);      // see softened_K1
   N inverse_Ut = N(0.0);  // 1 / Ut
   template <class Each>
   void members(Each& each) {

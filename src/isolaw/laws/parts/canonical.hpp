@@ -1,6 +1,6 @@
-// The hysteretic laws that analysis programs offer, as plain numbers in the law's own units. A law that equals one of
-// them, for some or all of its parameters, returns it from canonical(params) in its file; programs/ converts the
-// numbers to a program's arguments.
+// The hysteretic laws that analysis programs offer, as plain numbers in the units of isolaw's law. If a law equals one
+// of them, for some or all values of its parameters, its function canonical(params) returns that form. The module
+// programs/ converts the numbers to the arguments of a program.
 #pragma once
 
 #include <cmath>

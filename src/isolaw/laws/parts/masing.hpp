@@ -1,5 +1,6 @@
-// Masing's rules: every branch is the skeleton curve at twice its size, from the turning point that the branch began
-// at. The displacement alone decides which point that is (Memory).
+// Masing's rules. The first loading follows the skeleton curve. After each turning point the force follows a branch:
+// the skeleton curve at twice its size, drawn from that point. A branch ends where it meets an earlier one, which the
+// force then follows on. The displacement alone decides at which turning point the present branch began (Memory).
 // Source: Masing 1926; docs/laws.md.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The reference amplitude. If a law's force follows a power of the amplitude, its parameter is the force at 100 mm.
+// The reference amplitude, 100 mm. If a force follows a power of the amplitude, a parameter gives the force at 100 mm.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

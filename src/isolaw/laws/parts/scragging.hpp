@@ -1,6 +1,6 @@
-// Shared by power-masing and power-scragging: the elastic force that softens with the amplitude, its hardening towards
-// the peak, and the virgin stiffness that travel removes, separately for x >= 0 and x < 0. Also their parameters.
-// Source: this project; docs/laws.md. Units kN, mm.
+// Parts that power-masing and power-scragging share, with their parameters: an elastic force that softens with the
+// amplitude, its hardening towards the peak, and scragging, the loss of the virgin stiffness with travel. Each side,
+// x >= 0 and x < 0, has a peak and a travel of its own. Source: this project; docs/laws.md. Units kN, mm.
 #pragma once
 
 #include "isolaw/laws/law.hpp"

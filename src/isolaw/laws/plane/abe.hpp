@@ -1,10 +1,11 @@
 // Abe in the plane, with a yield force that grows with the distance from the origin (abe) or stays constant (abe-y0).
-// Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3 with the largest distance so far in
-// place of the largest displacement. The hysteretic force F2 has the yield force Yt and the yield displacement Ut:
+// Source: Abe, Yoshida and Fujino 2004, part II, for the form F = F1 + F2 + F3. The largest distance from the origin so
+// far takes the place of the largest displacement. The hysteretic force F2 has the yield force Yt = Y0 (1 + |x / Uh|^p)
+// or Y0, and the yield displacement Ut:
 //     dF2 = (Yt / Ut) (dx - |F2 / Yt|^(n-1) F2 / Yt |dx|)
-// The elastic F1 and F3 act along the vector x, as large as in one direction; Yt = Y0 (1 + |x / Uh|^p) or Y0. Tests in
-// one direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth order
-// (follow.hpp), in two pieces that meet where the distance begins to exceed the largest one so far.
+// The elastic forces F1 and F3 have the direction of the vector x and the size that they have in one direction. Tests
+// in one direction do not show whether a motion also softens F1 at right angles to itself (Softening). Step: sixth
+// order (follow.hpp), in two pieces that meet where the distance begins to exceed the largest one so far.
 #pragma once
 
 #include "isolaw/laws/abe.hpp"
@@ -36,7 +37,7 @@ struct AbeOf {
   static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
     T const zero(0.0), one(1.0), peak0 = state.peak, distance1 = norm(to);
     Straight<T> const way(from, to);
-    Split<T> const origin(from, way.direction);  // the start of the step, relative to the origin
+    Split<T> const origin(from, way.direction);  // where the step starts: along the motion and across it
     // After this length of the step the distance from the origin exceeds the largest one so far.
     T const reach = sqrt(max((peak0 - abs(origin.across)) * (peak0 + abs(origin.across)), zero)) - origin.along;
     T const inside = min(max(reach, zero), way.length);
@@ -96,7 +97,7 @@ struct AbeOf {
       if (grows || extends) size = min(size, max(distance, T(least_distance) * U));
       return T(step_share) * size;
     };
-    // Motion more than longest_memory yield displacements ago no longer matters.
+    // A motion that lies more than longest_memory yield displacements of travel back no longer matters.
     T l = max(begin, end - T(longest_memory) * yield_length(p, max(peak0, max(distance_at(begin), distance_at(end)))));
     follow(f, l, end, slope, longest);
   }

@@ -2,11 +2,11 @@
 // Source: Park, Wen and Ang 1986, written for the direction of motion:
 //     dz = A dx - z |z|^(n-2) (z.dx) (beta sgn(z.dx) + gamma)
 // The form often printed, with |z_x dx_x| + |z_y dx_y|, changes by some per cent of the strength when the axes turn.
-// Step: z has the parts p along the motion and s across it. p, s and A times the travel are divided by the largest |z|.
-// With c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
+// Step: let p be the component of z along the motion and s the one across it. z, and A times the travel, are divided by
+// the largest |z|. Then, with c = 1 for p > 0 and c = (gamma - beta) / (gamma + beta) for p < 0,
 //     p' = 1 - c |z|^(n-2) p^2,   s' = -c |z|^(n-2) p s
 // For n = 2, p and s are hyperbolic or circular functions (exact); other n take steps of sixth order (follow.hpp). p
-// only rises, so it passes 0 at most once, and a step of this method ends where it does.
+// only rises, so it passes 0 at most once, and one of these steps ends exactly there.
 #pragma once
 
 #include <limits>
@@ -26,7 +26,7 @@ struct BoucWen {
   template <class T>
   struct State {
     Vector<T> z{T(0.0), T(0.0)};      // in units of z_max
-    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and travel of z per travel of the device
+    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and A / z_max
     T unloading = T(0.0);             // the c of the equations above for p < 0
   };
 

@@ -5,8 +5,8 @@
 
 namespace isolaw::laws::plane {
 
-// With k = sqrt |c|: tan = tanh(k x) / k for c > 0, tan(k x) / k for c < 0, x for c = 0; sec = 1 / cosh(k x) or 1 /
-// cos(k x). Valid for x >= 0 and, where c < 0, up to k x = pi/2.
+// With k = sqrt |c|: tan = tanh(k x) / k and sec = 1 / cosh(k x) for c > 0; tan(k x) / k and 1 / cos(k x) for c < 0;
+// x and 1 for c = 0. Valid for x >= 0 and, where c < 0, up to k x = pi/2.
 template <class T>
 struct Circular {
   T tan, sec;

@@ -1,6 +1,6 @@
 // Integrates the state q of a law along a straight path by an explicit method of sixth order (Butcher 1964, seven
-// stages). The state q and its place on the path decide the length of a step, and other lanes have no influence on it:
-// a lane gets the same bits as if it were computed alone. No step is tried twice.
+// stages). The state q and its place on the path decide the length of a step, and no step is tried twice. Other lanes
+// of a batch have no influence on the length: a lane gets the same bits as if it were computed alone.
 // If the law's exponent n is below 1, |q|^n is not smooth at the origin. Near the origin a step is therefore a share of
 // the distance from it, down to least_distance. The total error stays below 1e-6 of the strength for exponents of 0.01
 // or more, and below 2e-7 for exponents of 0.1 or more (tests/verification/plane_test.cpp).
@@ -13,11 +13,11 @@
 
 namespace isolaw::laws::plane {
 
-// In yield displacements, a step is step_share times the distance |q| of the state from the origin, or times a length
-// that the law sets if that is smaller; a distance below least_distance counts as least_distance.
+// Lengths are in yield displacements. A step is step_share times the distance |q| of the state from the origin, or
+// times a shorter length that the law sets. A distance below least_distance counts as least_distance.
 inline constexpr double step_share = 0.25;
 inline constexpr double least_distance = 1e-8;
-// Motion more than this many yield displacements ago no longer matters, except for exponents below 0.01.
+// Motion farther back than this, in yield displacements of travel, no longer matters, except for exponents below 0.01.
 inline constexpr double longest_memory = 1024.0;
 
 namespace follow_parts {

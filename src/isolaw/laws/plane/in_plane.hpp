@@ -36,8 +36,8 @@ class InPlane {
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity, double dt);
   void commit();
 
-  // Numbers of the committed state, always as many: those of State of the law in the plane and the displacement, or
-  // those of Springs::state().
+  // The committed state as numbers, whose count never changes: those of the law's State and the displacement if the law
+  // is coupled, those of Springs::state() for springs.
   std::vector<double> state() const;
 
   struct Form;

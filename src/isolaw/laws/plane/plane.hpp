@@ -1,5 +1,5 @@
-// Laws in two directions. Each takes the parameters of a law in one direction and gives that law's force on any
-// straight line through the origin. A law of the plane is a struct with
+// Laws in two directions. Each takes the parameters of a law in one direction. If the device moves on a straight line
+// through the origin only, the force is that of the law in one direction. A law of the plane is a struct with
 //   OneDirection                           the law in one direction, which gives info and Params<T>
 //   State<T>                               nothing but numbers T: a trial copies it, numbers_as() converts them
 //   start<T>(params) -> State<T>           at rest at the origin

@@ -52,6 +52,7 @@ struct Straight {
   }
 };
 
+// The components of a vector along a direction, and across it, at 90 degrees from x to y.
 template <class T>
 struct Split {
   T along, across;
