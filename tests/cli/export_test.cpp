@@ -141,8 +141,7 @@ TEST_P(ExportOfLaw, goes_to_every_target) {
       EXPECT_NEAR(j["bounds"]["tolerance_k"].get<double>(), 36.519, 1e-3);
       EXPECT_EQ(j["bounds"]["coverage_percent"], 95);
       EXPECT_EQ(j["bounds"]["confidence_percent"], 95);
-      EXPECT_TRUE(
-          contains(o.out, "holds 95 % of the devices with confidence 95 % (too few devices for a lower bound"));
+      EXPECT_TRUE(contains(o.out, "holds 95 % of the devices with confidence 95 % (too few devices for a lower bound"));
     }
     if (law == "vaiana" && to == "json") {
       EXPECT_TRUE(contains(o.out, "--set vaiana.Kb-=Kb+"));
@@ -154,8 +153,8 @@ TEST_P(ExportOfLaw, goes_to_every_target) {
       // The table is read again as a motion, and simulate must give the forces in it. Rate-dependent laws are left
       // out: they would need the table's velocities too.
       write("protocol.csv", exported(law, "a", to, {"--units", "kip-in"}).out);
-      auto const again = isolaw({"simulate", law, "--from", "C", "--device", "a", "--motion", "protocol.csv",
-                                 "--turning-points", "sampled"});
+      auto const again = isolaw(
+          {"simulate", law, "--from", "C", "--device", "a", "--motion", "protocol.csv", "--turning-points", "sampled"});
       ASSERT_EQ(again.code, 0) << again;
       auto const expected = last_column(read("protocol.csv")), force = last_column(again.out);
       ASSERT_EQ(force.size(), expected.size());

@@ -62,8 +62,8 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
 class Exports : public Outputs, public ::testing::WithParamInterface<std::size_t> {};
 TEST_P(Exports, OfALawToEveryProgram) {
   std::string const law(laws::catalogue()[GetParam()].info.id);
-  sound({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", law, "--runs", "1", "--replicates", "40", "--analysis", "full",
-         "--figures", "none", "--out", "O"});
+  sound({"calibrate", "a.csv", "b.csv", "c.csv", "--laws", law, "--runs", "1", "--replicates", "40", "--analysis",
+         "full", "--figures", "none", "--out", "O"});
   auto const of_law = json("O/summary.json")["laws"][0];
   EXPECT_FALSE(of_law["lot"].is_null());
   bool const has_population = !of_law["population"]["covariance"].empty();
