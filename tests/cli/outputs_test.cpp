@@ -57,8 +57,8 @@ TEST_F(Outputs, EveryWriterOnAllLawsWithDefaultOptions) {
   sound(Words{"inspect", "a.csv", "--json"} + tests);
 }
 
-// Exports every law to every program: to half of the programs the law of one device, to the others that of the lot. With
-// sanitizers this takes minutes, so each law is a test by itself.
+// Exports every law to every program: to half of the programs the law of one device, to the others that of the lot.
+// With sanitizers this takes minutes, so each law is a test by itself.
 class Exports : public Outputs, public ::testing::WithParamInterface<std::size_t> {};
 TEST_P(Exports, OfALawToEveryProgram) {
   std::string const law(laws::catalogue()[GetParam()].info.id);
