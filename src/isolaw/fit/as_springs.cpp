@@ -29,7 +29,8 @@ class SpringsOnRecord {
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
       if (2 * i == count) continue;  // this spring is at right angles to the motion
-      // For an odd law, spring count - i gives the same force along the test as spring i, so spring i counts twice.
+      // For an odd law, the spring at count - i gives the same force along the test as the one at i. Spring i counts
+      // twice instead.
       bool const mirrored = law.info.traits.odd && i > 0;
       if (mirrored && 2 * i > count) break;
       auto motion = record;

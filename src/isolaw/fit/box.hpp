@@ -29,8 +29,9 @@ struct Override {  // the option --set law.parameter=value|lower:upper|free|othe
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
 std::string limits_text(laws::Interval const& limits, std::string_view unit);  // for example "above 0 kN/mm"
-// Throws Error if the text has another form, the law or the parameter is unknown, lower >= upper, a value is outside
-// the physical limits, or the parameter is tied to itself or to a parameter of another unit.
+// Reads the text of one --set option. Throws Error if the text has another form, the law or the parameter is unknown,
+// lower >= upper, a value is outside the physical limits, or the parameter is tied to itself or to a parameter of
+// another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
