@@ -29,7 +29,7 @@ struct Bearing {
 constexpr Bearing bearings[]{{1.0, 26.0}, {1.03, 30.0}, {0.97, 22.0}, {0.77, 24.0}, {1.015, 28.0}};
 constexpr std::size_t clipped = 4;  // index of the bearing whose force is clipped
 
-// Each amplitude is followed by a rest at zero.
+// The displacement in a test: cycles of each amplitude, followed by a rest at zero.
 data::FitRecord bearing_motion() {
   data::FitRecord record;
   auto const add = [&](double disp_mm) {
