@@ -417,7 +417,7 @@ def calibrate(
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
     laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches for the least objective; "ga" is
-    the genetic algorithm of Cucuzza et al. 2025. runs: independent runs per law and device; by default 2, and 20 for "ga".
+    the genetic algorithm of Cucuzza et al. 2025. runs: independent runs per law and device; by default 2 ("ga": 20).
     seed: 0 to 2**64 - 1. set: texts "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population,
     generations, stagnation_tolerance: settings of "ga"; if one of them is given and method is not, the method is "ga".
     samples_per_cycle (None: all), smooth, center: how records are cleaned. weights: "time", "swing" or "travel" decides

@@ -199,13 +199,13 @@ def section(
 ):
     """Adds a law in two directions to the running OpenSees, as a section with the forces VY and VZ.
 
-    It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. As in ``isolaw.building``, the
+    It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. Like ``isolaw.building``, the
     section uses the law's coupled form for two directions if there is one, and otherwise springs around a circle.
     Arguments are those of material(). orient: the six numbers of the element's ``-orient``, which laws that depend on
     velocity need (default 1, 0, 0, 0, 1, 0). With such a law, a step fails if the element has another orientation or
     type.
 
-    Raises Error as material() does, and for a law that would need springs but whose force is not the same on both sides.
+    Raises Error as material() does, and if a law that needs springs has a force that differs from side to side.
     """
     axes = _axes([1.0, 0.0, 0.0, 0.0, 1.0, 0.0] if orient is None else [float(value) for value in orient])
     _add("isolaw_section", tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes)
