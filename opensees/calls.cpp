@@ -1,4 +1,5 @@
-// The functions that Python calls through ctypes (isolaw/opensees.py). They return true, or false and the reason.
+// The functions that Python calls through ctypes (isolaw/opensees.py). They return true on success. Otherwise they
+// return false and write the reason into the caller's buffer of `size` bytes.
 #include <algorithm>
 #include <cstring>
 #include <exception>
@@ -12,7 +13,8 @@ namespace {
 
 using isolaw::opensees::Program;
 
-// One for each module that was attached. They are never removed, because their objects may live as long as the process.
+// The Program of each module that was attached, by file name. Programs are never removed, because the materials that
+// use them may live as long as the process.
 std::map<std::string, std::unique_ptr<Program>>& programs() {
   static auto& all = *new std::map<std::string, std::unique_ptr<Program>>;
   return all;
@@ -42,7 +44,7 @@ bool said(char* reason, std::size_t size, Work const& work) noexcept {
 
 extern "C" {
 
-// Proves the module in `file` once. Each later call of this process takes the proof.
+// Checks the module in `file`. Later calls in this process with the same file do not check again.
 ISOLAW_EXPORTED bool isolaw_attach(char const* file, char* reason, std::size_t size) {
   return said(reason, size, [&] {
     auto& program = programs()[file];

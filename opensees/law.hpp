@@ -1,4 +1,5 @@
-// A law for the materials and sections of this library, and what all copies of one of them share.
+// A law for the materials and sections of this library: the arguments that Python passes, and the values that all
+// copies of a material or section share.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +8,20 @@
 
 #include "program.hpp"
 
-// The arguments of the calls for Python (calls.cpp), in the order of the class of the same name in isolaw/opensees.py.
+// The arguments of isolaw_material() and isolaw_section() in calls.cpp. The class _Law in isolaw/opensees.py has the
+// same members in the same order.
 extern "C" struct IsolawLaw {
   char const* id;
   double const* parameters;  // in the law's order and units
   std::size_t count;
-  double dead_band;       // in the law's unit of length; only laws with a memory use it
+  double dead_band;       // in the law's unit of length; a law that remembers its path ignores smaller reversals
   int parts;              // equal parts into which each step is divided
-  double length_to_law;   // the law's units of length in one of the model
-  double force_from_law;  // the model's units of force in one of the law
+  double length_to_law;   // times a length in the model's unit gives the length in the law's unit
+  double force_from_law;  // times a force in the law's unit gives the force in the model's unit
   double factor;          // on the force: 1, or the factor of a bound
-  double lower, upper;    // factors of the bounds; not a number if there are none
-  int springs;            // sections: 0 for one state in both directions, else the number of springs
-  double axes[2][3];      // sections of laws that depend on velocity: the local axes y and z in global coordinates
+  double lower, upper;    // factors of the bounds; NaN for a bound that the law does not have
+  int springs;            // for sections: the number of springs, or 0 for one law that couples both directions
+  double axes[2][3];      // for sections of laws that depend on velocity: local axes y and z in global coordinates
 };
 
 namespace isolaw::opensees {
@@ -32,14 +34,16 @@ struct Law {
   bool depends_on_velocity;
 
   explicit Law(IsolawLaw const& given);
-  // The factor on the force after the parameter was set to `value`. 1 makes `lower` the lower bound and 0 the nominal
-  // law. Not a number if the law has no such bound.
+  // The factor on the force if the parameter has this value. For ParameterKind::lower and upper, 1 gives the bound and
+  // 0 the nominal law. NaN if the law has no such bound.
   double factor_of(ParameterKind parameter, double value) const;
-  double value_of(ParameterKind parameter, double factor) const;  // the value that gives this factor; 0 if none does
+  // The value with which factor_of() returns this factor; 0 if there is none.
+  double value_of(ParameterKind parameter, double factor) const;
 };
 
-// Adds the parameter that `words` name to the program's Parameter, with the value that `factor` has. Returns what
-// setParameter() returns.
+// Lets the program's Parameter object `parameter` change the factor on the force. words[0] names the way: "factor",
+// "lower" or "upper". Gives it the value that belongs to the current factor. Returns what setParameter() of OpenSees
+// returns, which is -1 for another name.
 int set_parameter(Program const& program, Law const& law, double factor, void* movable, char const** words, int count,
                   void* parameter);
 

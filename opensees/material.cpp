@@ -25,8 +25,8 @@ struct Material {
   laws::Online law;
   double factor;
   struct State {
-    double disp = 0.0, velocity = 0.0, energy = 0.0;  // of the model; `energy` is the work done, with the factor
-    laws::Online::Force force = {};                   // of the law
+    double disp = 0.0, velocity = 0.0, energy = 0.0;  // in the model's units; `energy` is the work, with the factor
+    laws::Online::Force force = {};                   // in the law's units, without the factor
   } trial = {}, committed = {};
 
   double to_force() const { return factor * about->force_from_law; }
@@ -123,8 +123,8 @@ int get_response(Material* self, int response, void* information) noexcept try {
   return -1;
 }
 
-// The functions of Material in the program's table. Those that a caller reaches through MovableObject get the address
-// of that part.
+// The table of virtual functions of all Material objects: the program's table of UniaxialMaterial, in which functions
+// of this file replace the program's.
 Table table_with_own_functions(Program const& program) {
   TableWithOwn table(program, uniaxial_material);
   table.own(

@@ -95,13 +95,14 @@ constexpr std::string_view movable_functions[]{"D1Ev",
                                                "11setVariableEPKcR11Information",
                                                "11getVariableEPKcR11Information"};
 
-// "_ZN" or "_ZNK", the length and name of the class, and the function: _ZN16UniaxialMaterial9getStressEv.
+// The mangled name: "_ZN" or "_ZNK", the length and name of the class, and the function as in Class::functions, for
+// example "_ZN16UniaxialMaterial9getStressEv".
 std::string mangled(std::string_view class_name, std::string_view function) {
   bool const is_const = function.ends_with(" K");
   if (is_const) function.remove_suffix(2);
   return fmt::format("_ZN{}{}{}{}", is_const ? "K" : "", class_name.size(), class_name, function);
 }
-// The same function for a caller that knows the object as its MovableObject.
+// The mangled name of the thunk: the entry to the same function for callers with a pointer to the MovableObject.
 std::string thunk(std::string_view class_name, std::string_view function) {
   auto const name = mangled(class_name, function);
   return fmt::format("_ZThn{}_{}", movable_object_at, name.substr(2));
@@ -124,7 +125,7 @@ void expect(bool holds, std::string_view what) {
   if (!holds) differ(std::string(what));
 }
 
-// The tables to which std::type_info of a class points, for a class with one base and for one with several.
+// The layout of std::type_info in the Itanium C++ ABI, for a class with one base and for a class with several bases.
 struct OneBaseType {
   void* table;
   char const* name;
@@ -140,13 +141,14 @@ struct TypeWithBases {
   } bases[2];
 };
 
-// The bytes that a constructor writes into `most` bytes of memory, as those that two different fillings agree on.
+// Says for each of `most` bytes of memory whether a constructor writes it. The constructor runs on two memories that
+// were filled with different values; it wrote the bytes that are then equal.
 template <class Construct>
 std::vector<bool> written_bytes(std::size_t most, Construct construct) {
   std::vector<unsigned char> memory[2];
   unsigned char const fillings[]{0xA5, 0x5A};
   for (std::size_t k = 0; k < 2; ++k) {
-    // Vectors of doubles would do as well; `new unsigned char[]` is aligned for every type.
+    // The memory is aligned for every type, because std::vector takes it from operator new.
     memory[k].assign(most, fillings[k]);
     construct(static_cast<void*>(memory[k].data()));
   }
@@ -233,7 +235,8 @@ void Program::prove(Class const& of) const {
   auto const name = std::string(of.name);
   auto const word = [](void const* pointer) { return reinterpret_cast<std::uintptr_t>(pointer); };
 
-  // The class derives from Material alone, and Material from TaggedObject and, 16 bytes on, MovableObject.
+  // Checks that the class derives from Material alone, and Material from TaggedObject and, 16 bytes into the object,
+  // from MovableObject.
   auto const* const type = static_cast<OneBaseType const*>(symbol(type_name(of.name)));
   auto const* const material = static_cast<TypeWithBases const*>(symbol(type_name("Material")));
   constexpr long is_public = 2, offset_shift = 8;
@@ -244,7 +247,7 @@ void Program::prove(Class const& of) const {
              material->bases[1].offset_and_flags == ((long{movable_object_at} << offset_shift) | is_public),
          "Material does not consist of TaggedObject and, 16 bytes on, MovableObject");
 
-  // The tables of the base class and of the ready class.
+  // Checks the tables of virtual functions of the base class and of the class `of.ready`.
   auto const table = table_of(of);
   auto const* const base_words = static_cast<std::uintptr_t const*>(symbol(table_name(of.name)));
   auto const* const ready_words = static_cast<std::uintptr_t const*>(symbol(table_name(of.ready)));
@@ -284,14 +287,15 @@ void Program::prove(Class const& of) const {
     }
   };
   part(base_words, ready_words, 0, of.functions, false);
-  // A class that overrides functions of MovableObject has them in its first part too, so its second part begins later.
+  // A class that overrides functions of MovableObject has them in the first part of its table too. The second part may
+  // therefore begin later than in the base class: it begins at the word that holds its offset.
   auto const second = words_before_functions + of.functions.size();
   auto const at = static_cast<std::uintptr_t>(-static_cast<std::intptr_t>(movable_object_at));
   std::size_t later = second;
   while (later < second + std::size(movable_functions) && ready_words[later] != at) ++later;
   part(base_words + second, ready_words + later, at, movable_functions, true);
 
-  // The size of an object.
+  // Checks the size of an object.
   auto const construct = calls_.*of.constructor;
   auto const written = written_bytes(8 * of.bytes, [&](void* memory) { construct(memory, 7, 9); });
   auto const last = std::find(written.rbegin(), written.rend(), true);
@@ -301,7 +305,7 @@ void Program::prove(Class const& of) const {
 }
 
 void Program::prove_values() const {
-  // Vector, Matrix and ID over numbers of ours, and what the program computes with them.
+  // Makes a Vector, a Matrix and an ID over arrays of this function, reads their members, and has the program multiply.
   double numbers[]{1.0, 3.0, 2.0, 4.0}, two[]{10.0, 100.0}, product[]{0.0, 0.0};
   int whole[]{3, 5};
   ValuesOf<Vector> const vector(*this, two), result(*this, product);
@@ -316,7 +320,8 @@ void Program::prove_values() const {
 }
 
 void Program::rehearse() const {
-  // A spring of the program's own: what comes back from it must be what a spring gives.
+  // Makes the program's material Elastic, a spring with a dashpot, and calls its functions through its table as the
+  // program will call isolaw's. The results must be those of a spring with a dashpot.
   constexpr std::size_t more_than_it_needs = 1024;
   alignas(16) std::byte memory[more_than_it_needs];
   auto* const construct =
@@ -338,7 +343,7 @@ void Program::rehearse() const {
 }
 
 void Program::find_members() {
-  // The classes of streams differ between versions, so the place of operator<< for text is looked for.
+  // The classes of streams differ between versions, so operator<<(char const*) is searched for in the table.
   auto const* const words = static_cast<Function const*>(symbol(table_name("StandardStream")));
   auto const write = reinterpret_cast<Function>(symbol("_ZN14StandardStreamlsEPKc"));
   constexpr std::size_t most_words = 64;
@@ -346,7 +351,7 @@ void Program::find_members() {
   expect(found != words + most_words, "a stream has another layout");
   text_to_stream_ = static_cast<std::size_t>(found - words) - words_before_functions;
 
-  // So is the number in an Information.
+  // The layout of Information differs too, so the place of its number is searched for.
   constexpr std::size_t more_than_it_needs = 512;
   constexpr double number = 1.2345678;
   alignas(16) std::byte memory[more_than_it_needs] = {};
@@ -377,7 +382,8 @@ std::optional<Program::Motion> Program::motion_of_active_element() const {
   for (int end = 0; end < 2; ++end) {
     if (nodes[end] == nullptr) return std::nullopt;
     auto const add = [&](std::array<double, 3>& sum, Vector const& of_node) {
-      int const directions = of_node.size == 6 ? 3 : std::min(of_node.size, 2);  // in space: 6 degrees of freedom
+      // A node in space has 6 degrees of freedom, of which the first 3 are displacements.
+      int const directions = of_node.size == 6 ? 3 : std::min(of_node.size, 2);
       for (int i = 0; i < directions; ++i)
         sum[static_cast<std::size_t>(i)] += (end == 0 ? -1.0 : 1.0) * of_node.numbers[i];
     };

@@ -1,12 +1,13 @@
-// The OpenSees program that runs in this process: its functions, found by name, and the proof that its classes have the
-// layout that this library relies on.
+// Finds the functions of the OpenSees that runs in this process, and checks that its classes have the layout that this
+// library relies on.
 //
-// OpenSees has no interface for materials that come from outside. A module of it exports its classes, though, and the
-// Itanium C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) says how the compiler lays them out. isolaw
-// makes an object of a base class by the program's own constructor and gives it a copy of the base class's table of
-// virtual functions in which some functions are isolaw's. Nothing of that is assumed: `attach` compares every entry of
-// every table with the function that it must be, by its exported name, and the size and layout of every object with
-// what the program's constructors write. Where anything differs it throws Error, and nothing has been changed.
+// OpenSees has no interface for materials from other libraries. But its Python module exports its classes, and the
+// Itanium C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) says how the compiler lays them out. To make a
+// material, isolaw calls the program's own constructor of the base class. It then lets the object point to a copy of
+// the base class's table of virtual functions, in which isolaw's functions replace some of the program's.
+// The constructor of Program checks all that this relies on before anything is changed. It compares each entry of each
+// table with the address of the function that must stand there, found by its exported name. It also compares the size
+// and layout of objects with what the program's constructors write. It throws Error if anything differs.
 #pragma once
 
 #include <array>
@@ -21,8 +22,9 @@ namespace isolaw::opensees {
 
 using Function = void (*)();
 
-// A table of virtual functions as it lies in memory: the functions of the class, then those of its base MovableObject.
-// Each part begins with two words, the way back to the whole object and the type, before the first function.
+// A table of virtual functions as it lies in memory. Its first part has the functions of the class, its second part
+// those of the base class MovableObject. Two words stand before the functions of each part: the offset from this part
+// of an object to the whole object, and the address of the type information.
 inline constexpr std::size_t words_before_functions = 2;
 using Table = std::vector<Function>;
 
@@ -30,9 +32,10 @@ inline constexpr std::size_t movable_object_at = 16;  // bytes from an object to
 
 struct Vector;
 
-// The functions of the program that isolaw calls once it is proved, and the variables that it reads.
+// The program's functions that isolaw calls after the check, and the program's variables that it reads.
 struct Calls {
-  void (*begin_material)(void* object, int tag, int class_tag);  // constructors and destructors of the base classes
+  // begin_... are constructors, end_... are destructors.
+  void (*begin_material)(void* object, int tag, int class_tag);
   void (*begin_section)(void* object, int tag, int class_tag);
   void (*end_material)(void* object);
   void (*end_section)(void* object);
@@ -43,7 +46,7 @@ struct Calls {
   void (*begin_id)(void* object, int* numbers, int size, bool owns);
   void (*begin_response)(void* object, void* material, int response, Vector const* numbers);
   int (*set_numbers)(void* information, Vector const* numbers);
-  void* (*set_response)(void* material, char const* const* words, int count, void* stream);  // of UniaxialMaterial
+  void* (*set_response)(void* material, char const* const* words, int count, void* stream);
   int (*get_response)(void* material, int response, void* information);
   void* (*set_section_response)(void* section, char const* const* words, int count, void* stream);
   int (*get_section_response)(void* section, int response, void* information);
@@ -54,40 +57,41 @@ struct Calls {
   Vector const* (*velocity_of)(void* node);
   double const* time_step;
   void* const* active_element;
-  void* const* errors;                  // the stream of errors
-  Function const* zero_length_section;  // the class's table
+  void* const* errors;                  // the stream for error messages
+  Function const* zero_length_section;  // the table of virtual functions of ZeroLengthSection
 };
 
-// The virtual functions of a base class, in their order. A name is what the compiler writes after the name of the
-// class: "9getStrainEv" for getStrain(). A name that ends with 'K' and a space before it belongs to a const function.
+// A base class and its virtual functions, in the order of its table. Functions have the name that the compiler writes
+// after the name of the class: "9getStrainEv" for getStrain(). " K" at the end marks a const function.
 struct Class {
-  std::string_view name, ready;  // the base class, and a class of the program that derives from it
+  std::string_view name, ready;  // the base class; a class of the program that derives from it, for the check
   void (*Calls::*constructor)(void* object, int tag, int class_tag);  // of the base class
   std::size_t bytes;                                                  // the size of the base class
-  std::span<std::string_view const> functions;  // of the class itself; those of MovableObject follow in its table
+  std::span<std::string_view const> functions;  // without those of MovableObject, which follow in the table
 };
 extern Class const uniaxial_material, section_force_deformation;
 
 class Program {
  public:
-  // Throws Error if `file` is no module that is loaded in this process, or if it is not laid out as expected.
+  // `file` is the module of OpenSees. Throws Error if this process has not loaded it, or if the check fails.
   explicit Program(std::string const& file);
 
   Calls const& calls() const { return calls_; }
-  // A copy of the class's table in which functions of the program can be replaced.
+  // A copy of the class's table of virtual functions. The caller may replace functions in it.
   Table table_of(Class const& of) const;
   void write(void* stream, std::string const& text) const;  // to an OPS_Stream of the program
   double value_in(void const* information) const;           // the number in an Information
 
-  // The motion of one end of the element under way against the other, in global coordinates; nothing if there is none or
-  // it is no ZeroLengthSection.
+  // The motion of the second node of the active element (the one that OpenSees is computing) relative to the first, in
+  // global coordinates. nullopt if no element is active or if it is no ZeroLengthSection.
   struct Motion {
     std::array<double, 3> displacement{}, velocity{};
   };
   std::optional<Motion> motion_of_active_element() const;
 
  private:
-  // The program's function or object of this name, as the compiler writes it. symbol() throws Error if there is none.
+  // The address of the program's function or variable with this mangled name. If there is none, symbol() throws Error
+  // and symbol_or_null() returns nullptr.
   void* symbol(std::string const& name) const;
   void* symbol_or_null(std::string const& name) const;
   void find_calls();
@@ -99,16 +103,17 @@ class Program {
   std::string file_;
   void* handle_ = nullptr;
   Calls calls_ = {};
-  std::size_t text_to_stream_ = 0;        // place of operator<< for text in the table of a stream
+  std::size_t text_to_stream_ = 0;        // index of operator<<(char const*) among the virtual functions of a stream
   std::size_t value_in_information_ = 0;  // bytes from an Information to its number
 };
 
-// Places in a table of the class: of one of its own functions (a name of Class::functions), and of a function of
-// MovableObject as it is called by those who know the object as one.
+// The index of a function in the table of the class. place_of() looks for a name of Class::functions in the first part
+// of the table. place_as_movable() looks for a function of MovableObject in the second part, which is used by callers
+// that have a pointer to the MovableObject.
 std::size_t place_of(Class const& of, std::string_view name);
 std::size_t place_as_movable(Class const& of, std::string_view name);
 
-// Writes a sentence to the program's stream of errors.
+// Writes a sentence to the program's stream for error messages.
 void complain(Program const& program, std::string const& sentence);
 
 }  // namespace isolaw::opensees

@@ -1,4 +1,5 @@
-// A law in two directions as a SectionForceDeformation of the running program, with the deformations VY and VZ.
+// A law in two directions as a SectionForceDeformation of the running program. The deformations are the displacements
+// along the local axes y and z; OpenSees calls the responses VY and VZ.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ struct Shared : Law {
 
 struct Section {
   struct State {
-    double disp[2] = {}, force[2] = {}, tangent[4] = {};  // of the model, without the factor
+    double disp[2] = {}, force[2] = {}, tangent[4] = {};  // in the model's units, without the factor
   };
 
   alignas(16) std::byte base[48];  // the program's SectionForceDeformation
@@ -46,7 +47,7 @@ struct Section {
   double factor;
   State trial, committed;
   double initial_tangent[4];
-  double shown[2], shown_tangent[4];  // what the program last asked for, with the factor
+  double shown[2], shown_tangent[4];  // force and tangent times the factor, as last returned to the program
   ValuesOf<Vector> disp_vector, force_vector;
   ValuesOf<Matrix> tangent_matrix;
 
@@ -98,8 +99,8 @@ int try_deformation(Section* self, Vector const* deformation) noexcept try {
     if (std::hypot(disp.x - expected.x, disp.y - expected.y) >
         1e-6 * about.length_to_law * std::hypot(u[0], u[1], u[2]))
       return refuse("whose -orient differs from the orient that isolaw.opensees.section() was given");
-    // OpenSees takes no damping matrix from a section, so the tangent holds the slope by the velocity, which changes by
-    // 2 / dt of a displacement (Newmark's method with constant acceleration).
+    // OpenSees takes no damping matrix from a section, so the derivative by the velocity is added to the tangent. In
+    // Newmark's method with constant average acceleration, a change u of displacement changes the velocity by 2 u / dt.
     if ((velocity.x != 0.0 || velocity.y != 0.0) && dt > 0.0) by_velocity = 2.0 / dt;
   }
   auto const force = self->law.trial(disp, velocity, dt);

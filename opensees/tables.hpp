@@ -1,4 +1,4 @@
-// Helps to make an object of a base class of the program with functions of this library.
+// Makes objects of the program's base classes whose virtual functions are those of this library.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,10 @@
 
 namespace isolaw::opensees {
 
-class TableWithOwn {
+class TableWithOwn {  // a copy of a class's table of virtual functions, to which functions of this library are added
  public:
   TableWithOwn(Program const& program, Class const& of) : class_(of), table_(program.table_of(of)) {}
-  // Replaces the function of this name, as in Class::functions, or one of MovableObject.
+  // own() replaces the function with this name in Class::functions, own_as_movable() one of MovableObject.
   template <class Result, class... Arguments>
   void own(std::string_view name, Result (*function)(Arguments...)) {
     table_.at(place_of(class_, name)) = reinterpret_cast<Function>(function);
@@ -35,21 +35,25 @@ class TableWithOwn {
   Table table_;
 };
 
-// Makes the part of an object that is the program's, and gives it `table`, which must live as long as the object.
+// Calls the program's constructor of the base class on `base`, the beginning of an object of this library, and lets it
+// use the functions in `table`. `table` must live as long as the object.
 void construct_base(Program const& program, Class const& of, Table const& table, std::byte* base, int tag);
 
-inline constexpr int printed_as_json = 25000;  // flag of Print() in OpenSees: OPS_PRINT_PRINTMODEL_JSON
+inline constexpr int printed_as_json = 25000;  // OPS_PRINT_PRINTMODEL_JSON in OpenSees, a value of the flag of Print()
 
-int tag_of(void const* object);  // of a TaggedObject
+int tag_of(void const* object);  // the tag of an object that begins with a TaggedObject
 
-// Numbers of the responses of this library, which the program does not use itself.
+// The numbers of this library's own responses. The program has no responses with these numbers.
 enum OwnResponse { energy_response = 4711, state_response };
-// A new Response of the program, with which it asks `object` for as many numbers each time. Null if there is no memory.
+// Makes a Response object, with which the program asks `object` for this response at each step. The response always has
+// as many numbers as `numbers`. Returns nullptr if there is no memory.
 void* new_response(Program const& program, void* object, OwnResponse response, std::vector<double> numbers);
-double no_sensitivity(Program const& program);  // says once that there is none, and returns not a number
-int give(Program const& program, std::vector<double> numbers, void* information);
+// Returns NaN, and says once in the program that laws have no derivatives by parameters.
+double no_sensitivity(Program const& program);
+int give(Program const& program, std::vector<double> numbers, void* information);  // writes them to an Information
 
-// The functions of MovableObject for an object of this library, which get the address of that part of the object.
+// This library's functions in place of those of MovableObject. The program calls them with the address of the
+// MovableObject, which is a part of the object; whole() returns the object.
 template <class Object>
 struct AsMovable {
   static Object* whole(std::byte* movable) { return reinterpret_cast<Object*>(movable - movable_object_at); }

@@ -1,4 +1,5 @@
-// Vector, Matrix and ID of OpenSees over memory of ours: the program's constructors make them, and they own nothing.
+// Makes objects of the OpenSees classes Vector, Matrix and ID that use arrays of this library. The program's own
+// constructors make them. They own no memory, so they need no destructor.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +8,7 @@
 
 namespace isolaw::opensees {
 
-// The members that this library reads. Program::prove_values() compares them with what the program writes.
+// The layout of these classes, as far as this library reads their members. Program::prove_values() checks it.
 struct Vector {
   using Number = double;
   int size;

@@ -63,7 +63,7 @@ std::vector<double> values_of(std::optional<Rows> const& array, char const* what
 struct Record {
   std::string name;
   data::TestRecord raw;
-  data::TestRecord uncorrected = {};  // `raw` without corrections by hand, if it has any and this is known
+  data::TestRecord uncorrected = {};  // the record without the user's corrections; empty without any, or if unknown
 };
 using RecordPtr = std::shared_ptr<Record>;
 
@@ -75,7 +75,7 @@ Json json_of(py::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
     auto const text = std::string(py::str(py::handle(whole)));
-    auto const number = Json::parse(text);  // JSON would round an integer above 64 bits; it then stays a text
+    auto const number = Json::parse(text);  // rounds an integer above 64 bits; the text is then passed on instead
     return number.is_number_integer() ? number : Json(text);
   }
   if (py::isinstance<py::dict>(value)) {
@@ -142,7 +142,7 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
              .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
   if (data::is_corrected(record->raw)) try {
       record->uncorrected = data::read_record(file, *data::without_corrections(options));
-    } catch (Error const&) {  // reports then say that it is not known
+    } catch (Error const&) {  // reports then say that the record without corrections is not known
     }
   return record;
 }
@@ -410,8 +410,8 @@ py::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 
 // Runs `work` in another thread without Python's global lock. Python delivers signals only to the main thread, so the
 // calling thread waits, checks for signals and passes progress to the Python function `tell`. An exception from a
-// signal or from `tell` stops the work and is thrown again when the work has ended. Otherwise an exception from the
-// work itself is thrown again.
+// signal or from `tell` stops the work and is thrown again when the work has ended. If there was none, an exception
+// from the work itself is thrown again.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
@@ -577,8 +577,8 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
       });
 }
 
-// Every draw of the building has a row of measured numbers for each motion. Returns a view of `count` numbers of each
-// row, from index `first` on. Its shape is (laws, draws, motions, count).
+// For each law, draw and motion there is a row of measured numbers. Returns a view of `count` numbers of each row, from
+// index `first` on. Its shape is (laws, draws, motions, count).
 Array measures(py::object const& self, std::size_t first, std::size_t count) {
   auto const& studied = *self.cast<BuildingPtr>();
   auto const width = static_cast<py::ssize_t>(studied.layout.count()),
@@ -655,9 +655,9 @@ Unit unit_named(std::string const& text, Dimension dimension) {
                .allowed = fmt::format("a unit of {}: {}", name(dimension), known_units(dimension))});
 }
 
-// A law for isolaw.opensees: its parameters in the law's order, how it is integrated, the factors of its bounds, what
-// converts the units of the model, and the warnings about it. `source` is a campaign, or the law's parameters, to which
-// dead band and refinement are given as well.
+// Returns what isolaw.opensees needs to know about a law: its parameters in the law's order, how it is integrated, the
+// factors of its bounds, the factors that convert the model's units, and the warnings about it. `source` is a campaign
+// or the law's parameters. dead_band_mm and refinement are used only with parameters: a campaign has its own.
 py::dict law_for_opensees(std::string const& law_id, py::object const& source, std::string const& device,
                           std::pair<std::string, std::string> const& units, bool in_plane, bool anyway,
                           double dead_band_mm, int refinement) {

@@ -54,9 +54,10 @@ _OPTIONS = _json.loads(_core.options_json())
 
 
 def _with_keywords(options, in_place=False):
-    """Decorator: replaces a function's ``**`` parameter in its signature by a table's keywords with their defaults.
+    """Decorator: replaces the ``**`` parameter in a function's signature by the keywords of ``options``, with defaults.
 
-    in_place: the keywords replace values that another argument already has, so every default is None.
+    in_place: the keywords replace values that another argument holds, for example a building file. Every default is
+    then None, which leaves the value as it is.
     """
 
     def default(option):
@@ -110,32 +111,32 @@ def settings():
 
 @_with_keywords(_OPTIONS["reading"])
 def read_record(path, *, name=None, **reading):
-    """Reads a test record from delimited text, Excel, MATLAB or JSON, and recognises dialect, columns and units.
+    """Reads a test record from delimited text, Excel, MATLAB or JSON, and recognises format, columns and units.
 
     path: the file. name: the device's name; by default the file's name without its ending.
-    columns, units: information that the file lacks, as a dict or as the text of the option of the same name:
-    ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp, force, load
-    and cycle;
-    ``columns={"force": "loadcell.csv:F"}`` takes the force from another file. channel_scale: a dict by channel, the
-    number of units that a value of 1 in the file is. missing: ``"leave-out"`` or ``"interpolate"``, what to do with rows
-    in which a channel has no value.
-    dt: sampling interval in s of a file without time. sheet, test: the sheet or test to read of a file with several.
+    columns, units: columns and units of the channels, if the file does not state them, as a dict or as the text of the
+    command-line option: ``columns={"disp": 2, "force": "F"}``, ``units="disp=cm,force=tonf"``. Channels are time, disp,
+    force, load and cycle. ``columns={"force": "loadcell.csv:F"}`` takes the force from another file. channel_scale: a
+    dict by channel; it gives the size, in the channel's unit, of the value 1 in the file. missing: what to do with rows
+    in which a channel has no value, ``"leave-out"`` or ``"interpolate"``.
+    dt: sampling interval in s of a file without time. sheet, test: which sheet or test to read if the file has several.
     rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: the part to read, in seconds of the file's own
     time. footer: ``"skip"`` ignores text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"``
     or ``"mdy"``.
     flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections,
     like the options of ``isolaw inspect``.
 
-    Returns a Record; ``record.recognised`` says what was recognised and why. Raises Error with every problem found.
+    Returns a Record; ``record.recognised`` says what was recognised and why. Raises one Error with all problems.
     """
     return _core.read(path, False, name, reading)
 
 
 @_with_keywords(_motion_reading())
 def read_motion(path, *, name=None, **reading):
-    """Reads a displacement history, cyclic or seismic, from a file with the keywords of read_record; it needs no force.
+    """Reads a displacement history, cyclic or seismic, from a file. The file needs no force.
 
-    Returns a Record whose ``force_kN`` is None. Raises Error as read_record does, and for a record of acceleration.
+    The keywords are those of read_record, without its corrections. Returns a Record whose ``force_kN`` is None. Raises
+    Error as read_record does, and for a record of acceleration.
     """
     return _core.read(path, True, name, reading)
 
@@ -144,7 +145,7 @@ def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
     """Makes a Record from arrays, which are checked like the values of a file.
 
     disp_mm, force_kN, time_s, load_kN: shape (samples,), in mm, kN, s and kN; time and load may be None. Raises Error
-    for values that are not finite, time that does not increase, exchanged displacement and force, and so on.
+    for values that are not finite, time that does not increase, displacement and force in the wrong order, and so on.
     """
     return _core.record(name, disp_mm, force_kN, time_s, load_kN)
 
@@ -152,9 +153,9 @@ def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
 def same_device(records, *, name=None):
     """Makes one Record of several tests of a device, which share the parameters of each law.
 
-    records: Records of tests, each with a name of its own. name: the device's name; by default it is made of the tests'
+    records: Records of the tests; their names must differ. name: the device's name; by default it is made of the tests'
     names. A law starts at rest in each test, and its objective is the mean over the tests. In the arrays of the result
-    the tests follow one another. Raises Error if only some of the tests have time, or if two have one name.
+    the tests follow one another. Raises Error if only some of the tests have time, or if two have the same name.
     """
     return _core.same_device(list(records), name)
 
@@ -174,9 +175,9 @@ def motion(disp_mm, time_s=None, *, name="motion"):
 
 
 def properties(record, *, vertical=None):
-    """Properties of a test cycle by cycle, from raw values: the dict that ``isolaw inspect --json`` prints.
+    """Computes the properties of a test, cycle by cycle, from raw values, as ``isolaw inspect --json`` does.
 
-    ``blocks`` lists the blocks, which are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
+    Returns a dict. Its ``blocks`` are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
     has K_eff in kN/mm, damping in percent of critical, energy in kN mm and more (docs/inspection-json.md; formulas and
     their sources are in docs/properties.md). vertical: the device's compression test, as in calibrate; the result's
     ``vertical`` has its stiffness or the reason why there is none. Raises Error for a motion without force.
@@ -189,8 +190,9 @@ def laws():
 
     Each value is a dict with, among others, name, title, source, units (force, length, time), rate_independent,
     formula, note (how the source was read), together (conditions between several parameters) and parameters. Each
-    parameter has name, unit, meaning, physical (its limits), published (the paper's search box) and fixed (its value
-    unless it is freed). None in place of a bound means that there is no bound.
+    parameter has name, unit, meaning, physical (its limits), published (its interval in the search box of Cucuzza et
+    al. 2025) and fixed (the value that it has unless ``set`` frees it). None in place of a bound means that there is no
+    bound.
     """
     return {law["id"]: law for law in _json.loads(_core.catalogue_json())}
 
@@ -198,8 +200,8 @@ def laws():
 def box(law, record, *, kind="auto", method="best"):
     """The search box of a law's parameters on a record: a dict by parameter, in the law's order.
 
-    kind: "auto" scales the box from the record, "published" is Table 4 of Cucuzza et al. 2025 for the laws that
-    it lists. method: as in calibrate. Each value is a dict of unit, free, value (None if free), lower, upper
+    kind: "auto" computes the box from the sizes in the record; "published" takes Table 4 of Cucuzza et al. 2025 for the
+    laws that it lists. method: as in calibrate. Each value is a dict of unit, free, value (None if free), lower, upper
     and scale; numbers have the law's units. Raises Error for wrong input.
     """
     return _core.box(law, record, {"box": kind, "method": method})
@@ -223,7 +225,7 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
 
 
 class Model:
-    """A law on a record as calibrate sees it, for your own optimisers and studies.
+    """A law on a record, with the same objective as in calibrate, for your own optimisers and studies.
 
     law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
     (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is taken over
@@ -403,7 +405,7 @@ def _adapted(progress):
 
 
 def _all_samples(how):
-    """Replaces samples_per_cycle=None by "all", since None would otherwise mean the default."""
+    """Replaces samples_per_cycle=None by "all". Otherwise the compiled part would take None as the default."""
     return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
 
 
@@ -411,19 +413,19 @@ def _all_samples(how):
 def calibrate(
     records, laws="usual", *, vertical=None, jobs=0, out=None, fresh=False, title="", part=None, progress=None, **given
 ):
-    """Fits laws to records, as ``isolaw calibrate`` does: with the same settings and seed the numbers are the same.
+    """Fits laws to records, as ``isolaw calibrate`` does. The same settings and seed give the same numbers.
 
     records: a Record or a path, or a list of them; each is a device of the lot, under its name.
-    laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches the least objective, "ga" is the
-    paper's genetic algorithm. runs: independent runs per law and device (2; ga: 20). seed: 0 to 2**64 - 1. set: texts
-    "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population, generations, stagnation_tolerance:
-    settings of "ga"; giving one of them chooses that method if none is given.
-    samples_per_cycle (None: all), smooth, center: how records are cleaned. weights: a sample counts by "time", "swing"
-    or "travel"; "auto": see docs/method.md. fit_blocks, fit_cycles, score_blocks: the blocks and cycles that laws are fitted to, and the blocks on
-    which they are tested, as texts: "2", "1-3", "2-".
-    analysis: finds what the tests determine, intervals, and one law for the lot; it takes longer than the fits.
-    replicates: number of its bootstrap samples. bidirectional: "springs" also fits spring models for laws without a
-    coupled two-dimensional form. settings() lists all of these with their limits.
+    laws: "paper", "usual", "all", an id, or a list of them. method: "best" searches for the least objective; "ga" is
+    the genetic algorithm of Cucuzza et al. 2025. runs: independent runs per law and device; by default 2 ("ga": 20).
+    seed: 0 to 2**64 - 1. set: texts "law.parameter=value", "=lower:upper", "=free" or "=other parameter". population,
+    generations, stagnation_tolerance: settings of "ga"; if one of them is given and method is not, the method is "ga".
+    samples_per_cycle (None: all), smooth, center: how records are cleaned. weights: "time", "swing" or "travel" decides
+    how much a sample counts; for "auto" see docs/method.md. fit_blocks, fit_cycles: the blocks and cycles that laws are
+    fitted to. score_blocks: the blocks on which they are tested. Blocks and cycles are texts such as "2", "1-3", "2-".
+    analysis: whether to compute which parameters the tests determine, their intervals, and one law for the lot; this
+    takes longer than the fits. replicates: number of bootstrap samples of the analysis. bidirectional: "springs" also
+    fits spring models for laws without a coupled two-dimensional form. settings() lists these keywords with limits.
     rules: the rule set to compare the tests with, by name or as a file. design: design values, as a dict or as text:
     ``{"K_eff": 1.2, "damping": 15}``. lot_size: number of devices of the production lot, tested or not.
     report_units: units of what reports show. letterhead: a file with the laboratory's letterhead for the certificate.
@@ -431,10 +433,11 @@ def calibrate(
     (``"300:1000"``, in kN) and keywords of read_motion. If a test gives no stiffness, the summary says why.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where
     the same call continues an interrupted campaign; fresh starts over in it. title: the lot's title.
-    part: ``(3, 40)`` computes only the third of 40 even shares of the runs, into ``out``; merge joins all shares.
-    progress: called as progress(done, total, analysis, best) from the calling thread, for runs and then for analyses;
-    best is a dict of the least objective so far by law. If it takes keywords ``share`` or ``left_s``, it gets the share
-    of all work that is done and the seconds left. An exception that it raises ends the search and is raised here.
+    part: ``(3, 40)`` computes only the third of 40 equal shares of the runs, into ``out``; merge joins all shares.
+    progress: a function that is called as progress(done, total, analysis, best) in the calling thread, for runs and
+    then for analyses; best is a dict by law of the least objective so far. If the function takes keywords ``share`` or
+    ``left_s``, it also gets the share of all work that is done and the seconds left. An exception that it raises ends
+    the search and is raised here.
 
     Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt and keeps finished runs in ``out``. An unusable
     device is refused in the summary; the others are fitted. Raises Error for wrong input, and if no device is usable.
@@ -461,11 +464,11 @@ def _part(part):
 
 
 def merge(out, parts, *, jobs=0, fresh=False, progress=None):
-    """Merges parts into one campaign, as ``isolaw merge`` does: ``out`` gets the same bytes as from one machine.
+    """Merges parts into one campaign, as ``isolaw merge`` does. The files are those of a campaign without parts.
 
     out: the directory of the whole campaign. parts: the directories that ``calibrate(..., part=(K, N), out=DIR)``
-    filled, or the campaign.sqlite of each, in any order. Another call may add further parts; without parts it finishes
-    the campaign in ``out``. jobs, fresh, progress: as in calibrate; this call computes the analyses.
+    filled, or the campaign.sqlite of each, in any order. Another call may add further parts; a call without parts
+    finishes the campaign in ``out``. jobs, fresh, progress: as in calibrate; merge computes the analyses.
 
     Returns a Campaign. Raises Error for parts that are damaged or belong to another campaign, build or instruction set.
     It also raises Error if runs are missing, with their number for each part, after it has copied the other runs.
@@ -496,7 +499,7 @@ class Building:
 
     @property
     def results(self):
-        """The dict that building.json holds; ``results["verdict"]`` says whether the building holds and how far it moves."""
+        """The dict that building.json holds. Its ``verdict`` says whether the building holds and how far it moves."""
         if self._results is None:
             self._results = _json.loads(self._core.json())
         return self._results
@@ -541,8 +544,11 @@ class Building:
 
     @property
     def coverage(self):
-        """Share of the draws between the bounds, by quantity: dicts of inside (the share) and lower and upper (the ends
-        of its 95 % interval), arrays of shape (laws,)."""
+        """Share of the draws whose value lies between those of the two bound analyses: a dict by quantity.
+
+        Each value is a dict of inside (the share), lower and upper (the ends of its 95 % interval): arrays of shape
+        (laws,).
+        """
         laws = [law["coverage"]["of"] for law in self.results["laws"]]
         return {
             quantity: {key: _np.array([law[quantity][key] for law in laws]) for key in ("inside", "lower", "upper")}
@@ -550,7 +556,7 @@ class Building:
         }
 
     def history(self, law=0, motion=0):
-        """The nominal building over time, by the implicit path: a dict of outcome (text) and arrays.
+        """The nominal building over time, by implicit integration: a dict of outcome (text) and arrays.
 
         law: an id, or a number from 0. motion: a name, or a number from 0. Arrays: time_s (steps,); base and velocity
         (steps, 3), of the base relative to the ground, x and y in mm and mm/s and rotation in rad and rad/s; shear_kN
@@ -593,16 +599,16 @@ def _motion_input(motion):
 def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False, progress=None, **given):
     """Studies an isolated building on bearings drawn from a lot, and whether bound analyses cover the lot's scatter.
 
-    The same as ``isolaw building``. building: a building file (``isolaw building --template``), or its tables as a
-    dict. campaign: a Campaign with analysis, or the directory of one. motions: replace the building's motions; a list
-    of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x in m/s2[, along y]). laws,
-    draws, seed, lower, upper and the other keys of ``[building]`` replace the building's own.
+    This is the command ``isolaw building``. building: a building file (``isolaw building --template`` writes one), or
+    its tables as a dict. campaign: a Campaign with analysis, or the directory of one. motions: if given, they replace
+    the building's motions; a list of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x
+    in m/s2[, along y]). laws, draws, seed, lower, upper and the other keys of ``[building]`` replace those of the file.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
     same call continues an interrupted study; fresh starts over in it. progress: called as progress(done, total) with
     numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
 
     Returns a Building. Ctrl-C ends the study with KeyboardInterrupt and keeps finished runs in ``out``. Raises Error
-    with everything wrong in the building.
+    with everything that is wrong in the building.
     """
     file = dict(building) if isinstance(building, _Mapping) else _os.fspath(building)
     source = campaign._core if isinstance(campaign, Campaign) else _os.fspath(campaign)

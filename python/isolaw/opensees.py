@@ -1,11 +1,11 @@
-"""The laws of isolaw in OpenSeesPy as it is installed from PyPI, without a re-fit and without compiling anything.
+"""Uses isolaw's laws themselves in OpenSeesPy from PyPI: no material is fitted to them, and nothing is compiled.
 
 >>> import openseespy.opensees as ops, isolaw, isolaw.opensees
 >>> isolaw.opensees.attach(ops)
 >>> isolaw.opensees.material(7, "power-masing", isolaw.load("out/lot"), bound="upper", units=("kN", "mm"))
 
-A material has a tag like those of ``ops.uniaxialMaterial``, and elements use it in the same way. OpenSees owns it: ``ops.wipe()``
-removes it. What this needs of OpenSees, and what it does not do, is in docs/opensees.md.
+A material has a tag like those of ``ops.uniaxialMaterial``, and elements use it in the same way. OpenSees owns it:
+``ops.wipe()`` removes it. docs/opensees.md says which versions of OpenSees work, and what is not possible.
 """
 
 import ctypes as _ctypes
@@ -22,8 +22,8 @@ from ._error import Error
 
 __all__ = ["attach", "material", "section"]
 
-_attached = None  # file of the module that attach() proved
-_warned = set()  # sentences that were said: every further element of a law would repeat them
+_attached = None  # file of the module that attach() checked
+_warned = set()  # warnings that were given; each is given once, not again for every further material
 
 
 class _Law(_ctypes.Structure):  # IsolawLaw in opensees/law.hpp
@@ -50,7 +50,8 @@ def _library():
             f"isolaw.opensees: this build has no library for OpenSees ({_sys.platform}); "
             "allowed: Linux and macOS; try: isolaw export --to openseespy, a script with a re-fitted material"
         )
-    return _ctypes.PyDLL(_os.fspath(file))  # keeps Python's lock, because OpenSees writes its messages through Python
+    # PyDLL keeps Python's global lock during calls, because OpenSees writes its messages through Python.
+    return _ctypes.PyDLL(_os.fspath(file))
 
 
 def _call(name, *arguments):
@@ -62,11 +63,11 @@ def _call(name, *arguments):
 
 
 def attach(ops=None):
-    """Finds the OpenSees that runs in this Python, and proves that its classes are laid out as isolaw expects.
+    """Finds the OpenSees that runs in this Python, and checks that its classes have the layout that isolaw expects.
 
-    ops: the module ``openseespy.opensees``, which is imported if none is given. material() and section() attach by
-    themselves, so this call is only needed for another module than that of PyPI. Raises Error if the program is another
-    one, such as xara, or its classes differ; then nothing was changed.
+    ops: the module of OpenSees; by default ``openseespy.opensees``, which is then imported. material() and section()
+    call attach() if nobody has, so it is only needed for another module than that of PyPI. Raises Error if the program
+    is another one, such as xara, or if its classes differ; nothing has then been changed.
     """
     global _attached
     if ops is None:
@@ -175,19 +176,20 @@ def material(
 ):
     """Adds a law to the running OpenSees as a uniaxial material with this tag: force over displacement.
 
-    law: an id of isolaw.laws(). source: a Campaign that fitted the law, or its parameters as a dict by name (in the law's
-    units). device: the name of a device of the campaign, or "lot" for the law of all devices together. bound: "nominal",
-    "lower", "upper" (of the campaign's rule set, or of the devices tested), or a factor on the force. units: force and
-    length of the model. anyway: take a law whose prediction is unusable. dead_band_mm, refinement: with parameters instead
-    of a campaign, the reversals that a law with a memory ignores, and the equal parts of each step.
+    law: an id of isolaw.laws(). source: a Campaign that fitted the law, or the law's parameters as a dict by name, in
+    the law's units. device: the name of a device of the campaign, or "lot" for the law of all devices together. bound:
+    "nominal", "lower", "upper" (by the campaign's rule set, or else by the tested devices), or a factor on the force.
+    units: units of force and length of the model. anyway: accepts a law whose prediction is unusable. If source is a
+    dict: dead_band_mm, the size of reversals that a law with a memory ignores; refinement, the number of equal parts
+    into which each step is divided.
 
-    The parameters "factor", "lower" and "upper" of ops.parameter change the factor on the force during an analysis; 1
-    for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force, deformation, tangent, energy and
-    state (docs/opensees.md lists its numbers).
-    A law that depends on velocity takes that of the element.
+    ``ops.parameter`` can change the factor on the force during an analysis. Its parameters are "factor", "lower" and
+    "upper"; the value 1 for "upper" makes the upper bound, 0 the nominal law. Recorders and responses: force,
+    deformation, tangent, energy and state (docs/opensees.md lists its numbers). A law that depends on velocity uses the
+    velocity that the element passes to the material.
 
-    What the campaign doubts about the law is given by warnings.warn. Raises Error for an unknown law, device, bound or
-    unit, for a law that should not be taken, and for a tag that exists.
+    If the campaign has doubts about the law, warnings.warn gives them. Raises Error for an unknown law, device, bound
+    or unit, for a law that should not be used, and for a tag that exists.
     """
     _add("isolaw_material", tag, law, source, device, bound, units, anyway, dead_band_mm, refinement)
 
@@ -197,12 +199,13 @@ def section(
 ):
     """Adds a law in two directions to the running OpenSees, as a section with the forces VY and VZ.
 
-    It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. As in ``isolaw.building``, the
-    law has one state for both directions if it has such a form, and is a set of springs around the circle otherwise.
+    It is meant for ``zeroLengthSection`` in three dimensions with six degrees of freedom. Like ``isolaw.building``, the
+    section uses the law's coupled form for two directions if there is one, and otherwise springs around a circle.
     Arguments are those of material(). orient: the six numbers of the element's ``-orient``, which laws that depend on
-    velocity need (default 1, 0, 0, 0, 1, 0); a step fails where the element has another orientation or type.
+    velocity need (default 1, 0, 0, 0, 1, 0). With such a law, a step fails if the element has another orientation or
+    type.
 
-    Raises Error as material() does, and for a law whose force differs from side to side.
+    Raises Error as material() does, and if a law that needs springs has a force that differs from side to side.
     """
     axes = _axes([1.0, 0.0, 0.0, 0.0, 1.0, 0.0] if orient is None else [float(value) for value in orient])
     _add("isolaw_section", tag, law, source, device, bound, units, anyway, dead_band_mm, refinement, axes)

@@ -82,8 +82,9 @@ class Examination {
     return static_cast<std::size_t>(&p - box_.parameters.data());
   }
 
-  // The change of the force (root mean square / standard deviation of the force) that raises the objective by `rise_`,
-  // if the residuals have a two-sided exponential distribution whose mean magnitude is the objective. At least `rise_`.
+  // Estimates the change of the force that raises the objective by `rise_`, as root mean square / standard deviation of
+  // the force. Assumes that the residuals have a two-sided exponential distribution whose mean magnitude is the
+  // objective. The result is at least `rise_`.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
@@ -99,8 +100,8 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds parameters without effect on the force, and the singular values of the force's derivatives with respect to
-  // relative changes of the other parameters.
+  // Finds parameters without a visible effect on the force. For the other parameters, finds the singular values of the
+  // force's derivatives with respect to their relative changes, and the trade-offs among them.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);
@@ -130,15 +131,15 @@ class Examination {
     }
   }
 
-  // `force_change` is the change of the force if parameters change by 100 %, in linear approximation. Returns whether a
-  // change of the parameters by 50 % (weakly_determined_within) changes the force visibly.
+  // Returns whether a change of the parameters by 50 % (weakly_determined_within) changes the force visibly.
+  // `force_change` is the change of the force for a change of 100 %; the force is taken as linear.
   bool is_seen(double force_change) const { return weakly_determined_within * force_change >= visible_change(); }
 
   // Adds a direction of parameter changes to the trade-offs if a move along it does not change the force visibly, and
-  // if at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes. The
-  // trade-off names the parameters that change at least a tenth as much as the one that changes most, and those that
-  // alone would change the force at least a tenth as much as the strongest one. The parameter that is strongest beside
-  // the one that changes most is always named, so that a trade-off has two parameters or more.
+  // if at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes, by
+  // 100 %. The trade-off names every parameter that changes at least a tenth as much as the one that changes most. It
+  // also names every parameter whose change alone would move the force at least a tenth as much as the strongest one's.
+  // Beside the parameter that changes most, the strongest of the others is always named, so that there are two or more.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -192,7 +193,7 @@ class Examination {
     double end = 0.0;   // coordinate where the objective has risen by rise_, or the edge of the box
     bool open = false;  // the objective does not rise by rise_ inside the box
   };
-  struct Sides {  // the profile of a parameter below and above the optimum; ends early at a lower objective
+  struct Sides {  // the profile of a parameter below and above the optimum; it is broken off at a lower objective
     Side below = {}, above = {};
     int evaluations = 0;
     Point lower_at = {};
@@ -228,7 +229,7 @@ class Examination {
   }
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, Sides& sides) const {
-    constexpr double rises_shown = 4.0;  // in multiples of rise_, so that a figure shows more than the open range
+    constexpr double rises_shown = 4.0;  // goes on up to this many rise_, so that figures show more than the open range
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
     double distance = 0.0, step = 0.5 * reach;

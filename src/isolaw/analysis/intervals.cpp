@@ -69,7 +69,7 @@ Matrix curvature(Sensitivity const& response) {
   return num::weighted_gram(response.jacobian, weights);
 }
 
-// The freedom that a record keeps after a fit of `fitted` parameters, if neighbouring residuals are correlated.
+// The degrees of freedom that remain after a fit of p parameters, if neighbouring residuals are correlated.
 struct Freedom {
   double share = 1.0;    // 1 - p / n, where n is the number of independent samples that the record is worth
   double degrees = 0.0;  // n - p
@@ -86,9 +86,9 @@ Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double
   return {.share = share, .degrees = std::max(2.0, share * n)};
 }
 
-// Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of samples at one distance
-// get the same correlation of their signs, as estimated from the whole record. The actual product of the two signs
-// cannot take its place: if few samples decide on a parameter, such products would add up to zero.
+// Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of samples at the same
+// distance get the same correlation of their signs, estimated from the whole record. The products of the actual signs
+// would not do: the fit makes the sum nearly zero, and if few samples decide on a parameter, V would be zero too.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -108,7 +108,8 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
 
 constexpr double variance_over_box = 1.0 / 12.0;  // variance of a uniform distribution over [0, 1]
 
-// Covariance H^-1 V H^-1 in the unit box. Along an eigenvector of H it is at most that of a uniform distribution.
+// Covariance H^-1 V H^-1 in the unit box. The variance along an eigenvector of H is at most that of a uniform
+// distribution.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);
@@ -201,11 +202,11 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   double const tail = 0.5 * (1.0 - options.level);
   double const normal_reach = std::numbers::sqrt2 * boost::math::erf_inv(options.level);
   double reach = normal_reach;  // half the interval over the standard deviation
-  double widening = 1.0;        // of the bootstrap's intervals
+  double widening = 1.0;        // factor on the bootstrap's intervals
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
-    start.assign(n, 0.5);  // without a force at the optimum the intervals are the whole box
+    start.assign(n, 0.5);  // the law has no finite force at the optimum: the intervals are the whole box
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();

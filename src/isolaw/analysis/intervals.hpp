@@ -1,20 +1,21 @@
 // Computes the uncertainty of fitted parameters in two ways, for residuals that are correlated with their neighbours.
 // Linearisation: the estimate by least absolute residuals is asymptotically normal with covariance H^-1 V H^-1 (Koenker
 // and Bassett 1978). r is the residual of a sample, w its weight, and J its derivatives by the parameters. H = sum 2 f
-// w J J^T is the curvature of the expected objective. f is the density of the residuals at zero, from a kernel and the
-// residuals' local size. V is the variance of sum w sign(r) J; the correlation of the signs is estimated from the
-// residuals (Weiss 1990). A fit of p parameters leaves residuals that are smaller and less correlated than the errors.
-// For each of these two effects the covariance is divided by 1 - p / n, where n is the number of independent samples
-// that the record is worth. Student's t with n - p degrees of freedom takes the place of the normal distribution. The
-// linearisation is valid if the law is nearly linear over the interval.
+// w J J^T is the curvature of the expected objective. f is the probability density of the residuals at zero, estimated
+// with a Gaussian kernel and the residuals' local size. V is the variance of sum w sign(r) J; the correlation of the
+// signs is estimated from the residuals (Weiss 1990). A fit of p parameters leaves residuals that are smaller and less
+// correlated than the errors. For each of these two effects the covariance is divided by 1 - p / n, where n is the
+// number of independent samples that carry as much information as the record. Student's t distribution with n - p
+// degrees of freedom takes the place of the normal one. The linearisation is valid if the law is nearly linear over the
+// interval.
 // Bootstrap: blocks of the record are drawn with replacement, and the law is fitted again, many times. The residuals of
 // a block count as often as the block was drawn; the law still runs through the whole history (Kuensch 1989). This
 // assumes neither a linear law nor equal residuals everywhere. The length of the blocks follows from the correlation of
 // the signs (Politis and White 2004, corrected by Patton et al. 2009) and is at most an eighth of the samples. The
 // intervals are widened about the optimum, because the fit made the residuals too small (Hesterberg 2015).
-// docs/analysis.md says how often intervals of 95 % held the truth. Both ways tell how far another record of the same
-// device could move the fit if the misfit were noise. They do not tell whether the law is right, and they are no
-// distribution of the parameters over devices.
+// docs/analysis.md says how often intervals of 95 % contained the true value. Both ways tell how far another record of
+// the same device could move the fit if the misfit were noise. They do not tell whether the law is right, nor how the
+// parameters are distributed over devices.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +40,8 @@ struct Intervals {
   std::size_t samples = 0, block = 0;  // number of samples with a weight above 0; length of a block in samples
   int replicates = 0;                  // number of successful fits in the bootstrap
   std::vector<ParameterInterval> parameters = {};  // the free parameters, in order
-  // Covariance of the free parameters by linearisation, in the law's units, row by row. Where the record determines
-  // nothing, it is that of a uniform distribution over the box.
+  // Covariance of the free parameters by linearisation, in the law's units, row by row. In directions that the record
+  // does not determine, it is that of a uniform distribution over the box.
   std::vector<double> covariance = {};
   int evaluations = 0;
 };
@@ -57,7 +58,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
 // Serial correlation of a series: the block length in samples for the bootstrap (at least 1), and the autocorrelation,
-// tapered to zero where it is no longer significant. Fewer than twelve values are taken as independent.
+// which falls to zero beyond the lags where it is significant. Fewer than twelve values are taken as independent.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // for lags 0, 1, 2, ...

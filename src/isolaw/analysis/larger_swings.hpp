@@ -12,10 +12,10 @@
 
 namespace isolaw::analysis {
 
-// Two models of a law on each test: the objective of one covers only the small swings, to which the law is fitted, that
-// of the other only the large swings, on which the law is judged. In both, the law runs through the whole history
-// before these swings. A test without enough swings of a size, or with a constant force in them, has no model for that
-// size.
+// Two models of a law on each test. The objective in `small` counts only the small swings: the law is fitted to them.
+// The objective in `large` counts only the large swings: the law is judged on them. In both, the law runs through the
+// whole history before these swings. A test has no model for a size if it has too few swings of this size, or if the
+// force is constant in them.
 struct SwingModels {
   std::vector<fit::LawOnRecord> small, large;
 };

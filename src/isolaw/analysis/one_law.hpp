@@ -12,8 +12,8 @@
 namespace isolaw::analysis {
 
 // The smallest box that contains all given boxes. A parameter gets a linear scale unless its scale is logarithmic in
-// all boxes. Throws Error unless all boxes have the same free parameters, and fix the others alike or tie them to the
-// same other parameter.
+// all boxes. Throws Error unless a parameter is free in all boxes, fixed at the same value in all, or tied to the same
+// parameter in all.
 fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 
 struct OneLaw {
@@ -23,26 +23,27 @@ struct OneLaw {
   int evaluations = 0;             // each evaluation counts once for every device
 };
 
-// The parameters of least mean objective over the devices. Descents start from the median of the devices' own optima
-// and from up to twelve of these optima. optima[device] holds all parameters. nullopt if interrupted or if no start has
-// finite forces.
+// Finds the parameters with the smallest mean objective over the devices. Descents start from the median of the
+// devices' own optima and from up to twelve of these optima. optima[device] holds all parameters of the law. nullopt if
+// interrupted or if no start has finite forces.
 std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted = {});
 
-// The parameters with the smallest objective on the worst device. The search starts from `mean`. It repeatedly gives
-// devices with a large objective more weight and minimises the weighted mean. The least value of such a mean is a lower
-// bound for the objective on the worst device, if the descent found the global minimum. The search ends when the worst
-// device is within 0.1 % of the largest bound, and at the latest after 40 rounds.
+// Finds the parameters with the smallest objective on the worst device. The search starts from `mean`. In each round it
+// gives devices with a large objective more weight and minimises the weighted mean. Whatever the parameters, the worst
+// device cannot have a smaller objective than this minimum, so it is a lower bound (if the descent found the global
+// minimum). The search ends when the worst device is within 0.1 % of the largest bound, and at the latest after 40
+// rounds.
 struct LeastWorst {
   OneLaw law;
-  double bound = 0.0;  // the largest of the least weighted means: a lower bound for the worst device
+  double bound = 0.0;  // the largest lower bound of all rounds
 };
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
 
-// The parameters of least mean objective over all devices except `device`, tried on this device as if it had not been
-// tested. Descents start from the parameters for all devices and from the other devices' optima with the least mean
-// objective.
+// Finds the parameters with the smallest mean objective over all devices except `device`, and computes their objective
+// on this device, as if it had not been tested. Descents start from the parameters for all devices and from three
+// optima of other devices, those with the smallest mean objective.
 struct LeftOut {
   std::vector<double> parameters;
   double objective = 0.0;  // on the device that was left out

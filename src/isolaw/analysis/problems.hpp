@@ -56,9 +56,9 @@ class Held final : public opt::DeviationProblem {  // a problem with one coordin
   std::unique_ptr<Held> outline_;
 };
 
-// Fits one set of parameters to several records. The value is the mean of the records' objectives with the weights
-// `shares`, whose sum is 1. A record of share 0 is skipped. outline(), with fewer samples, exists if the models on all
-// other records have an outline.
+// Fits one set of parameters to several records. The value is the weighted mean of the records' objectives; the weights
+// are `shares`, whose sum is 1. A record with share 0 is skipped. outline(), the same problem with fewer samples,
+// exists if the models on all records that are not skipped have an outline.
 class Joint final : public opt::DeviationProblem {
  public:
   Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);

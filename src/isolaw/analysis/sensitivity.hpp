@@ -12,7 +12,7 @@ namespace isolaw::analysis {
 
 struct Sensitivity {
   num::Vector residuals, weights;  // only for samples with a weight above 0
-  num::Matrix jacobian;            // samples x free parameters, by coordinates of the unit box
+  num::Matrix jacobian;            // d residual / d coordinate in the unit box; samples x free parameters
 };
 
 // Uses central differences inside the box. The column of a parameter is zero if one of its differences is not finite.

@@ -12,10 +12,10 @@ namespace isolaw::analysis {
 namespace {
 
 constexpr std::size_t per_cycle = 4000, cycles = 3;
-constexpr double inner_part = 0.8;  // of the amplitude: nearer to the peaks a force may change fast
+constexpr double inner_part = 0.8;  // share of the amplitude; nearer to the peaks, a plausible force may change fast
 
-// The sine, with a force of 1 kN per mm that stands for a measured one: the kernels give a law's difference from it,
-// and steady_cycles() adds it again. Any force would do that is not constant.
+// The sine motion as a record. Its force of 1 kN per mm stands for a measured force: the kernels compute the difference
+// between this force and a law's, from which steady_cycles() gets the law's force. Any force that varies would do.
 data::FitRecord sine(SteadyMotion const& motion) {
   data::FitRecord record;
   double const rate = 2.0 * std::numbers::pi / motion.period_s;

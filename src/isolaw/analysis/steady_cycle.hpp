@@ -21,8 +21,8 @@ struct SteadyCycle {   // the third cycle of a law with one set of parameters
   double damping = 0.0;       // energy / (2 pi K amplitude^2)
   double largest_kN = 0.0;    // the largest |force|
   double overshoot = 0.0;     // largest |force| / (|K| amplitude): 1 if the force is largest at the peaks
-  // The largest change of force between neighbouring samples, of which a cycle has 4,000, where |x| is below 0.8 of the
-  // amplitude. It is divided by |K| times the amplitude.
+  // The largest change of force between neighbouring samples where |x| is below 0.8 of the amplitude, divided by |K|
+  // times the amplitude. A cycle has 4,000 samples.
   double jump = 0.0;
 };
 

@@ -59,8 +59,8 @@ class Building {
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // A quantity of building.json as [law][draw][motion], NaN without a finite number. Throws Error for an unknown
-  // quantity.
+  // The values of a quantity of building.json as [law][draw][motion], row by row. A value is NaN if the run gave no
+  // finite number. Throws Error for an unknown quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
   // Throws Error if `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;
@@ -69,8 +69,8 @@ class Building {
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// Studies the building. With equal settings, motions and campaign the files are those of the command, byte by byte.
-// Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
+// Studies the building. With the same settings, motions and campaign, the files are the same, byte by byte, as those of
+// the command. Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

@@ -18,7 +18,7 @@
 namespace isolaw {
 namespace {
 
-// Measures of all draws as [law][draw][motion][measure], row by row as in NumPy.
+// The measured numbers of all draws as [law][draw][motion][measure], row by row as in NumPy.
 std::vector<double> measured_of_draws(building::Study const& study, building::RunStore const& store,
                                       std::size_t measures) {
   auto const cases = building::cases_of(study.file.settings);
@@ -36,7 +36,7 @@ std::vector<double> measured_of_draws(building::Study const& study, building::Ru
   return measures_of_draws;
 }
 
-// Throws Error if no run of any law was completed: there is nothing to report, and files of it would hold no numbers.
+// Throws Error if no run of any law was completed: the reports would hold no numbers.
 void require_results(building::Answers const& answers) {
   if (std::ranges::any_of(answers.laws, building::has_result)) return;
   std::vector<Complaint> complaints;

@@ -1,4 +1,5 @@
-// Studies a building on devices from a lot, for the command, Python and api/building.hpp. Not public: it needs Eigen.
+// Studies a building on devices from a lot, for the command, Python and api/building.hpp. The header is not installed,
+// because it needs Eigen.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +22,8 @@ inline constexpr char const* building_store_name = "building.sqlite";
 // names the campaign in messages. Throws Error for a law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
-// Builds the model of a study before anything is written. Throws Error if the building or the lot cannot be analysed.
+// Makes the model of a study's building and lot. Callers do this before they write anything, since it throws Error if
+// the building or the lot cannot be analysed.
 building::Model possible(building::Study const& study);
 
 struct BuildingWork {

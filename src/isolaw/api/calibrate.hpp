@@ -27,8 +27,8 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
   Continued continued = {};
 };
 
-// Reads the rule set and the letterhead if only the names of their files are given. Throws Error if one of them or the
-// design values are wrong.
+// Fills in `acceptance`: reads the rule set and the letterhead from their files if only the names of these are given.
+// Throws Error if one of them or the design values are wrong.
 void complete_acceptance(campaign::Acceptance& acceptance);
 // Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
 // except for a part. Returns what the store then holds, which is incomplete after an interruption.

@@ -73,7 +73,8 @@ DirectoryLock::~DirectoryLock() {
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                          LeftOut vertical) {
-  // Removes the old reports, then replaces the store. A kill between the two steps loses only reports of the old store.
+  // Removes the old reports, then replaces the store. If the process is killed in between, only the old reports are
+  // lost, and they can be written again from the old store.
   auto const create = [&] {
     campaign::Store::create(file, contents, [&] { render::remove_outputs(file.parent_path()); });
   };
@@ -85,8 +86,8 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
   campaign::sqlite::remove_unfinished(file);
   // Undoes what a killed process had begun to write to the store and keeps all that it had finished.
   campaign::campaign_store().fold_log(file);
-  // Checks a part for damage before it is continued, since isolaw merge will read it. SQLite reads a page that was cut
-  // off as if the missing bytes were zeros, and would notice nothing.
+  // Checks a part for damage before it is continued, since isolaw merge will read it. SQLite alone would not notice a
+  // page that was cut off: it reads the missing bytes as zeros.
   if (contents.part)
     if (auto const faults = campaign::sqlite::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

@@ -44,8 +44,8 @@ struct Continued {                      // how a campaign differs from the store
   std::string lost = {};  // a sentence if starting over replaced a damaged or empty file; else empty
 };
 
-// Whether a compression test that the store has, but the input lacks, is kept. It is kept if the user names records,
-// and dropped if a lot file leaves it out.
+// Decides what happens to a compression test that is in the store but not in the input. It stays if the user names
+// records on the command line; it goes if a lot file leaves it out.
 enum class LeftOut { stays, is_gone };
 
 // Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ. `contents` may

@@ -17,7 +17,7 @@ struct FittedLaw {
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int refinement = 1;                          // integration steps per sample that the fit used
-  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm; for a lot the largest of all devices
+  double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm of the device; for a lot, the largest one
   study::Ranges ranges = {};                   // displacements and velocities in the records that the law was fitted to
   std::optional<fit::AsSprings> springs = {};  // the springs around the circle that were fitted to the same records
   std::string part = {};                       // the part of the tests that the law was fitted to; empty for all
@@ -25,7 +25,8 @@ struct FittedLaw {
 
 using campaign::whole_lot;
 
-// Returns the law of a device, from its best run, or of the lot if `device` is `whole_lot`. Throws Error without a fit.
+// Returns the law as the best run fitted it to a device, or as it was fitted to the lot if `device` is `whole_lot`.
+// Throws Error if there is no such fit.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// Everything that a program needs of isolaw, in one header (examples/cpp/two_laws.cpp is an example):
+// The one header that a program includes to use isolaw (examples/cpp/two_laws.cpp is an example). It provides:
 //   data::read_record, data::read_motion     read files as laboratories write them, or refuse them with the reason
 //   data::cyclic_properties                  stiffness, damping, energy, cycle by cycle
 //   laws::catalogue, laws::find_law          the laws and their parameters
@@ -6,7 +6,7 @@
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective on a record
 //   calibrate, study::build_summary          fit laws to records; all numbers of the reports
 //   study_building                           shakes a building on bearings drawn from the lot
-//   CalibrateOptions::part, merge            compute one share of a campaign; make one campaign of all shares
+//   CalibrateOptions::part, merge            compute one share of a campaign; put all shares together
 // Units are kN, mm and s unless a name says otherwise; a law's parameters have the law's own units. Wrong input throws
 // one isolaw::Error. No function prints. The names in this list and the keys of summary.json are stable within a minor
 // version. Other headers are installed only because this one needs them, and the rest of their contents may change with

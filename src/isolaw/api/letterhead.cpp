@@ -19,7 +19,7 @@ constexpr long most_lines = 12;
 constexpr std::size_t largest_bytes = 1'000'000;
 
 struct Picture {
-  std::string_view ending, type, mark;  // `mark` is how the file begins; a file .svg has it anywhere
+  std::string_view ending, type, mark;  // a file begins with `mark`; an .svg file may have it anywhere
 };
 constexpr Picture pictures[]{{".svg", "image/svg+xml", "<svg"},
                              {".png", "image/png", "\x89PNG"},

@@ -20,13 +20,14 @@ struct MergeCallOptions {
 
 // Copies the runs of `parts` into `directory`, like the command `isolaw merge`, then makes analyses and reports. A part
 // is the directory of a calibrate() call with CalibrateOptions::part, or its store. The files are the same, byte by
-// byte, as those of a campaign without parts; after an interruption they are incomplete. Throws Error for a damaged
-// part and for a part of another campaign, build or instruction set. If parts or runs are missing, it copies all others
-// before it throws Error.
+// byte, as those of a campaign that was not divided into parts; after an interruption they are incomplete. Throws Error
+// for a damaged part and for a part of another campaign, build or instruction set. If parts or runs are missing, it
+// copies all others before it throws Error.
 campaign::Contents merge(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
                          MergeCallOptions const& options = {});
 
-// The first half of merge(), for callers that hold the lock. Missing runs go to options.missing and are no error.
+// The first half of merge(): copies the runs only. The caller holds the lock on the directory. A missing run is no
+// error here: options.missing is called for it.
 campaign::Merged merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                             std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
 // Returns `part` if it is a file, otherwise the file `name` in it. Throws Error if this is the store of `directory`.

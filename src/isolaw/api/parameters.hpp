@@ -22,8 +22,8 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // named after the law. Throws one Error for all values that are not numbers. It does not check the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Whether limits on several parameters together, such as K1 >= K2, are checked. They are left unchecked for parameters
-// from a search, because a search box may reach beyond such a limit.
+// Says whether limits on several parameters together, such as K1 >= K2, are checked. They are left unchecked for
+// parameters from a search, because a search box may reach beyond such a limit.
 enum class Together { checked, left };
 
 // Puts the values in the law's order. Parameters that are fixed by default may be missing. Throws one Error with all

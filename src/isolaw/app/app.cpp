@@ -78,7 +78,8 @@ std::string unit_ids() {
   return joined(unit_systems | std::views::transform(&UnitSystem::id));
 }
 
-// A command that writes no report takes no options for how reports look.
+// Adds the options of campaign::acceptance_table(). `reports` is false for a command that writes no report; it gets no
+// options for how reports look.
 void add_acceptance(CLI::App& c, Values& acceptance, bool reports = true) {
   for (auto const& option : campaign::acceptance_table()) {
     bool const is_look = option.key == "report-units" || option.key == "letterhead";
@@ -476,7 +477,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return commands.run_given();
 }
 
-// Who reads a failure as JSON: nobody, the program that gave --json, or the engine of isolaw's web page.
+// The reader of a failure as JSON: nobody, a program that runs isolaw with --json, or the engine of isolaw's web page.
 enum class Reader { none, program, engine };
 
 // The engine of isolaw's web page passes this word before the command. run() removes it.
@@ -551,7 +552,7 @@ int run(int argc, char** argv) {
   } catch (std::bad_alloc const&) {
     return fail_without_memory(reader);
   } catch (std::filesystem::filesystem_error const& error) {
-    // A path that the user gave and the system cannot follow, or a fault of the system.
+    // Either the user gave a path that the system cannot follow, or the system has a fault.
     bool const is_of_user = error.code() == std::errc::too_many_symbolic_link_levels ||
                             error.code() == std::errc::filename_too_long || error.code() == std::errc::not_a_directory;
     return fail(reader, is_of_user ? "input" : "system",

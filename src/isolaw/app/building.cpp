@@ -87,7 +87,8 @@ void say_motions(building::BuildingFile const& file, std::filesystem::path const
           : fmt::format(", which had scales from {:g} to {:g}; a [[motion]] in the file scales a motion", least, most));
 }
 
-// How the buildings of a law keep each limit, as a table.
+// A table of the limits, with one line each: the allowed value, the values of the nominal building and of the bounds,
+// the 95 % fractile of the draws, and the share of the draws that keep the limit.
 std::string limits_text(building::LawAnswer const& law, UnitSystem const& units) {
   auto text =
       fmt::format("{:<32} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "allowed", "nominal", "bounds", "95 %", "kept by");

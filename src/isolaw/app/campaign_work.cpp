@@ -54,7 +54,7 @@ bool CampaignWork::compute(campaign::Contents& contents, std::filesystem::path c
 int CampaignWork::write_reports(std::filesystem::path const& file, HowToWork const& how) {
   auto const& directory = how.directory;
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
-  // The summary is made from the store, as in `isolaw report`. Both commands thus print the same.
+  // Makes the summary from the store, as `isolaw report` does, so that both commands print the same.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
   // The time to draw figures is reported separately, because figures are for print and no part of the study.

@@ -22,7 +22,7 @@ struct HowToWork {
   bool json = false, details = false;
 };
 
-// Reported times count from the construction, so construct this when the command starts.
+// A command constructs this object when it starts, because reported times count from the construction.
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
@@ -31,7 +31,7 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Returns whether all runs and analyses are there. They may be, although an interruption was asked for.
+  // Returns whether all runs and analyses are there. They may be even if the user asked for an interruption.
   bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
   int write_reports(std::filesystem::path const& file, HowToWork const& how);
 

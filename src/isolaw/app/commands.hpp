@@ -52,7 +52,7 @@ struct PartsArguments {
   CalibrateArguments calibrate;                   // `inputs` stays empty: `lot` replaces it
   std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file
   std::vector<std::string> motions;
-  Values stated;                   // of the motions: from building::stated_table()
+  Values stated;                   // options of building::stated_table(), about the motions
   std::vector<std::string> given;  // names of all options given
   int count = 0;
   std::string to;  // one of part_script_kinds
@@ -101,8 +101,8 @@ struct ExportArguments {
   Values acceptance;  // options that change the bounds
   std::optional<std::string> units, name;
   std::optional<std::filesystem::path> out;    // empty: standard output
-  std::vector<std::filesystem::path> motions;  // of the ground, to compare a re-fit with the law
-  Values model, seed;                          // model: from programs::model_table(); seed: for the draws
+  std::vector<std::filesystem::path> motions;  // ground motions under which a re-fit is compared with the law
+  Values model, seed;                          // model: options of programs::model_table(); seed: for the draws
   bool anyway = false;                         // export despite objections
 };
 int export_law(ExportArguments const& arguments);
@@ -126,7 +126,7 @@ struct BuildingArguments {
   // `file`: BUILDING.toml; `from`: a campaign's directory; `out`: the directory for the results.
   std::optional<std::filesystem::path> file, from, out = {};
   std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
-  Values stated = {};                     // of the motions: from building::stated_table()
+  Values stated = {};                     // options of building::stated_table(), about the motions
   std::optional<int> jobs = {};
   std::optional<std::string> part = {};  // such as "3/40"
   std::optional<std::string> report_units = {};
@@ -142,8 +142,8 @@ int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Prints options as keyword parameters for Python: those that `which` names, singly or by the name of their table,
-// except those in `but`.
+// Prints options as keyword parameters for Python. `which` names single options or whole tables of options; `but` names
+// options that are left out.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 struct ExampleArguments {
   std::filesystem::path directory;

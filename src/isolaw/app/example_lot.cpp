@@ -1,6 +1,7 @@
-// Each force is the mean of jankowski, vaiana, hwang-wu and abe-y0 with a device's mean parameters (Cucuzza et al.
-// 2025, Table A.5), under three cycles of +-208 mm at 0.5 Hz, 100 samples per second. The path that the laws follow
-// includes the actuator's tremor but not the sensors' noise.
+// Computes the records of the example lot. Each force is the mean of the forces of jankowski, vaiana, hwang-wu and
+// abe-y0 with a device's mean parameters (Cucuzza et al. 2025, Table A.5), under three cycles of +-208 mm at 0.5 Hz,
+// 100 samples per second. The displacement that the laws follow includes the actuator's tremor but not the sensors'
+// noise.
 #include "isolaw/app/example_lot.hpp"
 
 #include <fmt/format.h>

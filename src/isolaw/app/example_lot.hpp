@@ -23,8 +23,8 @@ std::vector<TextFile> example_lot();
 // channel.
 std::vector<TextFile> example_tests();
 
-// The force of a law on a motion. A name in `parameters` that the law does not have is passed over; Table A.5 has a
-// parameter p that abe-y0 lacks. A parameter without a value has the one that is fixed by default, or 0.
+// The force of a law on a motion. Names in `parameters` that the law does not have are ignored, because Table A.5 has a
+// parameter p that abe-y0 lacks. A parameter that is not given gets its default value, or 0 if it has none.
 std::vector<double> force_of(std::string_view law_id, data::FitRecord const& motion,
                              std::map<std::string_view, double> const& parameters);
 

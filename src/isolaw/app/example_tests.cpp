@@ -1,6 +1,6 @@
-// The force is the mean, three parts to one, of power-masing-worn and bouc-wen, so that no law of the catalogue fits it
-// without error. Each bearing has its own stiffness. One is 23 % softer than the first, and the load cell of the last
-// test clips.
+// Computes the records of the example tests. Three quarters of the force come from power-masing-worn and one quarter
+// from bouc-wen, so that no law of the catalogue fits it without error. Each bearing has its own stiffness. One is 23 %
+// softer than the first, and the load cell of the last test clips.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,13 +23,13 @@ struct Plan {
 };
 
 struct Bearing {
-  double stiffness;     // over that of the first bearing
-  double scragging_kN;  // the part of the force that the first cycles remove, at 100 mm
+  double stiffness;     // divided by that of the first bearing
+  double scragging_kN;  // the part of the force at 100 mm that is lost in the first cycles
 };
 constexpr Bearing bearings[]{{1.0, 26.0}, {1.03, 30.0}, {0.97, 22.0}, {0.77, 24.0}, {1.015, 28.0}};
 constexpr std::size_t clipped = 4;  // index of the bearing whose force is clipped
 
-// Each amplitude is followed by a rest at zero.
+// The displacement in a test: cycles of each amplitude, followed by a rest at zero.
 data::FitRecord bearing_motion() {
   data::FitRecord record;
   auto const add = [&](double disp_mm) {

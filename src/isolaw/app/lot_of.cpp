@@ -71,7 +71,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
   std::vector<std::filesystem::path> files;
   for (auto const& input : inputs) {
     std::error_code none;
-    if (!std::filesystem::is_directory(input, none)) {  // reading the file says why it is none
+    if (!std::filesystem::is_directory(input, none)) {  // if there is no such file, the error comes when it is read
       files.push_back(input);
       continue;
     }
@@ -79,7 +79,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     std::vector<std::string> passed_over;
     for (auto const& entry : std::filesystem::directory_iterator(input)) {
       auto const name = entry.path().filename().string();
-      // A link that leads nowhere or in a circle is kept, so that reading it says so.
+      // Keeps a link that leads nowhere or in a circle, so that the user gets the error when it is read.
       std::error_code none;
       bool const is_dead_link = entry.is_symlink(none) && !entry.exists(none);
       if ((!entry.is_regular_file(none) && !is_dead_link) || name.starts_with('.')) continue;
@@ -206,7 +206,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
   }
   auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
-  if (same_device) campaign::make_one_device(lot);  // finds no facts that differ, since no record has been read yet
+  if (same_device) campaign::make_one_device(lot);  // compares no facts of records, since none has been read yet
   return lot;
 }
 

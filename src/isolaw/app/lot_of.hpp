@@ -23,7 +23,7 @@ void apply(Values const& given, campaign::Acceptance& acceptance);
 // Replaces a device's compression test by "DEVICE=FILE". Throws Error for an unknown device or one that is given twice.
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot);
 void apply(Values const& given, data::ReadOptions& options);
-void apply(Values const& given, campaign::DeviceInput& device);  // to the reading of all its tests
+void apply(Values const& given, campaign::DeviceInput& device);  // sets the reading options of all its tests
 
 // The directory for the results: --out, else `out` of the lot file, else out/<name of the lot>.
 std::filesystem::path output_directory(CalibrateArguments const& arguments, campaign::Lot const& lot);

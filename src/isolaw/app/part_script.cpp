@@ -14,7 +14,8 @@
 namespace isolaw::app {
 namespace {
 
-// Factor on estimated times. Processors may be slower, searches longer, and other jobs may run on the same machine.
+// Factor on estimated times, because processors may be slower, searches may take longer, and other jobs may run on the
+// same machine.
 constexpr double time_margin = 3.0;
 constexpr double least_minutes = 10.0;
 

@@ -34,11 +34,11 @@ void ProgressLine::show(campaign::Progress const& progress) {
   auto const now = Clock::now();
   auto const* what = progress.analysis ? "analyses" : "runs";
   bool const last = progress.done == progress.total;
-  // In a log file, a line now and then shows that a long search is still running.
+  // A log file gets a line every 30 s, to show that a long search is still running.
   auto const pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(30);
   if (terminal_ ? !last && now - last_ < pause : now - last_ < pause) return;
   last_ = now;
-  // Rounding down shows 100 % only when all work is done.
+  // Rounds down, so that 100 % is shown only when all work is done.
   auto const percent = static_cast<int>(100.0 * progress.share);
   if (!terminal_) {
     say("{} % done, {} left, {}/{} {}\n", percent, duration(progress.left_s), progress.done, progress.total, what);

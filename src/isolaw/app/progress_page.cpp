@@ -1,5 +1,5 @@
 // The browser version's progress lines, about five times per second. page/engine/progress.js reads them in this form:
-//   run LAW OBJECTIVE DEVICE       for each finished run, once, those of an earlier start too; DEVICE counts from 0
+//   run LAW OBJECTIVE DEVICE       once for each finished run, also of an earlier start; DEVICE counts from 0
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>
 

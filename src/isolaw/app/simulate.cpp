@@ -32,7 +32,7 @@
 namespace isolaw::app {
 namespace {
 
-constexpr int finest = 1000;  // most integration steps per sample
+constexpr int finest = 1000;  // the largest number of integration steps per sample
 
 double largest(std::vector<double> const& values) {
   double found = 0.0;
@@ -286,8 +286,8 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
         law.dead_band_mm));
   // The comparison below needs the law's own parameters. Parameters that were fitted to springs are different ones.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
-  // A figure of eight is sqrt(2) times as fast as a cycle of the same period. With a period sqrt(2) times as long, it
-  // becomes as fast as the user's motion.
+  // The largest speed on a figure of eight is sqrt(2) times that of a sine of the same period. With a period sqrt(2)
+  // times as long, it is that of the user's motion.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);

@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-struct Share {  // one spring or two mirrored springs; `force` is their share of the force along the test
+struct Share {  // one spring, or two at mirrored angles; `force` times the law's force is their force along the test
   LawOnMotion law;
   double force;
 };
@@ -29,7 +29,8 @@ class SpringsOnRecord {
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
       if (2 * i == count) continue;  // this spring is at right angles to the motion
-      // For an odd law, spring count - i gives the same force along the test as spring i, so spring i counts twice.
+      // For an odd law, the spring at count - i gives the same force along the test as the one at i. Spring i counts
+      // twice instead.
       bool const mirrored = law.info.traits.odd && i > 0;
       if (mirrored && 2 * i > count) break;
       auto motion = record;
@@ -43,7 +44,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  double objective_of_law(std::span<double const> parameters) const {  // not of springs
+  double objective_of_law(std::span<double const> parameters) const {  // of the law itself, without springs
     std::vector<double> work;
     return model_.objective(parameters, work);
   }

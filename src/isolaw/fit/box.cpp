@@ -12,8 +12,8 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades as a natural logarithm. If a logarithmic scale touches or spans zero, it covers the six decades below its
-// farther end.
+// Six decades as a natural logarithm. A logarithmic scale cannot reach zero. If an interval touches or spans zero, its
+// scale covers the six decades below the end that is farther from zero.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)

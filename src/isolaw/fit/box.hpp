@@ -29,8 +29,9 @@ struct Override {  // the option --set law.parameter=value|lower:upper|free|othe
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
 std::string limits_text(laws::Interval const& limits, std::string_view unit);  // for example "above 0 kN/mm"
-// Throws Error if the text has another form, the law or the parameter is unknown, lower >= upper, a value is outside
-// the physical limits, or the parameter is tied to itself or to a parameter of another unit.
+// Reads the text of one --set option. Throws Error if the text has another form, the law or the parameter is unknown,
+// lower >= upper, a value is outside the physical limits, or the parameter is tied to itself or to a parameter of
+// another unit.
 Override parse_override(std::string_view text);
 
 struct SearchParameter {
@@ -47,7 +48,8 @@ struct SearchParameter {
 
 struct SearchBox {
   std::vector<SearchParameter> parameters;  // all parameters of the law, in its order
-  // The point in the unit box of the free parameters that belongs to `values`, clamped into the box.
+  // Returns coordinate() of each free parameter for `values`, which hold all parameters of the law. expand() does the
+  // reverse: it writes the values of all parameters.
   std::vector<double> contract(std::span<double const> values) const;
 
   std::size_t free_count() const;
@@ -55,8 +57,8 @@ struct SearchBox {
 };
 
 // Gives a free parameter a logarithmic scale if the law asks for it, or if the ends of its interval differ by a factor
-// of `wide_interval` or more: on a linear scale, the last decade is 90 % of such an interval. Leaves intervals that
-// span zero as they are. A logarithmic scale that ends at zero covers six decades.
+// of `wide_interval` or more: on a linear scale, a search would spend 90 % of its points on the last decade. Leaves
+// intervals that span zero as they are. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.
@@ -64,17 +66,18 @@ inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-// A parameter's search interval with this bound moved outwards, within the physical limits: away from zero to ten times
-// its value, towards zero to a tenth, and from zero itself as far as the other bound is on the other side. nullopt if
-// the bound is a physical limit, or for AtBound::no.
+// Moves this bound of a parameter's search interval outwards, but not beyond the physical limit. A bound that moves
+// away from zero becomes ten times as large, and one that moves towards zero a tenth as large. A bound at zero becomes
+// minus the other bound. nullopt if the bound is a physical limit already, or for AtBound::no.
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);
-// The box with every bound at which one of `values` lies moved outwards, except physical limits and bounds that an
-// override states. nullopt if no bound moves.
+// Widens the box for parameters whose value in `values` lies at a bound: moves this bound as interval_beyond() does.
+// Intervals that an override states stay as they are. nullopt if no bound moves.
 std::optional<SearchBox> box_beyond(SearchBox const& box, laws::LawEntry const& law, std::span<double const> values,
                                     std::span<Override const> overrides);
-// Typical sizes of a record's quantities, in the units of the law. Throws Error for a record without samples.
+// Returns the record's largest displacement, stiffness and so on, in the units of the law. Throws Error for a record
+// without samples.
 laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const& law);
 // Makes the box for a law. If the paper has no interval for a parameter, BoxKind::published takes the interval of
 // BoxKind::scaled. Throws Error if a parameter is tied to a parameter that is tied itself.

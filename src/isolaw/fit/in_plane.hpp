@@ -10,7 +10,8 @@
 
 namespace isolaw::fit {
 
-// A motion from rest at the origin. It first goes straight to the first sample. Without times, velocities are empty.
+// A motion that starts at rest at the origin and goes straight to its first sample. If there are no times, vel_mm_s is
+// empty.
 struct PlaneMotion {
   std::vector<double> time_s;
   std::vector<laws::plane::Vector<double>> disp_mm, vel_mm_s;
@@ -33,7 +34,8 @@ struct OnAnEight {
   std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// One result for each extension that the law has: coupled, coupled with a peak along each axis, springs.
+// Returns one result for each extension that the law has: coupled, springs, and for a law that softens with the largest
+// displacement so far a second coupled one, in which each axis has its own largest displacement.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 struct Spread {  // the largest differences between the extensions, relative to the first extension's value
   double peak = 0.0, work = 0.0;

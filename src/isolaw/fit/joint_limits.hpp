@@ -1,5 +1,5 @@
-// Checks overrides and search boxes against joint limits: limits on several parameters of a law together
-// (laws/law.hpp). If only a part of a box meets a limit, the whole box is searched nevertheless.
+// Checks overrides and search boxes against joint limits: limits on several parameters of a law together, such as
+// K1 >= K2 (laws/law.hpp). If only a part of a box meets a limit, the search still uses the whole box.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Measures how long threads compute laws, for the profile of a campaign.
+// Measures how long threads compute laws, for the report on where a campaign's time went.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@ namespace isolaw::fit {
 // Time that the calling thread has spent in the laws' kernels [s]. The caller may reset it to zero.
 inline thread_local double kernel_time_s = 0.0;
 
-// Adds the lifetime of the object to kernel_time_s. Reading the steady clock takes about 40 ns; reading the clock of
-// processor time takes thirty times as long.
+// Adds the lifetime of the object to kernel_time_s. It reads the steady clock, which takes about 40 ns, because reading
+// the clock of processor time takes thirty times as long.
 class KernelTimer {
  public:
   KernelTimer() = default;

@@ -32,8 +32,8 @@ std::vector<double> at_samples(std::vector<double> const& values, std::span<std:
   return kept_values;
 }
 
-// Adds the weight of each dropped sample to the kept samples before and after it, more to the nearer one. Weighted sums
-// stay the same if dropped values lie on the lines between kept ones.
+// Divides the weight of each dropped sample between the kept samples before and after it; the nearer one gets more. A
+// weighted sum stays the same if the values at dropped samples lie on straight lines between those at kept ones.
 std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<double const> shares) {
   std::vector<double> kept_shares(kept.size(), 0.0);
   for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -49,10 +49,10 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
   return kept_shares;
 }
 
-// The weights of the samples, with the sum 1 if the total is not 0. Samples that are not scored have none.
+// The weights of the samples. Their sum is 1 if `total` is not 0. Samples that are not scored have the weight 0.
 struct Weights {
   std::vector<double> weight;
-  double total = 0.0;  // by time: the duration of the scored part
+  double total = 0.0;  // their sum before they were scaled; for weights by time the duration of the scored part
 };
 // Trapezoidal weights in time. Only intervals between two scored samples count.
 Weights time_weights(data::FitRecord const& record) {
@@ -69,9 +69,9 @@ Weights time_weights(data::FitRecord const& record) {
   for (double& w : result.weight) w /= result.total;
   return result;
 }
-// A record without weights of its own is weighted by time, and an interval has weight only if both of its ends are
-// scored. A record's own weights belong to samples: a sample at the edge of the scored part keeps all of its weight,
-// although half of it may stand for the interval outside.
+// Uses time_weights() for a record without weights of its own. A record's own weights belong to samples, not to
+// intervals: a sample at the edge of the scored part keeps all of its weight, although half of it may stand for the
+// interval outside.
 Weights weights_of(data::FitRecord const& record) {
   if (record.weights.empty()) return time_weights(record);
   Weights result{.weight = record.weights};

@@ -15,7 +15,7 @@
 
 namespace isolaw::fit {
 
-inline constexpr int shift_refinement = 20;  // integration_shift() computes this many steps where the fit takes one
+inline constexpr int shift_refinement = 20;  // integration_shift() makes this many steps for each step of the fit
 // The largest relative difference between the objectives that two machines compute for the same record and parameters;
 // the same limit holds for forces, relative to the peak force. Compilers, mathematical libraries and processors round
 // differently. `./isolaw.sh compilers` found 6e-14 for objectives and 1.2e-12 for forces (bouc-wen in x87 arithmetic;
@@ -45,8 +45,11 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   };
   std::span<Test const> tests() const { return tests_; }
 
-  std::vector<std::size_t> outline() const;  // indices of samples to keep: all just after reversals, fewer elsewhere
-  // The law on these samples, in rising order. A rate-independent law gives the same forces if all reversals are kept.
+  // Chooses samples for a faster, less exact evaluation and returns their indices: all samples just after a reversal of
+  // the motion, fewer elsewhere.
+  std::vector<std::size_t> outline() const;
+  // The law on these samples only; `samples` holds rising indices. If all reversals are among them, a rate-independent
+  // law gives the same forces there.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computes the force [kN] at every sample; not finite where the law has no finite force. `parameters` are in the
   // law's order and units; `force` has one element per sample. Thread-safe.
@@ -69,8 +72,8 @@ class LawOnRecord {
  public:
   // The law makes `refinement` equal steps from sample to sample. The object keeps no reference to the record. Throws
   // Error if the law needs velocities and the record has no time, or if the objective is undefined: fewer than two
-  // samples, no duration, no scored sample with a weight above 0, a constant force. A test without such a sample takes
-  // no part in the mean.
+  // samples, no duration, no scored sample with a weight above 0, a constant force. If the record has several tests,
+  // those without a scored sample of weight above 0 take no part in the mean.
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
@@ -78,7 +81,8 @@ class LawOnRecord {
   // beside it, and the objective therefore changes little. nullopt if over 3/4 of the samples would remain, or if the
   // law is integrated by the paper's method, whose error depends on the distance between samples.
   std::optional<LawOnRecord> outline() const;
-  std::vector<double> on_outline(std::span<double const> shares) const;  // moves all weights to the outline
+  // Moves the weights `shares` of all samples to the samples of outline(), in the same way.
+  std::vector<double> on_outline(std::span<double const> shares) const;
 
   laws::LawEntry const& law() const { return motion_.law(); }
   int refinement() const { return motion_.refinement(); }
@@ -110,22 +114,23 @@ class LawOnRecord {
   double integration_shift(std::span<double const> parameters) const;
 
  private:
-  void weigh();  // sets weight_
+  void weigh();  // sets weight_ from share_ and spread_
   double misfit(std::vector<double> const& force) const;
 
   LawOnMotion motion_;
   std::vector<double> measured_;  // in the law's unit of force
   std::vector<double> weight_;    // share_ / standard deviation of the measured force in the test
-  std::vector<double> share_;     // weight by time, swing or travel; sum over each test with a weight: 1 / their number
+  std::vector<double> share_;     // weight (by time, swing or travel) of a sample among those of all tests; sum 1
   std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 
-// The objective over the samples whose `scored` is not 0, for the forces of a law over the whole history: the mean over
-// the tests that have such samples. NaN if no scored sample has a weight or if the measured force is the same at all
-// scored samples of a test.
+// The objective of the forces `force_kN`, which are given at every sample, over the samples whose `scored` is not 0:
+// the mean over the tests that have such samples. NaN if no scored sample has a weight or if the measured force is the
+// same at all scored samples of a test.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
-// The search for a law's free parameters on a record, as a problem in the unit box. Keeps references to both arguments.
+// The search for a law's free parameters on a record, as a problem for the searches in opt/: each free parameter is a
+// coordinate in [0, 1]. Keeps references to both arguments.
 class IdentificationProblem final : public opt::DeviationProblem {
  public:
   IdentificationProblem(LawOnRecord const& model, SearchBox const& box);

@@ -18,7 +18,7 @@ struct Outlier {
   double percent = 0.0;  // 100 (value - median) / |median|; infinite if the median is zero
 };
 
-// The least standard deviation assumed for a property, as a share of |median|: one record does not determine a property
+// The smallest standard deviation that the score uses, as a share of |median|: one record does not determine a property
 // more exactly than that.
 inline constexpr double least_scatter = 0.005;
 // values[property][device] is NaN if the device does not have the property. A device is an outlier if the size of its

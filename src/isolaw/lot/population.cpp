@@ -18,7 +18,8 @@ using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double rounding = 1e-13;  // eigenvalues below this share of the largest one are rounding errors
-// Devices differ in a direction if the variance of the estimates exceeds that of their errors by this share of the sum.
+// Devices count as different in a direction if the variance of the estimates exceeds that of their errors by this share
+// of the sum of the two variances.
 constexpr double least_remainder = 1e-10;
 
 std::size_t as_size(Index i) {
@@ -127,10 +128,11 @@ std::vector<double> unit_direction(Vector v) {
   return plain(Vector(v[largest] < 0.0 ? -v : v));
 }
 
-// Computes the covariance Sigma between devices from S, that of the estimates, and C, that of their errors, by S x =
-// lambda C x. We solve S x = m T x with T = S + C and m = lambda / (1 + lambda) instead: m is between 0 and 1 even if C
-// and S are singular or zero. (lambda - 1) C becomes (2 m - 1) T. Division by the diagonal of T makes units irrelevant.
-// Directions in which T is zero are left out, since they have no scatter.
+// Computes the covariance Sigma between devices from the covariance S of the estimates and the covariance C of their
+// errors (see S x = lambda C x in population.hpp). It solves S x = m T x with T = S + C and m = lambda / (1 + lambda)
+// instead, because m is between 0 and 1 even if C and S are singular or zero. (lambda - 1) C becomes (2 m - 1) T.
+// Division by the diagonal of T makes units irrelevant. Directions in which T is zero are left out: they have no
+// scatter.
 Matrix between_devices(Matrix const& S, Matrix const& C, Population& population) {
   Vector const scale = or_one((S + C).diagonal().cwiseMax(0.0).cwiseSqrt());
   Vector const shrink = scale.cwiseInverse();
@@ -161,7 +163,8 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
   return scaled(sigma, scale);
 }
 
-// Variance of each parameter's error if all other parameters were known: 1 / (C^-1)_ii, near zero for a singular C.
+// Variance of each parameter's error if all other parameters were known: 1 / (C^-1)_ii. It may be near zero if C is
+// singular.
 Vector alone(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
   auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));
@@ -287,7 +290,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   auto const n = static_cast<Index>(names.size());
   auto const count = static_cast<double>(devices.size());
   Vector const first = transformed(population, devices.front()).at;
-  Vector mean = first;  // sums differences from `first`, so that equal devices have exactly zero scatter
+  Vector mean = first;  // the loop adds differences from `first`, so that equal devices have exactly zero scatter
   for (auto const& device : located) mean += (device.at - first) / count;
   population.mean = plain(mean);
   population.medians = physical(population, mean);
@@ -305,7 +308,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   population.uncertainty = plain(C);
   silence(S, C, undetermined);
   Matrix sigma = between_devices(S, C, population);
-  // Sets variances to zero that are only rounding errors, since they would lead to correlations.
+  // Sets variances that are only rounding errors to zero. Otherwise correlations would be computed from them.
   for (Index i = 0; i < n; ++i)
     if (sigma(i, i) <= 1e-12 * (S(i, i) + C(i, i))) {
       sigma.row(i).setZero();

@@ -2,13 +2,14 @@
 // scatter and correlation), and draws devices from it.
 // Model: in transformed coordinates (see Transform) the estimate of device d is theta_d = mu + b_d + e_d. The device
 // differs from the centre by b_d ~ N(0, Sigma); the error of its fit is e_d ~ N(0, C_d). The covariance S of the
-// estimates, with divisor devices - 1, has the expected value Sigma + C, where C is the mean of the C_d. Therefore
-// Sigma = S - C where this is positive: in the generalised eigenproblem S x = lambda C x, directions with lambda > 1
-// keep lambda - 1, and the others get no variance (Amemiya 1985, What should be done when an estimated between-group
-// covariance matrix is not nonnegative definite?). For equal C_d this is the Sigma of maximum likelihood. A direction
-// without variance is one in which the uncertainty of the fits explains all differences between devices.
-// Rejected: drawing each parameter by itself. The parameters' errors and true values are strongly correlated, so that
-// independent draws give devices unlike any tested device.
+// estimates, with divisor devices - 1, has the expected value Sigma + C, where C is the mean of the C_d. Sigma is
+// therefore estimated as S - C, as far as this is positive. The generalised eigenproblem S x = lambda C x gives the
+// directions x. A direction with lambda > 1 gets the variance lambda - 1 times that of C, the others get none
+// (Amemiya 1985, What should be done when an estimated between-group covariance matrix is not nonnegative definite?).
+// For equal C_d this is the Sigma of maximum likelihood. In a direction without variance, the uncertainty of the fits
+// explains all differences between devices.
+// Parameters are not drawn one by one: their errors and true values are strongly correlated, and independent draws
+// would give devices unlike any tested device.
 #pragma once
 
 #include <cstddef>
@@ -27,21 +28,22 @@ namespace isolaw::lot {
 // have one sign.
 enum class Transform { identity, logarithm };
 std::string_view name(Transform transform);
-// Returns logarithm if all values are finite, not zero and of one sign. The scatter is then relative, and no draw
-// changes the sign. Returns identity otherwise, and without values.
+// Returns logarithm if all values are finite, not zero and of one sign: the scatter is then relative, and no draw has
+// the other sign. Returns identity otherwise, and if there are no values.
 Transform transform_for(std::span<double const> values);
 
 using SquareMatrix = std::vector<std::vector<double>>;  // [row][column]
 
 struct DeviceEstimate {        // the fit of a law to one device, in the units of the parameters
   std::vector<double> values;  // [n], the best fit
-  // [n][n], covariance of the fit's error; empty means no error. For logarithms it becomes C_ij / (value_i value_j). It
-  // may be singular, and huge in directions that the test does not determine. Only its symmetric part is used.
+  // [n][n], covariance of the fit's error; empty means no error. It may be singular, and huge in directions that the
+  // test does not determine. Only its symmetric part is used. If parameters i and j are both transformed to logarithms,
+  // C_ij becomes C_ij / (value_i value_j).
   SquareMatrix covariance;
 };
 
-// A direction in which devices show no variance. Each transformed coordinate is divided by root(S_ii + C_ii), the
-// standard deviation from scatter and uncertainty together.
+// A direction in which devices show no variance. Its coordinates are the transformed ones, each divided by
+// root(S_ii + C_ii), the standard deviation from scatter and uncertainty together.
 struct Direction {
   std::vector<double> weights;  // [n], with length 1; the largest element is positive
   double ratio = 0.0;           // lambda: variance of the estimates / variance of their errors; at most 1
@@ -73,10 +75,11 @@ struct Population {
 // Estimates the population from names[n] and devices[d]; transform_for() chooses the transforms. One device gives a
 // mean without covariance, no device gives neither, and `note` says so. Throws one Error with all complaints: vectors
 // and matrices that do not fit names, values or squares of values that are not finite, and negative variances.
-// `undetermined` holds indices of parameters that no device's test determines. Such a parameter is left out of the
-// scatter if the variance of its estimates is at most that of its error with all other parameters known: its rows and
-// columns of S become zero. In a lot of a dozen devices, chance correlations with other parameters would otherwise give
-// it a scatter. If a law depends only on the product of two parameters, both are kept. Cost: n^3 + devices n^2.
+// `undetermined` holds indices of parameters that no device's test determines. The variance of such a parameter's
+// estimates is compared with the variance that its error would have if all other parameters were known. If it is not
+// larger, the row and column of S become zero, so that the parameter has no scatter. Otherwise chance correlations with
+// other parameters would give it a scatter in a lot of a dozen devices. If a law depends only on the product of two
+// parameters, both keep their scatter. Cost: n^3 + devices n^2.
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
@@ -88,16 +91,16 @@ struct Limits {  // physical limits of a parameter, in its units; the limits the
 struct Sample {
   SquareMatrix values;          // [count][n], in the units of the parameters
   std::size_t rejected = 0;     // number of draws outside the limits
-  std::size_t pulled_back = 0;  // devices with `most_tries` draws outside the limits
+  std::size_t pulled_back = 0;  // number of devices that were moved into the limits after `most_tries` draws outside
 };
 inline constexpr std::uint32_t most_tries = 100;
-// Draws `count` devices from N(mu, Sigma) as mu + Sigma^(1/2) z, with all parameters of a device together. The
-// symmetric root does not jump where eigenvalues coincide. Device i takes its random numbers from the places (i, try)
-// of the stream, so it does not depend on `count`. A draw outside `limits` (one pair per parameter, or none) is
-// repeated. After `most_tries` the last draw is moved towards the medians on a straight line in transformed
-// coordinates, which keeps to the directions in which devices differ. Many repeated or moved draws mean that the sample
-// is shaped by the limits and not by the tests. Throws Error for a population without covariance, for another number of
-// limits, and for medians outside the limits.
+// Draws `count` devices from N(mu, Sigma) as mu + Sigma^(1/2) z, with all parameters of a device together. The root is
+// the symmetric one, which does not jump where eigenvalues coincide. Device i takes its random numbers from the places
+// (i, try) of the stream, so it does not depend on `count`. A draw outside `limits` (one pair per parameter, or none)
+// is repeated. After `most_tries` the last draw is moved towards the medians on a straight line in transformed
+// coordinates, because this keeps to the directions in which devices differ. If many draws are repeated or moved, the
+// limits shape the sample more than the tests do. Throws Error for a population without covariance, if the number of
+// limits is wrong, and if a median is outside its limits.
 Sample sample(Population const& population, std::size_t count, num::Stream const& stream,
               std::span<Limits const> limits = {});
 

@@ -11,7 +11,7 @@
 namespace isolaw::lot {
 namespace {
 
-constexpr double near_zero = 1e-9;  // as a share of the largest value; sums of 10 to 1000 doubles have smaller errors
+constexpr double near_zero = 1e-9;  // share of the largest value; the rounding of sums of 10 to 1000 values is smaller
 
 bool all_finite(std::span<double const> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });

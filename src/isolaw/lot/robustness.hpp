@@ -12,8 +12,8 @@
 
 namespace isolaw::lot {
 
-// Difference of each device from the mean over devices in percent, 100 (mu_d - mean) / mean, Eq. (30). Positive if the
-// device's value has the larger magnitude. Empty if differences are undefined.
+// Difference of each device's value mu_d from the mean over devices in percent, 100 (mu_d - mean) / mean, Eq. (30).
+// Positive if mu_d is farther from zero than the mean. Empty if differences are undefined.
 std::vector<double> percent_differences(std::span<double const> device_means);
 // Delta_n of one parameter, Eqs. (29)-(30): the largest |mu_d - mean| / |mean|. nullopt for one device or if undefined.
 std::optional<double> largest_relative_difference(std::span<double const> device_means);

@@ -16,7 +16,7 @@
 namespace isolaw::wording {
 namespace {
 
-// The text that replaces {name} if the finding has `word` under this name. A word without a phrase is printed as it is.
+// {name} is replaced by `text` if the finding has `word` under this name. A word without a phrase is printed itself.
 struct Phrase {
   std::string_view name, word, text;
 };

@@ -15,13 +15,13 @@ constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view 
                        std::string_view text) {
   return {kind, key, topic, severity, action, grouping, appears, subject, text};
 }
-// A piece of an answer. It is printed only where code asks for this kind.
+// A row for a piece of an answer. It is printed only where code asks for this kind of finding.
 constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
 }
-// A doubt about the law that the answer names. Exports and other outputs that take this law from the campaign repeat
-// the doubt.
+// A row for a doubt about the law that the answer names. Exports and other outputs that take this law from the campaign
+// repeat the doubt.
 constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_view text) {
   return {kind,
           key,
@@ -34,13 +34,13 @@ constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_v
           text};
 }
 constexpr std::string_view look_at_records = "Look at the records";
-// A doubt about a record that affects all uses of its numbers.
+// A row for a doubt about a record that affects all uses of its numbers.
 constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, unsigned grouping, std::string_view text,
                     Sentence compose = nullptr) {
   constexpr unsigned places = in_report | with_law | with_building | on_certificate;
   return {kind, key, "record", severity, look_at_records, grouping, places, Subject::devices, text, compose};
 }
-// A fact about a record. It is printed only beside the record.
+// A row for a fact about a record. It is printed only beside the record.
 constexpr Row fact(FindingKind kind, std::string_view key, std::string_view text, Sentence compose = nullptr) {
   return {kind, key, "record", Severity::note, look_at_records, each_alone, anywhere, Subject::devices, text, compose};
 }
@@ -362,14 +362,14 @@ std::span<Row const> rows() {
       campaign(
           rotation_large, "rotation-large", "accuracy", serious, "Check the plan", each_alone, with_building, law,
           "the base rotates by {rotation_rad:2} rad under {motion}, and the analysis holds for small rotations, up to {limit_rad} rad."),
-      // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
+      // [exports] How the response of a building changes if a re-fit takes the place of a law (programs/response.hpp).
       campaign(
           refit_response_off, "refit-response-off", "re-fit", serious, "Use the law itself", each_alone, anywhere, law,
           "with {refit} in its place, a building's peak displacement is off by {disp_percent:+.1f} %[ ({disp_least_percent:+.1f} to {disp_most_percent:+.1f} %)] and its peak base shear by {shear_percent:+.1f} %[ ({shear_least_percent:+.1f} to {shear_most_percent:+.1f} %)] under {motions}. That is more than {allowed_percent} %: use the law itself, or allow for it in the design."),
       campaign(
           refit_response, "refit-response", "re-fit", note, "", each_alone, anywhere, law,
           "with {refit} in its place, a building's peak displacement is off by {disp_percent:+.1f} %[ ({disp_least_percent:+.1f} to {disp_most_percent:+.1f} %)] and its peak base shear by {shear_percent:+.1f} %[ ({shear_least_percent:+.1f} to {shear_most_percent:+.1f} %)] under {motions}."),
-      // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
+      // [records] Faults of the signals, and other reasons why a record has no cyclic properties.
       doubt(no_cyclic_properties, "no-cyclic-properties", serious, by_words, "no cyclic properties: {reason}"),
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
       doubt(signal_stuck, "signal-stuck", serious, by_words, "", wording::signal_stuck),

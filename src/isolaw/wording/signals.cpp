@@ -1,5 +1,6 @@
-// Sentences about the signals of records: faults that leave no cyclic properties, and effects of the measurement. One
-// sentence for several devices gives magnitudes as a range, but names the device of each sample, time or cycle.
+// Sentences about the signals of records: faults because of which no cyclic properties are computed, and effects of the
+// measurement. A sentence about several devices gives magnitudes as a range, but names the device of each sample, time
+// or cycle.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,7 +21,7 @@ bool is_outside(Group group) {
   return !group.front().word("outside").empty();
 }
 
-// Says how a fault affects the properties. It takes the blocks in which it lies, and leaves the others.
+// Says how a fault affects the properties: cycles of the blocks in which it lies do not count, cycles of others do.
 std::string of_no_use(Group group) {
   if (is_outside(group)) return std::string(outside_text);
   auto const& blocks = group.front().blocks;
@@ -32,7 +33,7 @@ std::string of_no_use(Group group) {
          taken;
 }
 
-// The range of the numbers `name`, whose unit is the end of that name, in the reader's units and without the unit.
+// The range of the numbers `name`, in the reader's units. `name` ends with the unit; the returned text has none.
 std::string range_in(UnitSystem const& units, Group group, std::string_view name, int digits = 3) {
   auto const factor = shown_unit(unit_of_name(name), units).factor;
   return range(group, name, [&](double value) { return number_text(factor * value, digits); });

@@ -1,5 +1,5 @@
-// The table of everything the program says besides numbers. It has a row for each kind of finding, and only here does a
-// finding become a sentence. Modelled on ccache's table of statistics and simdjson's table of errors.
+// The table of everything the program says besides numbers. It has a row for each kind of finding. Findings become
+// sentences only here. Modelled on ccache's table of statistics and simdjson's table of errors.
 #pragma once
 
 #include <span>
@@ -22,8 +22,8 @@ std::string_view name(Severity severity);
 // Findings of one kind share a sentence if they agree in the fields that are named here. With each_alone they never do.
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
-// The places where a kind of finding may appear. JSON holds every kind. For a function such as grouped(), the place
-// `anywhere` lets every kind appear. A row with `anywhere` appears in no place unless code asks for its kind.
+// The places where a kind of finding may appear. JSON holds every kind. In a row, `anywhere` means that the kind
+// appears only where code asks for it. As an argument of a function such as grouped(), it lets every kind appear.
 enum Appearance : unsigned {
   anywhere = 0,
   in_report = 1,       // terminal and page
@@ -62,7 +62,8 @@ std::string sentence(Finding const& finding, UnitSystem const& units = record_un
 // sentence() without the devices or the law at its start, for a place that names them already.
 std::string remark(Group group, UnitSystem const& units = record_units);
 std::string remark(Finding const& finding, UnitSystem const& units = record_units);
-// remarks() gives one remark for each finding, for a list. reasons() joins them into one text to follow a colon.
+// remarks() returns one remark for each finding, for a list. reasons() joins the remarks into one text, to be printed
+// after a colon.
 std::vector<std::string> remarks(std::vector<Finding> const& findings, UnitSystem const& units = record_units);
 std::string reasons(std::vector<Finding> const& findings, UnitSystem const& units = record_units);
 

@@ -34,7 +34,7 @@ struct PanelsOverDevices {
   double height_mm = 30.0;
   Margins margins;  // margins of a panel; the bottom excludes the devices' names
   int columns = 3;
-  std::string setting = {};  // a line of the script before the panels
+  std::string setting = {};  // a line of gnuplot's script that stands before the panels
 };
 using DrawPanel = std::function<void(DataTable&, Script&, std::size_t panel, DeviceAxis const&)>;
 // Makes a figure of panels that have the devices along their x axes. `draw` writes the data of a panel and plots them.

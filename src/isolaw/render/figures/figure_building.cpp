@@ -82,7 +82,7 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
           script.line("set arrow {0} from first {1},graph 0 to first {1},graph 1 nohead front ls {2} dt {3}", arrow,
                       number(factor * line.at), line.style, line.dash);
         else
-          script.line("unset arrow {}", arrow);  // that of the panel before would stay
+          script.line("unset arrow {}", arrow);  // otherwise the previous panel's arrow would stay
       }
       script.line("plot '{}.dat' index {} using 1:3:2 with boxes ls {} lw 0.5", name, panel, style_of(l));
     }

@@ -14,7 +14,7 @@ namespace {
 
 struct DeviceSpread {
   std::string device;
-  MaybeNumber mean, std, relative, percent;  // percent: difference of `mean` from the mean over the devices
+  MaybeNumber mean, std, relative, percent;  // relative: std / |mean|; percent: from the mean over the devices
 };
 using Spreads = std::vector<DeviceSpread>;
 

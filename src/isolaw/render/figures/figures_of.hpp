@@ -1,5 +1,5 @@
 // Each function makes the data and the script of one figure from the summary, or returns nothing if there are no data.
-// The study is Cucuzza et al. 2025, and the figures' numbers are those of that paper.
+// "The study" below means Cucuzza et al. 2025; Fig. 4 to Fig. 14 are figures of that paper.
 #pragma once
 
 #include <cstddef>

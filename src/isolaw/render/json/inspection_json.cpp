@@ -20,7 +20,8 @@ namespace {
 
 constexpr int inspection_schema = 1;
 
-// The choices made in reading, for a program that lets the user change them. `recognised` has a sentence for each.
+// Writes the choices that the reader of the file made, for a program that lets the user change them. The member
+// `recognised` has a sentence for each choice.
 void write_decisions(JsonWriter& out, data::TestRecord const& raw) {
   out.key("decisions").objects(raw.recognised, [&](Finding const& finding) {
     out.member("kind", wording::row(finding.kind).key);
@@ -29,7 +30,7 @@ void write_decisions(JsonWriter& out, data::TestRecord const& raw) {
   });
 }
 
-// The first samples and the range of each channel, for a reader who compares them with the file.
+// Writes the first samples and the range of each channel, for a person who compares them with the file.
 void write_values_read(JsonWriter& out, data::TestRecord const& raw) {
   auto const write = [&](std::string_view key, std::vector<double> const& values) {
     if (values.empty()) return;

@@ -66,7 +66,8 @@ void write_settings(JsonWriter& out, study::Summary const& summary);
 // reader all of them.
 using UnitSystems = std::span<UnitSystem const>;
 inline constexpr UnitSystems stored_units(unit_systems.data(), 1);
-// Writes what `say` says in each system: one text if it is the same in all, else {"said": [...]} with a text for each.
+// Writes the text that `say` returns for each system of units: one text if it is the same for all, otherwise
+// {"said": [...]} with a text for each.
 template <class Say>
 void write_said(JsonWriter& out, UnitSystems systems, Say const& say) {
   std::vector<std::string> texts;

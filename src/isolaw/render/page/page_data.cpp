@@ -121,8 +121,8 @@ void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& 
   out.end_array();
 }
 
-// Writes the parts of the record that the laws were fitted to, or null for the whole record, and the large swings that
-// laws predict from a fit to the small ones.
+// Writes the time ranges of the record that the laws were fitted to, or null for the whole record. Also writes those of
+// the large swings, which laws predict after a fit to the small swings.
 void write_parts(JsonWriter& out, DeviceResult const& device) {
   auto const& record = device.record;
   out.key("scored");
@@ -305,7 +305,7 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
                   wording::paragraph(verdict.findings, record_units, " ", false), "dominated_by", verdict.dominated_by);
   });
   write_findings(out, "warnings", found.warnings, wording::in_report, unit_systems);
-  // The places, in the list of warnings, of those that concern the answer.
+  // Writes the positions, in the list of warnings, of the warnings that concern the answer.
   std::uint64_t place = 0;
   out.key("answer_warnings").array(wording::grouped(found.warnings), [&](auto const& group) {
     if (found.recommendation && std::ranges::any_of(group, [&](Finding const& warning) {
@@ -330,7 +330,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   });
 }
 
-// The limits that decide the words of verdicts. The page states these numbers.
+// Writes the limits by which the words of verdicts are chosen. The page states these numbers.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
@@ -409,7 +409,7 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   });
   out.key("endings").array(
       result_units, [&](auto const& stored) { out.begin_array().value(stored.ending).value(stored.unit).end_array(); });
-  std::set<std::string_view> own{"o", "s", "from", "width"};  // parts of curves and of histograms
+  std::set<std::string_view> own{"o", "s", "from", "width"};  // starts with the keys inside curves and histograms
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)
       if (row.unit == study::own_unit) own.insert(row.key);

@@ -16,8 +16,9 @@ namespace isolaw::render {
 // 20,000.
 std::string page_data_json(Summary const& summary);
 
-// Writes into the open object how the page converts its numbers: the units of every system, the endings of keys that
-// name units, and the keys of numbers whose object names their unit. The page opens in the units `shown`.
+// Writes into the open object how the page converts its numbers: the units of every system, the endings of keys from
+// which the page reads the unit of a number, and the keys of numbers whose unit is a member of the same object. The
+// page opens in the units `shown`.
 void write_units(JsonWriter& out, UnitSystem const& shown);
 
 // The names to typeset on a page. write_notation() writes the markers of the laws and the symbols of these names into

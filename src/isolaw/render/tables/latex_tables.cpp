@@ -22,7 +22,8 @@ constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 constexpr std::string_view after_backslash = "&%$#_{}";
-// LaTeX prints a backquote before ? as another letter, and reads [ or * after a line break as an option.
+// Replacements for signs that LaTeX does not print as they are. It prints a backquote before ? as another letter, and
+// reads [ or * after a line break as an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},

@@ -13,7 +13,8 @@ namespace isolaw::render {
 // standard deviation over the runs for each device. The last column is the parameter's spread over the lot, Delta_n of
 // Eqs. (28)-(30). The cell of a bound that is scaled from each record says "per device"; summary.json has these bounds.
 std::string parameters_csv(Summary const& summary);
-// A row for each law and device, refused devices first: objective, runs, errors, shift, reason for a missing result.
+// A row for each law and device, refused devices first: objective, runs, errors of properties, integration error, and
+// the reason why a result is missing.
 std::string objective_csv(Summary const& summary);
 std::string robustness_csv(Summary const& summary);
 // After Table A.5 of Cucuzza et al. 2025: for each law and device the mean, the standard deviation over the runs and
