@@ -356,7 +356,8 @@ void add_simulate(Commands& commands) {
       "integration steps per sample (default 1; with --from the campaign's)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
       "how the law acts in two directions: coupled, by its own form for two directions, if it has one; springs, by springs around a circle");
-  add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
+  add(Heading::plane, "--second-disp", a.second_disp,
+      "column of the displacement in the second direction; --columns names that in the first");
   add(Heading::plane, "--softening", a.softening,
       "with --bidirectional coupled: the force softens with the largest distance from the origin so far (distance, default), or with the largest displacement so far along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
