@@ -338,7 +338,7 @@ inline constexpr Result<ParameterFit> parameter_results[]{
      "difference of `mean` from the mean of the device means, in percent of the magnitude by which `beta` divides",
      get<&ParameterFit::percent_of_lot>},
     {"tied_to", "", "", "the parameter whose value this one takes (option `--set`)", word<&ParameterFit::tied_to>},
-    {"paper_name", "", "in the paper", "its name in Tables 4 and A.5 of Cucuzza et al. 2025",
+    {"paper_name", "", "in the paper", "name of the parameter in Tables 4 and A.5 of Cucuzza et al. 2025",
      word<&ParameterFit::paper_name>},
 };
 
