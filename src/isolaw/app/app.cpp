@@ -307,9 +307,7 @@ void add_export(Commands& commands) {
   c.add_option("--device", a.device,
                "name of the device, or the word lot for the law that was fitted to all devices together")
       ->required();
-  c.add_option("--to", a.to,
-               "what to write: " + joined(programs::targets() | std::views::transform(&programs::Target::name)))
-      ->required();
+  c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
   add_acceptance(c, a.acceptance, false);
   c.add_option("--units", a.units,
                fmt::format("units of the file: {} (default: the units of the campaign's reports)", unit_ids()));
