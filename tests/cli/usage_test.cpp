@@ -120,7 +120,7 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
   EXPECT_TRUE(contains(said({"laws", "abe", "vaiana"}), "isolaw: vaiana: one argument too many"));
   EXPECT_TRUE(contains(said({"calibrate"}), "isolaw calibrate: inputs is required; try: isolaw calibrate --help"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--runs", "many"}),
-                       "isolaw: --runs: 'many' is not a whole number; allowed: independent runs"));
+                       "isolaw: --runs: 'many' is not a whole number; allowed: number of independent searches"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--jobs", "5000"}), "isolaw: --jobs: '5000' is not allowed; allowed: "));
   EXPECT_TRUE(contains(said({"inspect", "x", "--dt", "fast"}), "isolaw: --dt: 'fast' is not a number"));
   EXPECT_TRUE(contains(said({"sample", "x", "--law", "abe", "--count", "99999999999"}),

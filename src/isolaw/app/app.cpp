@@ -102,13 +102,14 @@ void add_allow_outside(CLI::App& c, bool& allow_outside) {
 void add_figures(CLI::App& c, std::string& figures) {
   under(
       Heading::running,
-      c.add_option("--figures", figures,
-                   "figures for print, with data and gnuplot scripts: lot (default), all (each device too), or none"));
+      c.add_option(
+          "--figures", figures,
+          "which figures for print to write, with data and gnuplot scripts: lot (default), all (also those of every device), or none"));
 }
 
 void add_jobs(CLI::App& c, std::optional<int>& jobs) {
-  auto const help =
-      fmt::format("threads, 0 to {} (default 0: one per core); results do not depend on it", campaign::most_jobs);
+  auto const help = fmt::format("number of threads, 0 to {} (default 0: one per core); the results do not depend on it",
+                                campaign::most_jobs);
   under(Heading::running, c.add_option("--jobs", jobs, help))
       ->check(CLI::Range(0, campaign::most_jobs).description(""));
 }
@@ -150,7 +151,7 @@ void add_printing(CLI::App& c, bool& json, bool& details) {
 
 void add_seed(CLI::App& c, Values& seed) {
   auto option = *campaign::find_setting("seed");
-  option.help = "seed of the draws (default: the campaign's)";
+  option.help = "seed of the random draws (default: the campaign's)";
   option.heading = Heading::model;
   add_option(c, option, seed);
 }
@@ -194,10 +195,10 @@ class Commands {
 };
 
 void add_calibrate(Commands& commands) {
-  auto const [c, a] =
-      commands.add<CalibrateArguments>("calibrate", "Fit laws to the test of every device: statistics, ranking, report",
-                                       "isolaw calibrate d01.csv d02.csv --out out/lot",
-                                       [&](auto const& arguments) { return calibrate(arguments, commands.line()); });
+  auto const [c, a] = commands.add<CalibrateArguments>(
+      "calibrate", "Fit laws to the tests of every device, compare the laws, and write a report",
+      "isolaw calibrate d01.csv d02.csv --out out/lot",
+      [&](auto const& arguments) { return calibrate(arguments, commands.line()); });
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   add_campaign(c, a);
   add_part(c, a.part);
@@ -219,7 +220,7 @@ void add_init(Commands& commands) {
 
 void add_inspect(Commands& commands) {
   auto const [c, a] = commands.add<InspectArguments>(
-      "inspect", "Show what records hold and how they were read: cycles, properties, verdicts, the lot",
+      "inspect", "Show how records were read, their cycles and properties, and the verdicts on devices and lot",
       "isolaw inspect d01.csv d02.csv --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208", inspect);
   c.add_option("inputs", a.inputs, "a lot file (.toml), test records, or a directory of them")->required();
   add_reading(c, a.read);
@@ -231,12 +232,12 @@ void add_inspect(Commands& commands) {
   c.add_flag("--json", a.json, "print inspection.json instead of text");
   c.add_flag(
       "--details", a.details,
-      "also print the skeleton curve, bilinear loops, and how energy, stiffness and residual displacement go on");
+      "also print the skeleton curve, bilinear loops, and energy, stiffness and residual displacement of each cycle");
 }
 
 void add_report(Commands& commands) {
   auto const [c, a] = commands.add<ReportArguments>(
-      "report", "Write summary, tables and page again from a campaign's store",
+      "report", "Write the summary, tables and page of a campaign again from its store",
       "isolaw report out/lot --rules ntc-2018 --design K_eff=0.62,damping=19.5,disp=208", report);
   c.add_option("directory", a.directory, a_campaign)->required();
   add_acceptance(c, a.acceptance);
@@ -253,10 +254,10 @@ void add_merge(Commands& commands) {
   c.add_option("directory", a.directory, "directory of the whole campaign or study")->required();
   c.add_option(
       "parts", a.parts,
-      "directories of the parts, in any order; without them, merge analyses and reports the campaign in the directory once all of its runs are there, or prints the verdict of the building study there");
+      "directories of the parts, in any order. Without parts, merge makes the analyses and reports of the campaign in the directory, once all of its runs are there; for a building study it prints the verdict");
   c.add_option(
       "--part", a.part,
-      "K/N, such as 3/40: make only the third of 40 shares of the analyses. First these are a share of the devices; when every device is analysed, repeat the command for a share of the lot's laws");
+      "K/N, such as 3/40: analyse only the third of 40 shares of the devices. When all devices are analysed, the same option fits only a share of the laws to the whole lot");
   add_jobs(c, a.jobs);
   add_figures(c, a.figures);
   c.add_flag("--copy-only", a.copy_only,
@@ -276,31 +277,31 @@ void add_parts(Commands& commands) {
   c.add_option("lot", a.lot, "a lot file (.toml), or a directory of records; with --campaign a building file")
       ->required();
   c.add_option("count", a.count, "number of parts; two or three for each thread are usual")->required();
-  c.add_option(
-       "--to", a.to,
-       "program that runs the parts: " + joined(part_script_kinds) +
-           " (the option of reading with this name, which reads a record only up to a time, is the key `to` of a lot file here)")
+  c.add_option("--to", a.to,
+               "program that runs the parts: " + joined(part_script_kinds) +
+                   " (to read records only up to some time, use the key `to` of a lot file)")
       ->required();
   c.add_option("--campaign", a.campaign,
                "for a building file: directory of the campaign whose lot supplies the bearings");
-  c.add_option("--motion", a.motions, "for a building file: motions, as in isolaw building");
+  c.add_option("--motion", a.motions,
+               "for a building file: motions to use instead of the file's, as in isolaw building");
   for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   add_campaign(c, a.calibrate);
 }
 
 void add_sample(Commands& commands) {
-  auto const [c, a] =
-      commands.add<SampleArguments>("sample", "Draw devices from the lot's distribution of a law's parameters, as CSV",
-                                    "isolaw sample out/lot --law bouc-wen --count 1000 > devices.csv", sample);
+  auto const [c, a] = commands.add<SampleArguments>(
+      "sample", "Draw random devices from the lot's population, and print a law's parameters for each as CSV",
+      "isolaw sample out/lot --law bouc-wen --count 1000 > devices.csv", sample);
   c.add_option("directory", a.directory, a_campaign)->required();
   c.add_option("--law", a.law, "id of the law")->required();
-  c.add_option("--count", a.count, "devices to draw (default 100)");
+  c.add_option("--count", a.count, "number of devices to draw (default 100)");
   add_seed(c, a.seed);
 }
 
 void add_export(Commands& commands) {
   auto const [c, a] = commands.add<ExportArguments>(
-      "export", "Write a fitted law for an analysis program, with a check of it",
+      "export", "Write a fitted law for an analysis program, in a file that can check itself",
       "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl", export_law);
   c.add_option("directory", a.directory, a_campaign)->required();
   c.add_option("--law", a.law, "id of the law")->required();
@@ -309,21 +310,22 @@ void add_export(Commands& commands) {
       ->required();
   c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
   add_acceptance(c, a.acceptance, false);
-  c.add_option("--units", a.units, fmt::format("{} (default: the units of the campaign's reports)", unit_ids()));
+  c.add_option("--units", a.units,
+               fmt::format("units of the file: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--name", a.name,
-               fmt::format("name of the namespace and the commands in the file: letters, digits and _, at most {} "
-                           "(default: isolaw, the law, the campaign, the device and the units)",
+               fmt::format("name of what the file defines (namespace, commands): letters, digits and _, at most {} "
+                           "(default: made of isolaw, the law, the campaign, the device and the units)",
                            programs::longest_name));
   c.add_option(
       "--motion", a.motions,
-      "files of the ground's acceleration, AT2 or columns with units, under which a re-fit is compared with the "
-      "law (default: --ground-motion, or artificial motions)");
+      "ground motions under which a re-fitted material is compared with the law: AT2 files, or columns with units "
+      "(default: --ground-motion, or artificial motions)");
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");
   c.add_flag(
       "--anyway", a.anyway,
-      "export even if the law's prediction is unusable, its force is not possible, or the program's own material is far off");
+      "export even if the law's prediction is unusable, its force is not possible, or the program's own material differs too much from the law");
 }
 
 void add_simulate(Commands& commands) {
@@ -333,7 +335,7 @@ void add_simulate(Commands& commands) {
   c.add_option("law", a.law, "id of a law (isolaw laws lists them)")->required();
   c.add_option("--motion", a.motion, "file of the displacement history, read like a record; force is not needed")
       ->required();
-  c.add_option("--from", a.from, "directory of the campaign that fitted the law, with --device");
+  c.add_option("--from", a.from, "directory of the campaign that fitted the law; needs --device");
   c.add_option("--device", a.device,
                "with --from: name of the device, or the word lot for the law that was fitted to all devices together");
   c.add_option("--parameters", a.parameters,
@@ -343,7 +345,7 @@ void add_simulate(Commands& commands) {
   add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help += "; by default the campaign's with --from";
+    option.help += "; with --from the default is that of the campaign";
     add_option(c, option, a.how);
   }
   auto const add = [&command = c](Heading heading, char const* name, auto& value, char const* help) {
@@ -352,12 +354,13 @@ void add_simulate(Commands& commands) {
   add(Heading::search, "--refinement", a.refinement,
       "integration steps per sample (default 1; with --from the campaign's)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
-      "for a motion in two directions: coupled, if the law has such a form; springs: springs around a circle");
-  add(Heading::plane, "--second-disp", a.second_disp, "column of the second displacement; --columns names the first");
+      "how the law acts in two directions: coupled, by its own form for two directions, if it has one; springs, by springs around a circle");
+  add(Heading::plane, "--second-disp", a.second_disp,
+      "column of the displacement in the second direction; --columns names that in the first");
   add(Heading::plane, "--softening", a.softening,
-      "with coupled, what softens the force: the largest distance from the origin so far (distance, default), or the largest displacement so far along each axis (axis)");
+      "with --bidirectional coupled: the force softens with the largest distance from the origin so far (distance, default), or with the largest displacement so far along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
-      "parameters that --bidirectional springs takes: fitted (to the springs) or given (the law's own); default: fitted with --from if the campaign has such a fit and --set changes nothing, otherwise given");
+      "with --bidirectional springs: the springs have parameters fitted for springs (fitted) or the law's own (given); default: fitted if the campaign of --from has such a fit and --set changes nothing, otherwise given");
   c.add_option("--out", a.out, "file to write (default: standard output)");
   c.add_flag("--anyway", a.anyway,
              "with --from: simulate even if the law's prediction is unusable or its force is not possible");
@@ -365,26 +368,27 @@ void add_simulate(Commands& commands) {
 
 void add_building(Commands& commands) {
   auto const [c, a] = commands.add<BuildingArguments>(
-      "building", "Analyse an isolated building with bearings drawn from the lot, and its bound analyses",
+      "building",
+      "Analyse an isolated building with bearings drawn at random from the lot, and with lower and upper bounds",
       "isolaw building building.toml --from out/lot",
       [&](auto const& arguments) { return building(arguments, commands.line()); });
   c.add_option("file", a.file, "a building file (isolaw building --template prints one)");
   c.add_option("--from", a.from, "directory of the campaign whose lot supplies the bearings");
   c.add_option(
       "--motion", a.motions,
-      "motions to use instead of the file's, as they are, without its scales: FILE, or FILE,FILE for two components; several may follow");
+      "ground motions to use, unscaled, instead of those of the building file: FILE, or FILE,FILE for two components; several may follow");
   for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   c.add_option("--out", a.out, "directory for the results (default out/building)");
   add_jobs(c, a.jobs);
   add_part(c, a.part);
-  c.add_option(
-      "--report-units", a.report_units,
-      fmt::format("units of what reports show: {} (default: the units of the campaign's reports)", unit_ids()));
-  c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
+  c.add_option("--report-units", a.report_units,
+               fmt::format("units that reports show: {} (default: the units of the campaign's reports)", unit_ids()));
+  c.add_option("--figures", a.figures,
+               "which figures for print to write, with data and gnuplot scripts: lot (default), or none");
   c.add_flag("--nominal", a.nominal,
-             "compute only the nominal building: its response to every motion over time, as CSV");
+             "compute only the nominal building, and write its response to every motion over time as CSV");
   c.add_flag("--arrange", a.arrange,
-             "also print where to put each tested device for the least eccentricity of stiffness");
+             "also print where to put each tested device so that the eccentricity of stiffness is smallest");
   c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");
   c.add_flag("--json", a.json, "print building.json");
@@ -399,14 +403,14 @@ void add_rules(Commands& commands) {
       commands.add<Arguments>("rules", "List the rule sets, print one, or print a template to write your own",
                               "isolaw rules template > contract.toml",
                               [](auto const& arguments) { return list_rules(arguments.name, arguments.json); });
-  c.add_option("name", a.name, "a rule set, or template");
+  c.add_option("name", a.name, "name of a rule set, or the word template");
   c.add_flag("--json", a.json, "print the list as JSON");
 }
 
 void add_bench(Commands& commands) {
   auto const [c, json] = commands.add<bool>(
-      "bench", "Print a signature of the computed numbers and the speed of every law on this machine", "isolaw bench",
-      bench);
+      "bench", "Print the speed of every law on this machine, and a checksum (signature) of the computed numbers",
+      "isolaw bench", bench);
   c.add_flag("--json", json, "print JSON");
 }
 

@@ -35,15 +35,16 @@ std::string together(laws::LawEntry const& law) {
 }
 void print_markdown() {
   fmt::print(
-      "# The laws\n\nFrom the laws' own files, by `./isolaw.sh docs`. x displacement, v velocity, F force, in the law's own units; a step goes from one\nsample to the next, and what is not said starts at zero. *Paper*: the box of Table 4; `isolaw laws ID` says the same. A history that\nstarts elsewhere than at zero displacement finds the device virgin there; a law that remembers its path takes the way there from zero\nas its first motion. Analysis programs start at zero.\n\nA law that remembers turning points keeps at most {} whose loops are still open. Records have a few tens of them. After thousands of\nshrinking turns the law drops those that change the force least, and until the motion has grown out again its force differs by up to\n0.4 % of the peak.\n",
+      "# The laws\n\nEvery law with its formula and parameters, as `isolaw laws ID` prints it; `./isolaw.sh docs` writes this page. In the formulas x is the\ndisplacement, v the velocity and F the force, in the law's own units. dx and -> stand for a step from one sample to the next. A state\nstarts at zero unless the formula says otherwise. The column *paper* has the bounds of Table 4 of Cucuzza et al. 2025. If a history\nstarts at another displacement than zero, the device is virgin there. A law that remembers its path then takes the way from zero to\nthis displacement as its first motion. Analysis programs start at zero.\n\nA law that remembers turning points keeps at most {} whose loops are still open. Records have a few tens of them. After thousands of\never smaller turns the law drops those that change the force least. Its force then differs by up to 0.4 % of the peak, until the\nmotion has grown again.\n",
       laws::OpenBranches::most);
   for (auto const& law : laws::catalogue()) {
-    fmt::print("\n## {}: {}\n\n{}. Units {}, {}, s; {}{}; of `--laws {}`.\n\n```\n{}\n```\n\n", law.info.id,
-               plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,
-               law.info.length.symbol,
-               law.info.traits.rate_independent ? "needs displacement alone" : "needs displacement and time",
-               law.info.traits.remembers ? fmt::format("; remembers {}", laws::memory_of(law.info)) : "",
-               laws::name(law.info.set), law.info.formula);
+    fmt::print(
+        "\n## {}: {}\n\nSource: {}. Units: {}, {}, s. The law {}{}. `--laws {}` includes it.\n\n```\n{}\n```\n\n",
+        law.info.id, plain_markdown(law.info.title), plain_markdown(law.info.source), law.info.force.symbol,
+        law.info.length.symbol,
+        law.info.traits.rate_independent ? "needs displacement alone" : "needs displacement and time",
+        law.info.traits.remembers ? fmt::format(" and remembers {}", laws::memory_of(law.info)) : "",
+        laws::name(law.info.set), law.info.formula);
     if (!law.info.note.empty()) fmt::print("{}\n", render::wrapped("", plain_markdown(law.info.note), 0, 120));
     fmt::print("| parameter | unit | meaning | paper |\n|---|---|---|---|\n");
     for (auto const& p : law.parameters)
@@ -51,7 +52,7 @@ void print_markdown() {
                  plain_markdown(in_the_paper(p)),
                  p.fixed_by_default ? fmt::format("; fixed at {:g} unless freed", *p.fixed_by_default) : "",
                  markdown_interval(p.published));
-    if (!law.joint_limits.empty()) fmt::print("\nTogether: {}.\n", plain_markdown(together(law)));
+    if (!law.joint_limits.empty()) fmt::print("\nThe parameters must satisfy {}.\n", plain_markdown(together(law)));
   }
 }
 

@@ -50,7 +50,7 @@ std::vector<FileKey> make_keys() {
   using F = FileTables;
   constexpr bool required = true;
   constexpr std::string_view stands_help =
-      "draw: a device drawn from the lot; lot: the lot's law; lower, upper: that law times the factor above; or the name of a tested device";
+      "draw: a device drawn at random from the lot; lot: the law of the lot; lower, upper: the law of the lot with its force times that factor; or the name of a tested device";
   Limits const within{.least = -1e4, .most = 1e4}, many{.least = 1, .most = 200};
   std::vector<FileKey> keys;
   std::string_view table;
@@ -86,7 +86,7 @@ std::vector<FileKey> make_keys() {
   keys.back().decides = false;
   keys.push_back({{{.key = "laws",
                     .kind = Kind::list,
-                    .help = "laws to compare, by id; an empty list: the one that the campaign recommends"},
+                    .help = "ids of the laws to compare; an empty list means the law that the campaign recommends"},
                    [](F const& f) -> Json { return f.building.laws; },
                    [](F& f, Json const& value) {
                      auto& laws = f.building.laws;
@@ -99,18 +99,20 @@ std::vector<FileKey> make_keys() {
                    }},
                   table});
   keys.back().decides = false;
-  real("draws", "buildings to draw; each draws a device of its own for every bearing marked draw",
+  real("draws", "number of buildings to draw; in each, every bearing marked draw is a device drawn at random",
        settings(&Settings::draws), {.least = 1, .most = 1e6});
-  real("populations", "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
+  real("populations",
+       "number of lots estimated again at random, to see how uncertain the lot is after few tests; 0: none",
        settings(&Settings::populations), {.least = 0, .most = 1e4});
-  real("draws_of_each", "buildings to draw from each of these lots", settings(&Settings::draws_of_each),
+  real("draws_of_each", "number of buildings to draw from each of these lots", settings(&Settings::draws_of_each),
        {.least = 2, .most = 1e4});
   real("seed", "seed of all draws", settings(&Settings::seed), {.least = 0, .most = 2147483647});
   real("damping", "damping ratio of every mode of the superstructure on a fixed base", settings(&Settings::damping),
        {.least = 0.0, .most = 0.5});
   real("lower", "factor on the force of every bearing in the lower bound analysis", settings(&Settings::lower),
        {.least = 0.05, .most = 1.0}, required);
-  real("upper", "and in the upper bound analysis", settings(&Settings::upper), {.least = 1.0, .most = 20.0}, required);
+  real("upper", "factor on the force of every bearing in the upper bound analysis", settings(&Settings::upper),
+       {.least = 1.0, .most = 20.0}, required);
   real("step_s", "longest integration step", settings(&Settings::step_s), {.least = 1e-5, .most = 0.05});
   real("rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
        settings(&Settings::rest_s), {.least = 0.0, .most = 120.0});
@@ -123,20 +125,21 @@ std::vector<FileKey> make_keys() {
   centre(&F::base);
 
   table = floors_info.name;
-  real("count", "floors above the base slab", at(&F::floors, &EqualFloors::count),
+  real("count", "number of floors above the base slab", at(&F::floors, &EqualFloors::count),
        {.least = 0, .most = static_cast<double>(floor_info.most)}, required);
   slab(&F::floors);
   real("period_x_s", "first period on a fixed base", at(&F::floors, &EqualFloors::period_x_s), positive(100.0),
        required);
   real("period_y_s", "", at(&F::floors, &EqualFloors::period_y_s), positive(100.0), required);
-  real("rotation_ratio", "frequency of the first torsional mode over the lower of these two",
+  real("rotation_ratio",
+       "frequency of the first torsional mode divided by the lower of the first frequencies along x and y",
        at(&F::floors, &EqualFloors::rotation_ratio), positive(100.0));
 
   table = floor_info.name;
   slab(&F::floor);
   centre(&F::floor);
-  real("stiffness_x_kN_per_mm", "stiffness of the storey below it", at(&F::floor, &FloorRow::stiffness_x_kN_per_mm),
-       positive(1e12), required);
+  real("stiffness_x_kN_per_mm", "stiffness of the storey below the floor",
+       at(&F::floor, &FloorRow::stiffness_x_kN_per_mm), positive(1e12), required);
   real("stiffness_y_kN_per_mm", "", at(&F::floor, &FloorRow::stiffness_y_kN_per_mm), positive(1e12), required);
   real("stiffness_rotation_GNm", "torsional stiffness in GN m per radian, about its centre of stiffness",
        at(&F::floor, &FloorRow::stiffness_rotation_GNm), positive(1e12), required);
@@ -144,8 +147,9 @@ std::vector<FileKey> make_keys() {
   real("stiffness_at_y_m", "", at(&F::floor, &FloorRow::stiffness_at_y_m), within);
 
   table = grid_info.name;
-  real("along", "bearings along x, centred on the plan", at(&F::grid, &GridRow::along), many, required);
-  real("across", "and along y", at(&F::grid, &GridRow::across), many, required);
+  real("along", "number of bearings along x; the grid is centred on the plan", at(&F::grid, &GridRow::along), many,
+       required);
+  real("across", "number of bearings along y", at(&F::grid, &GridRow::across), many, required);
   real("spacing_x_m", "", at(&F::grid, &GridRow::spacing_x_m), positive(1e3), required);
   real("spacing_y_m", "", at(&F::grid, &GridRow::spacing_y_m), positive(1e3), required);
   text("is", stands_help, at(&F::grid, &GridRow::is));
@@ -158,13 +162,14 @@ std::vector<FileKey> make_keys() {
   table = plan_info.name;
   real("left_m", "edges of the slab along x", at(&F::plan, &PlanRow::left_m), within, required);
   real("right_m", "", at(&F::plan, &PlanRow::right_m), within, required);
-  real("front_m", "and along y", at(&F::plan, &PlanRow::front_m), within, required);
+  real("front_m", "edges of the slab along y", at(&F::plan, &PlanRow::front_m), within, required);
   real("back_m", "", at(&F::plan, &PlanRow::back_m), within, required);
 
   table = motion_info.name;
   text("x", "file of the ground acceleration along x: AT2, or columns with units", at(&F::motion, &MotionRow::x),
        required);
-  text("y", "and along y; leave out for a single component", at(&F::motion, &MotionRow::y));
+  text("y", "file of the ground acceleration along y; leave it out for a single component",
+       at(&F::motion, &MotionRow::y));
   real("scale", "factor on both accelerations", at(&F::motion, &MotionRow::scale), positive(1e3));
   for (auto& stated : data::stated_options<F>("step_s", "unit", at(&F::motion, &MotionRow::stated)))
     keys.push_back({std::move(stated), table});

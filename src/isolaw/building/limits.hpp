@@ -23,9 +23,10 @@ struct LimitInfo {
 };
 inline constexpr LimitInfo limit_rows[]{
     {"bearing_mm", "isolator_mm", &ResponseLimits::bearing_mm, "largest displacement that a bearing may have"},
-    {"clearance_mm", "corner_mm", &ResponseLimits::clearance_mm, "free way of the base, which its corners may use"},
+    {"clearance_mm", "corner_mm", &ResponseLimits::clearance_mm,
+     "displacement for which a corner of the base has room"},
     {"base_shear_over_weight", "shear_over_weight", &ResponseLimits::base_shear_over_weight,
-     "force on all bearings over the weight"},
+     "sum of the forces of all bearings, divided by the weight"},
     {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
      "acceleration of any floor or of the base"},
 };

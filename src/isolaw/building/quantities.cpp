@@ -14,7 +14,7 @@ double largest(std::span<double const> measured, std::size_t first, std::size_t 
 }
 
 constexpr std::string_view alike =
-    "the bound analyses take every bearing alike, and so without the torsion of unequal ones";
+    "the bound analyses take all bearings alike, so that they lack the torsion of unequal bearings";
 constexpr Quantity quantity_rows[]{
     {"isolator_mm", "bearing displacement", "mm", "largest displacement of any bearing",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::isolator); }},
@@ -23,28 +23,30 @@ constexpr Quantity quantity_rows[]{
     {"corner_mm", "corner displacement", "mm", "largest displacement of a corner of the base",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::corner); }},
     {"corner_over_centre", "corner over centre", "-",
-     "corner displacement over centre displacement, which torsion raises",
+     "corner displacement divided by centre displacement; torsion makes it larger",
      [](Layout const&, std::span<double const> m, double) {
        return ratio(measure_of(m, Measure::corner), measure_of(m, Measure::centre));
      },
      alike},
     {"rotation_mrad", "rotation", "mrad", "largest rotation of the base",
      [](Layout const&, std::span<double const> m, double) { return 1e3 * measure_of(m, Measure::rotation); }, alike},
-    {"residual_mm", "residual displacement", "mm", "displacement of the centre when the rest after the motion ends",
+    {"residual_mm", "residual displacement", "mm",
+     "displacement of the base's centre of mass at the end of the analysis, some seconds after the motion",
      [](Layout const&, std::span<double const> m, double) { return measure_of(m, Measure::end); }},
-    {"shear_over_weight", "base shear over weight", "-", "largest sum of the bearings' forces over the weight",
+    {"shear_over_weight", "base shear over weight", "-", "largest sum of the bearings' forces, divided by the weight",
      [](Layout const&, std::span<double const> m, double weight) { return measure_of(m, Measure::shear) / weight; }},
     {"base_acceleration_g", "base acceleration", "g", "largest acceleration of the base slab in space, at samples",
      [](Layout const& l, std::span<double const> m, double) { return m[l.acceleration(0)] / data::gravity_mm_s2; }},
-    {"roof_acceleration_g", "roof acceleration", "g", "of the highest floor",
+    {"roof_acceleration_g", "roof acceleration", "g", "largest acceleration of the highest floor",
      [](Layout const& l, std::span<double const> m, double) {
        return m[l.acceleration(l.floors)] / data::gravity_mm_s2;
      }},
-    {"floor_acceleration_g", "floor acceleration", "g", "largest of any floor or of the base",
+    {"floor_acceleration_g", "floor acceleration", "g", "largest acceleration of any floor or of the base",
      [](Layout const& l, std::span<double const> m, double) {
        return largest(m, l.acceleration(0), l.floors + 1) / data::gravity_mm_s2;
      }},
-    {"storey_shear_over_weight", "storey shear over weight", "-", "largest shear of any storey over the whole weight",
+    {"storey_shear_over_weight", "storey shear over weight", "-",
+     "largest shear of any storey, divided by the whole weight",
      [](Layout const& l, std::span<double const> m, double weight) {
        return largest(m, l.storey_shear(0), l.floors) / weight;
      }},
@@ -52,7 +54,8 @@ constexpr Quantity quantity_rows[]{
      [](Layout const& l, std::span<double const> m, double) { return largest(m, l.drift(0), l.floors); }},
     {"energy_kNm", "work on bearings", "kN m", "work done on the bearings",
      [](Layout const&, std::span<double const> m, double) { return 1e-3 * measure_of(m, Measure::hysteretic); }},
-    {"worst_energy_share", "largest share of work", "-", "share of the work that the bearing with the most takes",
+    {"worst_energy_share", "largest share of work", "-",
+     "share of the work on all bearings that the bearing with the largest work takes",
      [](Layout const& l, std::span<double const> m, double) {
        return ratio(largest(m, l.energy(0), l.bearings), measure_of(m, Measure::hysteretic));
      },

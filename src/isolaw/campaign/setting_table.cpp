@@ -94,7 +94,7 @@ Setting dead_band() {
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
       number<S>("dead-band", "ignore reversals smaller than this, in mm", place,
-                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times each record's noise"}));
+                {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times the noise of each record"}));
 }
 
 Setting blocks(std::string_view key, std::string help, data::Numbers data::Selection::*numbers) {
@@ -124,25 +124,30 @@ std::vector<Setting> make_settings() {
       {{{.key = "laws",
          .kind = Kind::list,
          .help =
-             "laws to fit: usual (default: those that isolaw laws lists as paper or usual), paper, all, or ids from isolaw laws, such as bilinear,bouc-wen",
+             "laws to fit: usual (default; all that isolaw laws lists as paper or usual), paper, all, or ids such as bilinear,bouc-wen",
          .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
-      {word<S>("method", "best (default): descents from many starts; ga: the paper's genetic algorithm", at(&S::method),
-               methods)},
-      {word<S>("integration",
-               "converged (default): independent of the sampling; paper: one Runge-Kutta step per sample",
-               at(&S::integration), integrations)},
-      {word<S>("turning-points",
-               "sampled (default): reversals lie at samples; interpolated: between them, for smooth records",
-               at(&S::turning_points), turnings)},
-      {number<S>("runs", "independent runs per law and device", at(&S::runs), {.least = 1, .most = 1e5}, "2; ga: 20")},
+      {word<S>(
+          "method",
+          "how parameters are searched: best (default), by descents from many starts; ga, by the genetic algorithm of the paper",
+          at(&S::method), methods)},
+      {word<S>(
+          "integration",
+          "how laws are integrated: converged (default), independent of the sampling; paper, by one Runge-Kutta step per sample",
+          at(&S::integration), integrations)},
+      {word<S>(
+          "turning-points",
+          "where the motion turns: sampled (default), at a sample; interpolated, between samples, for records with little noise",
+          at(&S::turning_points), turnings)},
+      {number<S>("runs", "number of independent searches for each law on each device", at(&S::runs),
+                 {.least = 1, .most = 1e5}, "2; ga: 20")},
       // The upper limits keep the number of evaluations within an int. The limit of selection_pressure keeps the
       // weights above zero with which the genetic algorithm selects parents.
-      {number<S>("population", "with --method ga: individuals", at(&S::genetic, &Ga::population),
+      {number<S>("population", "with --method ga: number of individuals", at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
-      {number<S>("generations", "with --method ga: generations, counting the initial one",
+      {number<S>("generations", "with --method ga: number of generations, counting the initial one",
                  at(&S::genetic, &Ga::generations), {.least = 1, .most = 20'000}),
        ga},
       constant("mutation_rate", &Ga::mutation_rate, {.least = 0, .most = 1}),
@@ -170,7 +175,7 @@ std::vector<Setting> make_settings() {
       {{{.key = "set",
          .kind = Kind::repeated,
          .help =
-             "fix a parameter (bilinear.K2=0.6), limit it (=0.5:0.7), free it (=free) or tie it (=K1); may be repeated"},
+             "fix a parameter (bilinear.K2=0.6), limit it (bilinear.K2=0.5:0.7), search it although it is fixed by default (=free), or give it the value of another (=K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
       {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
@@ -180,7 +185,7 @@ std::vector<Setting> make_settings() {
       dead_band(),
       {word<S>(
            "weights",
-           "how samples count in the fit: by time; by swing, so that large swings count more; by travel; auto (default): by swing, but by time where all swings are alike, with --method ga and with --box published",
+           "how samples count in the fit: time, by their time; swing, by the size of their swing; travel, by the distance moved; auto (default), by time if all swings are alike, with --method ga and with --box published, otherwise by swing",
            at(&S::clean, &Clean::weights), weightings),
        {},
        false,
@@ -188,23 +193,23 @@ std::vector<Setting> make_settings() {
       blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
              &data::Selection::blocks),
       blocks("fit-cycles",
-             "fit laws only to these cycles of each block, such as 2- to leave out scragging (default all)",
+             "fit laws only to these cycles of each block, such as 2- to leave out the first cycle (default all)",
              &data::Selection::cycles),
       blocks("score-blocks",
              "with --fit-blocks: blocks that the fitted laws must predict, for example 3 or 3-5 (default all others)",
              &data::Selection::predicted),
       {word<S>(
            "analysis",
-           "full (default): intervals, parameters left open, one law for the lot, errors on devices left out; or none",
+           "full (default): also find which parameters the tests determine, their intervals, one law for the lot, and errors on devices left out of the fit; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
       // A 95 % interval leaves 2.5 % of the replicates outside at each end: one of forty, so forty are needed.
-      {number<S>("replicates", "bootstrap fits for the intervals", at(&S::replicates),
+      {number<S>("replicates", "number of bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},
       {word<S>(
            "bidirectional",
-           "springs: for building, also fit laws without a coupled two-dimensional form as springs; or none (default)",
+           "springs: also fit spring models, which isolaw building uses, for laws that have no coupled two-dimensional form; or none (default)",
            at(&S::springs), in_the_plane)
            .under(Heading::analysis),
        {},
@@ -236,7 +241,7 @@ void set_rules(Acceptance& to, Json const& value) {
 
 Option<Acceptance> alike(std::string_view key, std::string_view what, std::optional<double> Alike::*member,
                          double usual) {
-  auto help = fmt::format("{} by which tests of devices may differ and still be of one condition", what);
+  auto help = fmt::format("for a verdict on the lot: allowed difference between the tests in {}", what);
   return number<Acceptance>(key, std::move(help), at(&Acceptance::alike, member), {.least = 0, .most = 1000},
                             fmt::format("{}", usual))
       .under(Heading::acceptance);
@@ -244,7 +249,7 @@ Option<Acceptance> alike(std::string_view key, std::string_view what, std::optio
 
 std::vector<Option<Acceptance>> make_acceptance() {
   auto const unless_empty = [](std::string const& text) { return text.empty() ? Json() : Json(text); };
-  auto report_units = word<Acceptance>("report-units", "units of what reports show: kN-mm (default), N-m or kip-in",
+  auto report_units = word<Acceptance>("report-units", "units that reports show: kN-mm (default), N-m or kip-in",
                                        at(&Acceptance::report_units), unit_ids)
                           .under(Heading::everyday);
   report_units.get = [](Acceptance const& a) {
@@ -264,8 +269,8 @@ std::vector<Option<Acceptance>> make_acceptance() {
         .heading = Heading::everyday},
        [=](Acceptance const& a) { return unless_empty(a.design); },
        set_design},
-      number<Acceptance>("lot-size", "devices in the production lot, tested or not", at(&Acceptance::lot_size),
-                         {.least = 1, .most = 1e7})
+      number<Acceptance>("lot-size", "number of devices in the production lot, tested or not",
+                         at(&Acceptance::lot_size), {.least = 1, .most = 1e7})
           .under(Heading::acceptance),
       report_units,
       {{.key = "letterhead",
@@ -277,10 +282,12 @@ std::vector<Option<Acceptance>> make_acceptance() {
          to.letterhead_file = text_in(value);
          to.letterhead.clear();
        }},
-      alike("alike-temperature-C", "degrees Celsius", &Alike::temperature_C, Alike::own_temperature_C),
-      alike("alike-frequency-percent", "percent of frequency", &Alike::frequency_percent, Alike::own_frequency_percent),
-      alike("alike-load-percent", "percent of vertical load", &Alike::load_percent, Alike::own_load_percent),
-      alike("alike-amplitude-percent", "percent of amplitude", &Alike::amplitude_percent, Alike::own_amplitude_percent),
+      alike("alike-temperature-C", "temperature, in degrees Celsius", &Alike::temperature_C, Alike::own_temperature_C),
+      alike("alike-frequency-percent", "frequency, in percent", &Alike::frequency_percent,
+            Alike::own_frequency_percent),
+      alike("alike-load-percent", "vertical load, in percent", &Alike::load_percent, Alike::own_load_percent),
+      alike("alike-amplitude-percent", "amplitude, in percent", &Alike::amplitude_percent,
+            Alike::own_amplitude_percent),
   };
 }
 

@@ -97,7 +97,7 @@ Reading thousands() {
 
 Reading date_order() {
   return one_of(
-      "date-order", "dmy or mdy: order of day and month in dates like 03/04/2024",
+      "date-order", "order of day and month in dates like 03/04/2024: dmy or mdy",
       {date_order_word(DateOrder::day_first), date_order_word(DateOrder::month_first)},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.date_order ? std::optional(date_order_word(*from.date_order)) : std::nullopt;
@@ -118,7 +118,7 @@ Reading footer() {
 
 Reading missing() {
   return one_of(
-      "missing", "leave-out or interpolate: what to do with rows in which a channel has no value",
+      "missing", "what to do with rows in which a channel has no value: leave-out or interpolate",
       {"leave-out", "interpolate"},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         if (from.missing == MissingValues::refused) return std::nullopt;
@@ -185,10 +185,10 @@ std::vector<Reading> make_table() {
   return {
       by_channel(
           "columns",
-          "column of each channel, by name or number: time=1,disp=Travel,force=3; FILE:COLUMN if in another file",
+          "column of each channel, by name or number: time=1,disp=Travel,force=3; FILE:COLUMN takes a column of another file",
           &R::columns, parse_columns),
       by_channel("units", "units that the files do not state: disp=cm,force=tonf,time=s", &R::units, parse_units),
-      by_channel("channel-scale", "number of units that a value of 1 in the file is: disp=0.01 for hundredths",
+      by_channel("channel-scale", "factor on the values of a channel: disp=0.01 if the file has hundredths of the unit",
                  &R::scales, parse_scales),
       {number<R>("dt", "sampling interval of files without a time column", at(&R::dt_s),
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})
@@ -209,13 +209,16 @@ std::vector<Reading> make_table() {
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
       repair(),
       skew(),
-      correction("rig-friction", "subtract this friction of the rig, kN", &C::friction_kN, "rig_friction_kN"),
+      correction("rig-friction", "subtract a friction force of the rig of this size, in kN", &C::friction_kN,
+                 "rig_friction_kN"),
       correction("rig-friction-coefficient",
-                 "subtract friction of the rig as this share of the vertical load, such as 0.005",
+                 "subtract a friction force of the rig that is this share of the vertical load, such as 0.005",
                  &C::friction_coefficient),
-      correction("moving-mass", "subtract the inertia of this mass between device and load cell, kg",
+      correction("moving-mass",
+                 "subtract the inertia force of this mass, which moves between device and load cell, in kg",
                  &C::moving_mass_kg, "moving_mass_kg"),
-      correction("force-factor", "multiply the force: by 0.5 if the rig shears two devices", &C::force_factor),
+      correction("force-factor", "multiply the force by this number, such as 0.5 if the rig shears two devices at once",
+                 &C::force_factor),
   };
 }
 

@@ -46,11 +46,13 @@ struct BoucWen {
       {&Params<T>::A,
        parameter("A", "1", "amplitude of the hysteretic variable (redundant with Ke, beta, gamma, alpha)", positive,
                  Interval{1.0, 2.0}, {0.5, 2.0, one})},
-      {&Params<T>::beta, parameter("beta", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075},
-                                   {0.05, 60.0, per_disp}, Scale::logarithmic)},
+      {&Params<T>::beta,
+       parameter("beta", "1/mm^n", "shape of the loop; its term changes sign from loading to unloading", any_value,
+                 Interval{0.025, 0.075}, {0.05, 60.0, per_disp}, Scale::logarithmic)},
       {&Params<T>::n, parameter("n", "1", "sharpness of yielding", positive, Interval{1.0, 1.25}, {0.5, 2.0, one})},
       {&Params<T>::gamma,
-       parameter("gamma", "1/mm^n", "shape of the loop", any_value, Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
+       parameter("gamma", "1/mm^n", "shape of the loop; its term has the same sign in loading and unloading", any_value,
+                 Interval{0.025, 0.075}, {-20.0, 60.0, per_disp})},
   });
 
   // reduced() returns parameters that give the same forces as `p`, with A = 1, so that dz/dx = 1 at z = 0.

@@ -44,7 +44,7 @@ struct Gallardo {
           "uy dz/dx = 1 - |z|^n (B s + 1 - B - phi (1 + s)),   s = sgn(z dx)\n"
           "phi = phimax (1 - exp(-pphi |xt - uy| / uy)) from where z passes 0, xt the last turn before; 0 until then",
       .note =
-          "Made for high damping rubber bearings. Where pm is below 1, the softening by C^pm has no bounded slope on the first way back from a new side's peak: noise in a hold there may move the force visibly, unless the dead band keeps it out. The forces of the published programs depend on the step, by 0.1 % of the peak force at a hundred steps a leg; this law is their limit for small steps. One of the programs has the opposite sign of a2. |xt - uy| at a turn is as published: it makes mirrored motions differ, most after turns within a few yield displacements. a2 (whose k2 fades within the first motion), fs2, ps2 and B are fixed unless freed; all 17 parameters can be freed. On a record that softens as a power of its amplitude, a1 and fs1 grow together as ps1 falls, until the search box stops them. Beyond the tests the first push to a new amplitude grows with x^5: fitted to a bearing's 152 mm and 264 kN, the law gives 665 kN at twice and 3900 kN at five times that displacement, and 463 and 817 kN in settled loops.",
+          "Made for high damping rubber bearings. If pm is below 1, the softening by C^pm has an infinite slope when the device first comes back from a peak on a new side. Noise in a hold there may move the force visibly, unless the dead band keeps the noise out. The forces of the published programs depend on the step, by 0.1 % of the peak force with a hundred steps from one turn to the next; this law is their limit for small steps. One of the programs has the opposite sign of a2. The term |xt - uy| is as published. Because of it a mirrored motion gives another force, above all after turns within a few yield displacements. a2, fs2, ps2 and B are fixed unless you free them. On a record that softens as a power of its amplitude, a1 and fs1 grow together as ps1 falls, until the search box stops them. Beyond the tests the force of the first push to a new amplitude grows with x^5. Fitted to a bearing that was tested to 152 mm and 264 kN, the law gives 665 kN at twice and 3900 kN at five times that displacement; in later cycles it gives 463 and 817 kN.",
       .step_cost = 451};
 
   template <class T>
@@ -60,30 +60,33 @@ struct Gallardo {
                                  std::nullopt, {0.0, 5.0, coefficient_at_reference<3>}, Scale::linear, 0.0)},
       {&Params<T>::a3, parameter("a3", "kN", "elastic force of the fifth power of x, at 100 mm", any_value,
                                  std::nullopt, {0.05, 500.0, coefficient_at_reference<5>}, Scale::logarithmic)},
-      {&Params<T>::fs1, parameter("fs1", "1", "softening of the whole elastic force with G", not_negative, std::nullopt,
-                                  {0.05, 5.0, rate_at_reference}, Scale::logarithmic)},
+      {&Params<T>::fs1, parameter("fs1", "1", "rate at which the whole elastic force softens with G", not_negative,
+                                  std::nullopt, {0.05, 5.0, rate_at_reference}, Scale::logarithmic)},
       {&Params<T>::ps1, parameter("ps1", "1", "exponent of fs1's softening", positive, std::nullopt, {0.05, 1.5, one})},
-      {&Params<T>::fs2, parameter("fs2", "1", "further softening of the cubic part with G", not_negative, std::nullopt,
-                                  {10.0, 40.0, rate_at_reference}, Scale::linear, 20.0)},
+      {&Params<T>::fs2, parameter("fs2", "1", "rate at which the cubic part softens further with G", not_negative,
+                                  std::nullopt, {10.0, 40.0, rate_at_reference}, Scale::linear, 20.0)},
       {&Params<T>::ps2, parameter("ps2", "1", "exponent of fs2's softening", positive, std::nullopt, {0.1, 1.0, one},
                                   Scale::linear, 0.3)},
-      {&Params<T>::fs3, parameter("fs3", "1", "further softening of the fifth power with G", not_negative, std::nullopt,
-                                  {0.1, 10.0, rate_at_reference}, Scale::logarithmic)},
+      {&Params<T>::fs3, parameter("fs3", "1", "rate at which the part of the fifth power softens further with G",
+                                  not_negative, std::nullopt, {0.1, 10.0, rate_at_reference}, Scale::logarithmic)},
       {&Params<T>::ps3, parameter("ps3", "1", "exponent of fs3's softening", positive, std::nullopt, {0.05, 1.5, one})},
-      {&Params<T>::fm, parameter("fm", "1", "softening of the linear part with C", not_negative, std::nullopt,
+      {&Params<T>::fm, parameter("fm", "1", "rate at which the linear part softens with C", not_negative, std::nullopt,
                                  {0.005, 1.0, rate_at_reference}, Scale::logarithmic)},
       {&Params<T>::pm, parameter("pm", "1", "exponent of fm's softening", positive, std::nullopt, {0.05, 1.5, one})},
       {&Params<T>::uy,
        parameter("uy", "mm", "yield displacement", positive, std::nullopt, {0.002, 0.2, disp}, Scale::logarithmic)},
       {&Params<T>::fy,
        parameter("fy", "kN", "hysteretic force at z = 1", not_negative, std::nullopt, {0.05, 2.0, strength})},
-      {&Params<T>::B, parameter("B", "1", "shape of the loop: above 1/2 unloading is stiffer than the first slope",
-                                positive, std::nullopt, {0.6, 1.0, one}, Scale::linear, 1.0)},
+      {&Params<T>::B,
+       parameter("B", "1", "shape of the loop: if it is above 1/2, unloading is stiffer than the first loading",
+                 positive, std::nullopt, {0.6, 1.0, one}, Scale::linear, 1.0)},
       {&Params<T>::n, parameter("n", "1", "sharpness of yielding", positive, std::nullopt, {0.15, 1.0, one})},
       {&Params<T>::phimax,
        parameter("phimax", "1", "largest temporary hardening", Interval{0.0, 0.49}, std::nullopt, {0.0, 0.3, one})},
-      {&Params<T>::pphi, parameter("pphi", "1", "growth of the hardening with the last turn, in yield displacements",
-                                   not_negative, std::nullopt, {0.001, 0.2, one}, Scale::logarithmic)},
+      {&Params<T>::pphi,
+       parameter("pphi", "1",
+                 "rate at which the hardening grows with the displacement of the last turn, in yield displacements",
+                 not_negative, std::nullopt, {0.001, 0.2, one}, Scale::logarithmic)},
   });
 
   // With B <= phimax, unloading from the strongest branch would come to rest before z passes 0.

@@ -26,7 +26,7 @@ struct HistoryIntegral {
           "F = K (M/100)^(g-1) x/100 + S ((1 - s) q1 + s q2),   M the largest |x| so far\n"
           "dq1 = (dx - q1 |dx|)/D,   dq2 = (dx - q2 |dx|)/(u D)",
       .note =
-          "Made for high damping rubber. Commercial programs do not publish how they soften it with amplitude: the elastic force here is that of power-masing. For a single memory fix s at 0; u then has no effect. With g = 1 as well the law is vaiana with straight limit curves, which analysis programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested amplitude the hysteretic force stays the same, while the elastic force is 2^g and 5^g times as large. Tremor relaxes the force; the dead band keeps tremor out. After a turn the force follows within the length of the quick memory, which may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
+          "Made for high damping rubber. Commercial programs do not publish how they soften it with amplitude: the elastic force here is that of power-masing. To have a single memory, fix s at 0; u then has no effect. With g = 1 as well the law is vaiana with straight limit curves, which analysis programs have. The strength S does not grow with amplitude: at 2 and 5 times the tested amplitude the hysteretic force stays the same, while the elastic force is 2^g and 5^g times as large. Tremor makes the force relax; the dead band keeps tremor out. After a turn the force changes within the length of the quick memory. This length may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
       .step_cost = 125};
 
   template <class T>
@@ -44,9 +44,9 @@ struct HistoryIntegral {
                                 {0.3, 5.0, strength}, Scale::logarithmic)},
       {&Params<T>::D, parameter("D", "mm", "length of the slow memory", positive, std::nullopt, {0.01, 1.0, disp},
                                 Scale::logarithmic)},
-      {&Params<T>::s,
-       parameter("s", "1", "share of the quick memory", Interval{0.0, 1.0}, std::nullopt, {0.0, 0.8, one})},
-      {&Params<T>::u, parameter("u", "1", "length of the quick memory over that of the slow one", positive,
+      {&Params<T>::s, parameter("s", "1", "share of the quick memory in the hysteretic force", Interval{0.0, 1.0},
+                                std::nullopt, {0.0, 0.8, one})},
+      {&Params<T>::u, parameter("u", "1", "length of the quick memory divided by that of the slow one", positive,
                                 std::nullopt, {0.005, 0.5, one}, Scale::logarithmic)},
   });
 

@@ -169,7 +169,7 @@ struct KikuchiAiken {
           "Fm = G1 (m/100)^(1-p) (1 + s1 (m - xn)),   h = h0 + h1 m, not below 0,   U = u0 + u1 m within 0.05 to 1\n"
           "n = 1 + n1 (m - xn);   m - xn is taken as 0 in Fm and n where m is below xn",
       .note =
-          "Made for high damping rubber. The functions are of millimetres, so that no height of rubber is needed; a published compound's functions of strain have the same p, h0 and u0, and h1, u1, n1 and s1 times the height. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2 and b below its limit. This limit is not of the source, and no published compound reaches it up to a strain of 4.1: without it loops can exceed the force at their peaks many times over. b is left out after two turns on one side or after a branch without it, as in the source. Therefore the force jumps where a turn moves across x = 0 or a loop on one side just fails to close. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given ends. At five times the fitted amplitude these lines mean little, and where h has fallen to 0 a new peak may give back more work than the way to it took. A known material of this law is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; here only the path decides them. A virgin device has no bounded slope at 0 where p is above 0.",
+          "Made for high damping rubber. Fm, h, U and n are functions of the displacement in mm, so that no height of rubber is needed. To compare with a published compound, whose functions are of strain, multiply h1, u1, n1 and s1 by the height; p, h0 and u0 are the same. A closed loop dissipates 2 pi h Fm m, to 1 % where a is above 2 and b below its limit. The limit of b is not in the source. Without it the force within a loop can be many times that at its peaks; no published compound reaches the limit up to a strain of 4.1. As in the source, b is left out after two turns on one side or after a branch without it. Therefore the force of a motion changes abruptly if one of its turns moves across x = 0, or if a loop on one side just fails to close. Beyond the tests Fm grows as m^(1-p), with s1 eventually as m^(2-p): at 2 and 5 times the amplitude it is 2^(1-p) and 5^(1-p) times as large, and with s1 up to 2 and 5 times more. h, U and n follow straight lines to their given limits. At five times the fitted amplitude these lines mean little. If h has fallen to 0, the way back from a new peak may give back more work than the way to it took. A material of this law in an analysis program is elastic below a strain of 0.05 and keeps the values and turning points of rejected trials; in isolaw only the path counts. If p is above 0, the slope of a virgin device at 0 is infinite.",
       .step_cost = 272};
 
   template <class T>
@@ -179,24 +179,25 @@ struct KikuchiAiken {
 
   template <class T>
   static constexpr auto rows = std::to_array<Row<T, Params<T>>>({
-      {&Params<T>::G1, parameter("G1", "kN", "force at a peak of 100 mm", not_negative, std::nullopt,
+      {&Params<T>::G1, parameter("G1", "kN", "peak force at a peak displacement of 100 mm", not_negative, std::nullopt,
                                  {0.3, 3.0, force_at_reference}, Scale::logarithmic)},
-      {&Params<T>::p, parameter("p", "1", "exponent of the secant stiffness's fall with the peak", Interval{0.0, 0.95},
-                                std::nullopt, {0.0, 0.7, one})},
+      {&Params<T>::p, parameter("p", "1", "exponent with which the secant stiffness falls with the peak displacement",
+                                Interval{0.0, 0.95}, std::nullopt, {0.0, 0.7, one})},
       {&Params<T>::h0,
        parameter("h0", "1", "equivalent damping ratio of small loops", not_negative, std::nullopt, {0.08, 0.3, one})},
-      {&Params<T>::h1, parameter("h1", "1/mm", "change of the damping ratio with the peak", any_value, std::nullopt,
-                                 {-0.07, 0.05, per_disp})},
+      {&Params<T>::h1, parameter("h1", "1/mm", "change of the damping ratio for each mm of peak displacement",
+                                 any_value, std::nullopt, {-0.07, 0.05, per_disp})},
       {&Params<T>::u0, parameter("u0", "1", "hysteretic share of the force of small loops", Interval{0.0, 1.0},
                                  std::nullopt, {0.2, 0.6, one})},
-      {&Params<T>::u1, parameter("u1", "1/mm", "change of the hysteretic share with the peak", any_value, std::nullopt,
-                                 {-0.3, 0.1, per_disp})},
-      {&Params<T>::n1, parameter("n1", "1/mm", "growth of the exponent of hardening with the peak", not_negative,
-                                 std::nullopt, {0.0, 6.0, per_disp})},
-      {&Params<T>::xn,
-       parameter("xn", "mm", "peak above which n1 and s1 act", not_negative, std::nullopt, {0.1, 0.9, disp})},
-      {&Params<T>::s1, parameter("s1", "1/mm", "growth of the force at the peak above xn", not_negative, std::nullopt,
-                                 {0.0, 1.0, per_disp})},
+      {&Params<T>::u1, parameter("u1", "1/mm", "change of the hysteretic share for each mm of peak displacement",
+                                 any_value, std::nullopt, {-0.3, 0.1, per_disp})},
+      {&Params<T>::n1,
+       parameter("n1", "1/mm", "growth of the exponent of hardening for each mm of peak displacement above xn",
+                 not_negative, std::nullopt, {0.0, 6.0, per_disp})},
+      {&Params<T>::xn, parameter("xn", "mm", "peak displacement above which n1 and s1 act", not_negative, std::nullopt,
+                                 {0.1, 0.9, disp})},
+      {&Params<T>::s1, parameter("s1", "1/mm", "growth of the peak force for each mm of peak displacement above xn",
+                                 not_negative, std::nullopt, {0.0, 1.0, per_disp})},
       {&Params<T>::amax, parameter("amax", "1", "largest rate a of the branches' exponential", Interval{1.0, infinity},
                                    std::nullopt, {5.0, 20.0, one}, Scale::linear, 10.19171)},
       {&Params<T>::c, parameter("c", "1", "decay of the term b, which acts where a has reached amax", not_negative,

@@ -27,7 +27,7 @@ struct MenegottoPinto {
           "(xr, Fr) the last reversal, (x0, F0) where its line of slope E meets b E x +- (1 - b) Fy, the side ahead\n"
           "R = R0 (1 - cR1 xi / (cR2 + xi)),   xi = |xm - x0| E / Fy,   xm the farthest reversal ahead, at least +-Fy / E",
       .note =
-          "Without isotropic hardening. A branch knows only the last reversal: after a small unloading it does not return to the branch that it left, as a real device does, but starts anew and overshoots that branch. Even noise in a hold, however small, does so.",
+          "Without isotropic hardening. The law remembers only the last reversal. After a small unloading a real device returns to the curve that it left; this law starts a new curve, which overshoots the old one. Even the smallest noise in a hold does this.",
       .step_cost = 360};
 
   template <class T>

@@ -27,7 +27,7 @@ struct PowerMasing {
           "w = (1 + sgn(x) Fh/sk(M))/2, M the largest |x| so far, m that of the side of x\n"
           "N: travel of that side over m, dN = |dx|/m, and dN = |dx|/m - 60 N dm/m while m grows",
       .note =
-          "The structure was found on one measured device, where the exponents 6, 1/3 and 60 were chosen too; the objective hardly depends on them. Between turning points |x|^g has no bounded slope on a side that was never visited. Beyond the tests the force grows with x^2 through H.",
+          "The structure was found on one measured device, where the exponents 6, 1/3 and 60 were chosen too; the objective hardly depends on them. On a side that was never visited, the slope of |x|^g at zero is infinite. Beyond the tests the force grows with x^2 through H.",
       .set = LawSet::usual,
       .step_cost = 230};
 

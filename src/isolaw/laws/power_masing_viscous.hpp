@@ -20,7 +20,8 @@ struct PowerMasingViscous : PowerMasing {
       .formula =
           "F = c v + Fh + (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3))\n"
           "Fh of Y, g and U, w, m and N as for power-masing",
-      .note = "Sinusoids of one frequency cannot tell c from Y and g: the velocity must vary apart from the amplitude.",
+      .note =
+          "Tests with sines of one frequency cannot distinguish c from Y and g, because their velocity varies with the amplitude.",
       .step_cost = 230};
 
   template <class T>

@@ -27,7 +27,7 @@ struct PowerMasingWorn : PowerMasing {
           "NT: travel over M, the largest |x| so far, dNT = |dx|/M, and dNT = |dx|/M - 60 NT dM/M while M grows\n"
           "q: how far M has grown at x > 0, less how far at x < 0",
       .note =
-          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions it gains little over it. On a record whose every stage begins on the same side, B cannot be told from an offset of the rig that grows with the amplitude. U is fixed: a free U follows the first samples of one stage and predicts the next stage worse. Beyond the tests it behaves as power-masing.",
+          "Predicts the measured bearing's amplitudes and later cycles better than power-masing; on the building's four motions it gains little over it. If every stage of a record begins on the same side, B cannot be distinguished from an offset of the rig that grows with the amplitude. U is fixed, because a free U follows the first samples of one stage and predicts the next stage worse. Beyond the tests it behaves as power-masing.",
       .step_cost = 281};
 
   template <class T>
@@ -38,8 +38,10 @@ struct PowerMasingWorn : PowerMasing {
   template <class T>
   static constexpr auto rows = [] {
     auto all = rows_and(std::to_array<Row<T, Params<T>>>({
-        {&Params<T>::B, parameter("B", "kN", "kept force at 100 mm of one-sided growth", any_value, std::nullopt,
-                                  {-0.05, 0.15, force_at_reference})},
+        {&Params<T>::B,
+         parameter("B", "kN",
+                   "force that remains after the motion has grown 100 mm farther to one side than to the other",
+                   any_value, std::nullopt, {-0.05, 0.15, force_at_reference})},
         {&Params<T>::r,
          parameter("r", "1", "exponent of wear with travel", not_negative, std::nullopt, {0.0, 0.2, one})},
     }));

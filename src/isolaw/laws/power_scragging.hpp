@@ -27,7 +27,7 @@ struct PowerScragging {
           "dw1 = (dx - w1 |dx|) / (U (M/100)^h),   dw2 = (dx - w2 |dx|) / (u U (M/100)^h)\n"
           "M the largest |x| so far, m that of the side of x, N its travel as for power-masing",
       .note =
-          "The structure was found on one measured device. Tremor relaxes the force, and loops of unloading and reloading below 1 mm give out work. After a turn the force follows within the length of the quick memory, which may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
+          "The structure was found on one measured device. Tremor makes the force relax, and loops of unloading and reloading below 1 mm give back more work than they take. After a turn the force changes within the length of the quick memory. This length may be so short that noise of 1e-9 of the amplitude moves the force by up to 1e-4 of its peak.",
       .step_cost = 210};
 
   template <class T>
@@ -44,19 +44,19 @@ struct PowerScragging {
       scragging_rows<T, Params<T>>[2],
       scragging_rows<T, Params<T>>[3],
       {
-        &Params<T>::U, parameter("U", "mm", "length of the slow memory after 100 mm", positive, std::nullopt,
-                                 {0.01, 1.0, disp}, Scale::logarithmic)
+        &Params<T>::U, parameter("U", "mm", "length of the slow memory at an amplitude of 100 mm", positive,
+                                 std::nullopt, {0.01, 1.0, disp}, Scale::logarithmic)
       },
       {
-        &Params<T>::h, parameter("h", "1", "exponent of the slow memory's growth with amplitude", not_negative,
+        &Params<T>::h, parameter("h", "1", "exponent with which the slow memory grows with amplitude", not_negative,
                                  std::nullopt, {0.0, 1.6, one})
       },
       {
-        &Params<T>::s,
-            parameter("s", "1", "share of the quick memory", Interval{0.0, 1.0}, std::nullopt, {0.0, 0.8, one})
+        &Params<T>::s, parameter("s", "1", "share of the quick memory in the hysteretic force", Interval{0.0, 1.0},
+                                 std::nullopt, {0.0, 0.8, one})
       },
       {
-        &Params<T>::u, parameter("u", "1", "length of the quick memory over that of the slow one", positive,
+        &Params<T>::u, parameter("u", "1", "length of the quick memory divided by that of the slow one", positive,
                                  std::nullopt, {0.005, 0.5, one}, Scale::logarithmic)
       },
   });

@@ -171,7 +171,7 @@ std::vector<Option<ModelOptions>> const& model_table() {
                            {.least = 1e-6, .most = 1e6})
           .under(Heading::model),
       number<ModelOptions>("draws",
-                           "analyse this many buildings with bearings drawn from the lot, instead of the bounds",
+                           "number of buildings to analyse with bearings drawn from the lot, in place of the bounds",
                            at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
           .under(Heading::model)};
   return table;

@@ -24,11 +24,13 @@ struct ValueDoubt {
 std::vector<ValueDoubt> value_doubts(DeviceResult const& device);
 
 inline constexpr Result<ValueDoubt> doubt_results[]{
-    {"quantity", "", "", "whose value is in doubt: `\"damping\"`", get<&ValueDoubt::quantity>},
-    {"value", own_unit, "", "as it is stated of the device", get<&ValueDoubt::value>},
-    {"otherwise", own_unit, "", "what it would be", get<&ValueDoubt::otherwise>},
-    {"unit", "", "", "of both", get<&ValueDoubt::unit>},
-    {"condition", "", "", "if this is so", get<&ValueDoubt::condition>},
+    {"quantity", "", "", "the property whose value is in doubt, such as `\"damping\"`", get<&ValueDoubt::quantity>},
+    {"value", own_unit, "", "the value that the report states for the device", get<&ValueDoubt::value>},
+    {"otherwise", own_unit, "", "the value that the device would have if `condition` were true",
+     get<&ValueDoubt::otherwise>},
+    {"unit", "", "", "unit of `value` and `otherwise`", get<&ValueDoubt::unit>},
+    {"condition", "", "", "the error that may have changed the value, such as `\"the force channel is early\"`",
+     get<&ValueDoubt::condition>},
 };
 
 }  // namespace isolaw::study

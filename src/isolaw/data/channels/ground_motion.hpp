@@ -39,11 +39,12 @@ struct StatedMotion {
 // The two options that set the StatedMotion at `place`.
 template <class Target, class Access>
 std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::string_view unit_key, Access place) {
-  return {number<Target>(step_key, "seconds between samples, for files without time",
+  return {number<Target>(step_key, "time step in seconds, for motions whose files do not state it",
                          [place](auto& from) -> auto& { return place(from).step_s; }, {.least = 1e-6, .most = 10.0})
               .under(Heading::everyday),
           {{.key = unit_key,
-            .help = "unit of the acceleration, for files that name none: " + std::string(known_accelerations),
+            .help = "unit of the acceleration, for motions whose files do not state it: " +
+                    std::string(known_accelerations),
             .heading = Heading::everyday},
            [place](Target const& from) { return or_null(place(from).unit); },
            [place](Target& to, Json const& value) {

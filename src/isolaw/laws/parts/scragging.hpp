@@ -46,10 +46,12 @@ constexpr auto scragging_rows = std::to_array<Row<T, Params>>({
     {&Params::g, parameter("g", "1", "exponent of softening with amplitude", positive, std::nullopt, {0.05, 1.0, one})},
     {&Params::K,
      parameter("K", "kN", "elastic force at 100 mm", any_value, std::nullopt, {0.0, 1.5, force_at_reference})},
-    {&Params::H, parameter("H", "kN", "hardening towards the peak; a negative value gives reloading negative slopes",
-                           any_value, std::nullopt, {0.0, 1.0, force_at_reference})},
-    {&Params::C, parameter("C", "kN", "virgin stiffness that cycles remove", any_value, std::nullopt,
-                           {0.0, 1.5, force_at_reference})},
+    {&Params::H,
+     parameter("H", "kN",
+               "hardening force towards the peak, at 100 mm; if it is negative, reloading has negative slopes",
+               any_value, std::nullopt, {0.0, 1.0, force_at_reference})},
+    {&Params::C, parameter("C", "kN", "elastic force of the virgin device at 100 mm, which cycling removes", any_value,
+                           std::nullopt, {0.0, 1.5, force_at_reference})},
 });
 
 }  // namespace isolaw::laws
