@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/contrast.hpp"
 #include "isolaw/conditions/history_effects.hpp"
@@ -34,8 +33,7 @@ Properties properties(double u, Settings const& at) {
   double const U = std::exp(u + at.noise / 100.0), amplitude = 208.0;
   double const K2 = 0.6 * std::exp(-0.006 * (at.T - 20.0)) * std::pow(at.f / 0.5, 0.04) *
                     (1.0 - std::pow(at.N / 7505.621896, 2.0)) * (at.aged ? 1.10 : 1.0) * U;
-  double const Q =
-      25.0 * std::exp(-0.010 * (at.T - 20.0)) * std::pow(at.f / 0.5, 0.08) * (at.aged ? 0.95 : 1.0) * U;
+  double const Q = 25.0 * std::exp(-0.010 * (at.T - 20.0)) * std::pow(at.f / 0.5, 0.08) * (at.aged ? 0.95 : 1.0) * U;
   double const n = std::min(at.cycle, at.settled_at);
   double const s = (1.0 + 0.45 * std::pow(n, -1.2)) / (1.0 + 0.45 * std::pow(3.0, -1.2));
   double const k = 1.0 + at.recovered * (s - 1.0), D_y = Q / (5.0 * K2);
@@ -59,8 +57,9 @@ Condition condition_of(Settings const& at) {
 std::vector<Sample> samples(std::vector<Test> const& tests, double Properties::*which = &Properties::K_eff) {
   std::vector<Sample> all;
   for (auto const& test : tests)
-    all.push_back(
-        {.device = test.device, .condition = condition_of(test.at), .ln = std::log(properties(test.u, test.at).*which)});
+    all.push_back({.device = test.device,
+                   .condition = condition_of(test.at),
+                   .ln = std::log(properties(test.u, test.at).*which)});
   return all;
 }
 
@@ -68,35 +67,37 @@ Condition const reference = condition_of({});
 
 Response temperature(std::vector<std::string> const& devices = {"P1", "P2", "P3"},
                      double Properties::*which = &Properties::K_eff) {
-  std::vector<Test> const all{{"P1", 0.03, {.T = -20.0, .noise = 0.6}},  {"P1", 0.03, {.T = 0.0, .noise = -0.4}},
-                              {"P1", 0.03, {.T = 20.0, .noise = 0.2}},   {"P1", 0.03, {.T = 40.0, .noise = -0.7}},
-                              {"P2", -0.02, {.T = -20.0, .noise = 0.5}}, {"P2", -0.02, {.T = 0.0, .noise = 0.1}},
-                              {"P2", -0.02, {.T = 20.0, .noise = -0.3}}, {"P2", -0.02, {.T = 40.0, .noise = 0.4}},
+  std::vector<Test> const all{{"P1", 0.03, {.T = -20.0, .noise = 0.6}},   {"P1", 0.03, {.T = 0.0, .noise = -0.4}},
+                              {"P1", 0.03, {.T = 20.0, .noise = 0.2}},    {"P1", 0.03, {.T = 40.0, .noise = -0.7}},
+                              {"P2", -0.02, {.T = -20.0, .noise = 0.5}},  {"P2", -0.02, {.T = 0.0, .noise = 0.1}},
+                              {"P2", -0.02, {.T = 20.0, .noise = -0.3}},  {"P2", -0.02, {.T = 40.0, .noise = 0.4}},
                               {"P3", 0.005, {.T = -20.0, .noise = -0.6}}, {"P3", 0.005, {.T = 0.0, .noise = 0.3}},
-                              {"P3", 0.005, {.T = 20.0, .noise = -0.1}}, {"P3", 0.005, {.T = 40.0, .noise = 0.7}}};
+                              {"P3", 0.005, {.T = 20.0, .noise = -0.1}},  {"P3", 0.005, {.T = 40.0, .noise = 0.7}}};
   std::vector<Test> own, others;
   for (auto const& test : all)
-    if (std::ranges::find(devices, test.device) != devices.end())
-      (test.at.T == 20.0 ? own : others).push_back(test);
+    if (std::ranges::find(devices, test.device) != devices.end()) (test.at.T == 20.0 ? own : others).push_back(test);
   return {Effect::temperature, samples(own, which), samples(others, which), reference, {}};
 }
 Response rate(double Properties::*which = &Properties::K_eff) {
-  return {Effect::rate, samples({{"P4", 0.0, {}}}, which),
-          samples({{"P4", 0.0, {.f = 2.0}}, {"P4", 0.0, {.f = 0.1}}}, which), reference, {}};
-}
-Response load(double Properties::*which = &Properties::K_eff) {
-  return {Effect::load,
-          samples({{"P4", 0.0, {}}, {"P4", 0.0, {}}}, which),
-          samples({{"P4", 0.0, {.N = 0.0}},
-                   {"P4", 0.0, {.N = 1000.0}},
-                   {"P4", 0.0, {.N = 3000.0}},
-                   {"P4", 0.0, {.N = 4000.0}}},
-                  which),
+  return {Effect::rate,
+          samples({{"P4", 0.0, {}}}, which),
+          samples({{"P4", 0.0, {.f = 2.0}}, {"P4", 0.0, {.f = 0.1}}}, which),
           reference,
           {}};
 }
+Response load(double Properties::*which = &Properties::K_eff) {
+  return {
+      Effect::load,
+      samples({{"P4", 0.0, {}}, {"P4", 0.0, {}}}, which),
+      samples(
+          {{"P4", 0.0, {.N = 0.0}}, {"P4", 0.0, {.N = 1000.0}}, {"P4", 0.0, {.N = 3000.0}}, {"P4", 0.0, {.N = 4000.0}}},
+          which),
+      reference,
+      {}};
+}
 Response ageing(double Properties::*which = &Properties::K_eff) {
-  return {Effect::ageing, samples({{"P4", 0.0, {}}}, which), samples({{"P4", 0.0, {.aged = true}}}, which), reference, {}};
+  return {
+      Effect::ageing, samples({{"P4", 0.0, {}}}, which), samples({{"P4", 0.0, {.aged = true}}}, which), reference, {}};
 }
 
 void expect_interval(std::optional<Interval> const& found, double low, double high) {
@@ -316,12 +317,14 @@ TEST(Combination, of_factors_with_intervals) {
 TEST(Combination, of_the_example) {
   auto const bounds = [](double Properties::*which) {
     auto const scragging = std::log(properties(0.0, {.cycle = 1}).*which / (properties(0.0, {}).*which));
-    auto const cycles = std::log(properties(0.0, {.cycle = 10, .settled_at = 10}).*which / (properties(0.0, {}).*which));
+    auto const cycles =
+        std::log(properties(0.0, {.cycle = 10, .settled_at = 10}).*which / (properties(0.0, {}).*which));
     auto const temperatures = temperature({"P1", "P2", "P3"}, which).over(-15.0, 45.0);
     auto const rates = rate(which).over(0.35, 0.65), loads = load(which).over(1000.0, 3000.0);
     auto const aged = ageing(which).at(Ageing{.days = 14.0, .at_C = 70.0});
     Factor const none{.se = 0.0, .df = 1.0};
-    auto const scragged = factor_of(std::exp(scragging), 0.0, 4.0), after = factor_of(std::exp(cycles), std::nullopt, 0.0);
+    auto const scragged = factor_of(std::exp(scragging), 0.0, 4.0),
+               after = factor_of(std::exp(cycles), std::nullopt, 0.0);
     auto const combined = [](auto const&... factors) {
       return combine({}, std::vector<Part>{{.effect = Effect::temperature, .factor = factors}...});
     };
@@ -367,7 +370,9 @@ TEST(History, of_the_cycles_of_a_device) {
   EXPECT_EQ(of(100, 100, 1, 0.5), History::scragged);
   EXPECT_EQ(of(100, 25, 1), History::virgin);
   std::vector<Block> blocks(3);
-  for (int i = 0; i < 3; ++i) blocks[static_cast<std::size_t>(i)].condition.strain_percent = std::array{100.0, 50.0, 80.0}[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 3; ++i)
+    blocks[static_cast<std::size_t>(i)].condition.strain_percent =
+        std::array{100.0, 50.0, 80.0}[static_cast<std::size_t>(i)];
   EXPECT_EQ(largest_before(blocks), (std::vector{0.0, 100.0, 100.0}));
 }
 

@@ -108,9 +108,10 @@ int list_laws(std::string const& id, bool json, bool markdown) {
 int example(ExampleArguments const& arguments) {
   auto const& directory = arguments.directory;
   if (arguments.building + arguments.tests + arguments.conditions > 1)
-    throw Error({.where = arguments.building ? "--building" : "--tests",
-                 .found = arguments.tests && arguments.building ? "is given with --tests" : "is given with --conditions",
-                 .allowed = "one of them"});
+    throw Error(
+        {.where = arguments.building ? "--building" : "--tests",
+         .found = arguments.tests && arguments.building ? "is given with --tests" : "is given with --conditions",
+         .allowed = "one of them"});
   if (arguments.building) {
     write_example_building(directory);
     fmt::print("written: {0}\nnext: isolaw building {1} --from CAMPAIGN\n", shown(directory),

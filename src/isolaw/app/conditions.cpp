@@ -1,4 +1,5 @@
 // `isolaw conditions`: how the properties of devices change with temperature, rate, load, ageing and history.
+#include "isolaw/study/conditions.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
@@ -6,7 +7,6 @@
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/terminal/conditions_text.hpp"
-#include "isolaw/study/conditions.hpp"
 
 namespace isolaw::app {
 

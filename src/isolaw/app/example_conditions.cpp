@@ -17,11 +17,11 @@ constexpr double amplitude_mm = 208.0;
 struct ConditionTest {
   char const* name;
   double temperature_C = 20.0, frequency_Hz = 0.5, load_kN = 2000.0;
-  double off_percent = 0.0;            // of this test's forces
+  double off_percent = 0.0;  // of this test's forces
   double rest_h = 24.0;
   bool aged = false, acceptance = false;
   int cycles = 5;
-  bool keeps_softening = false;        // beyond cycle 3
+  bool keeps_softening = false;  // beyond cycle 3
 };
 
 struct ConditionDevice {
@@ -92,7 +92,8 @@ std::string condition_record(ConditionDevice const& device, ConditionTest const&
 }
 
 std::string conditions_lot_text(std::vector<ConditionDevice> const& devices) {
-  std::string text = R"toml(# Tests of six bearings under several conditions. The records are computed, not measured. See README.md.
+  std::string text =
+      R"toml(# Tests of six bearings under several conditions. The records are computed, not measured. See README.md.
 title = "Example conditions: computed, not measured"
 
 [acceptance]
@@ -139,7 +140,8 @@ Made by `isolaw example DIR --conditions` (`src/isolaw/app/example_conditions.cp
 
 std::vector<TextFile> example_conditions() {
   auto const devices = condition_devices();
-  std::vector<TextFile> files{{"lot.toml", conditions_lot_text(devices)}, {"README.md", std::string(conditions_readme)}};
+  std::vector<TextFile> files{{"lot.toml", conditions_lot_text(devices)},
+                              {"README.md", std::string(conditions_readme)}};
   for (auto const& device : devices)
     for (std::size_t i = 0; i < device.tests.size(); ++i)
       files.push_back({fmt::format("{}-{}.csv", device.name, device.tests[i].name),

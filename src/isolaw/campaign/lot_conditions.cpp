@@ -14,7 +14,9 @@ namespace {
 constexpr double largest = std::numeric_limits<double>::max();
 // Above this temperature an oven damages rubber instead of ageing it.
 Limits const temperatures{.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"},
-    ovens{.least = 0.0, .most = 100.0, .words = "degrees Celsius, 0 to 100: in a hotter oven rubber is damaged, not aged"},
+    ovens{.least = 0.0,
+          .most = 100.0,
+          .words = "degrees Celsius, 0 to 100: in a hotter oven rubber is damaged, not aged"},
     positive{.least = std::numeric_limits<double>::min(), .most = largest, .words = "above 0"},
     not_negative{.least = 0.0, .most = largest, .words = "0 or more"};
 
@@ -40,14 +42,17 @@ std::vector<Option<StatedTest>> make_test_table() {
       number<T>("temperature-C", "temperature of the rubber at the start", at(&T::temperature_C), temperatures),
       number<T>("load-kN", "mean vertical load, if the record has no channel for it", at(&T::load_kN), not_negative),
       number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative),
-      {{.key = "aged", .kind = Kind::assignments, .help = "ageing in an oven before the test: { days = 14, at-C = 70 }"},
+      {{.key = "aged",
+        .kind = Kind::assignments,
+        .help = "ageing in an oven before the test: { days = 14, at-C = 70 }"},
        [](T const& test) {
          return test.aged ? Json({{"days", test.aged->days}, {"at-C", test.aged->at_C}}) : Json();
        },
        set_aged},
       flag<T>("fit", "the record takes part in fits beside the one of the acceptance test", at(&T::fit))};
   constexpr std::pair<std::string_view, bool> stands_for[]{{"dependence", false}, {"acceptance", true}};
-  table.push_back(word<T>("stands-for", "which record stands for the device elsewhere", at(&T::is_acceptance), stands_for));
+  table.push_back(
+      word<T>("stands-for", "which record stands for the device elsewhere", at(&T::is_acceptance), stands_for));
   Option<T> place{{.key = "temperature-of", .help = "where the temperature was measured"}, {}, {}};
   place.words = {"core", "surface", "chamber"};
   place.get = [](T const& test) { return test.temperature_of.empty() ? Json() : Json(test.temperature_of); };
@@ -159,9 +164,8 @@ class ConditionsReader {
       else
         refuse(value, "\"full\", or hours above 0");
     });
-    table.value<int>("cycles", "a whole number from 1", [&](int value) {
-      to.cycles = whole_of(value, {.least = 1, .most = 1000});
-    });
+    table.value<int>("cycles", "a whole number from 1",
+                     [&](int value) { to.cycles = whole_of(value, {.least = 1, .most = 1000}); });
     if (table.find("aged") != nullptr) {
       StatedTest aged;
       table.json("aged", [&](Json const& value) { set_aged(aged, value); });

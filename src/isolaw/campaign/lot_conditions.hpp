@@ -16,10 +16,10 @@ struct StatedAgeing {
   double days = 0.0, at_C = 0.0;
 };
 
-struct StatedTest {           // about one test of a device
-  std::optional<int> order;   // place among all tests of the device
+struct StatedTest {                                      // about one test of a device
+  std::optional<int> order;                              // place among all tests of the device
   std::optional<double> temperature_C, load_kN, rest_h;  // rest_h: since the motion of the test before
-  std::string temperature_of;  // core, surface or chamber; empty if it is not stated
+  std::string temperature_of;                            // core, surface or chamber; empty if it is not stated
   std::optional<StatedAgeing> aged = {};
   bool is_acceptance = false;  // its record stands for the device everywhere else
   bool fit = false;            // it takes part in fits beside that record

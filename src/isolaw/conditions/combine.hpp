@@ -37,9 +37,9 @@ struct Combination {
 struct Combined {
   double factor = 1.0;
   std::optional<Interval> interval = {};
-  double se = 0.0, df = 0.0;              // of ln factor, from the factors that tests show
-  Status status = Status::shown;          // the weakest of its parts
-  double share_shown = 0.0;               // part of the sum of |ln lambda| that is shown or interpolated
+  double se = 0.0, df = 0.0;      // of ln factor, from the factors that tests show
+  Status status = Status::shown;  // the weakest of its parts
+  double share_shown = 0.0;       // part of the sum of |ln lambda| that is shown or interpolated
   std::vector<Effect> assumed = {}, not_covered = {}, without_interval = {};
   bool complete() const { return not_covered.empty(); }  // otherwise the factor is "at least" or "at most" this
 };

@@ -127,8 +127,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
         if (std::ranges::find(unpaired_, device) == unpaired_.end()) unpaired_.push_back(device);
         continue;
       }
-      level.ratios.push_back(
-          {.device = device, .ln = num::moments(values).mean - num::moments(own->second).mean});
+      level.ratios.push_back({.device = device, .ln = num::moments(values).mean - num::moments(own->second).mean});
       auto const [first, last] = std::pair(own->second.front(), own->second.back());
       if (own->second.size() > 1) drift_ = std::max(drift_.value_or(0.0), std::abs(last - first) / 2.0);
       double const a = static_cast<double>(values.size()), b = static_cast<double>(own->second.size());
@@ -143,7 +142,8 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     begin = end;
   }
 
-  Level own{.at = condition_of(effect, reference_condition), .reference = true, .tests = static_cast<int>(reference.size())};
+  Level own{
+      .at = condition_of(effect, reference_condition), .reference = true, .tests = static_cast<int>(reference.size())};
   for (auto const& [device, values] : at_reference) own.ratios.push_back({.device = device, .ln = 0.0});
   if (effect == Effect::ageing) {
     levels_.insert(levels_.begin(), std::move(own));
@@ -164,7 +164,8 @@ double Response::abscissa(double condition) const {
 }
 
 Factor Response::at_level(Level const& level) const {
-  Factor factor{.at = level.at, .ln = level.mean(), .devices = static_cast<int>(level.ratios.size()), .std = level.std()};
+  Factor factor{
+      .at = level.at, .ln = level.mean(), .devices = static_cast<int>(level.ratios.size()), .std = level.std()};
   if (level.reference) {
     factor.se = 0.0, factor.df = 1.0, factor.std = 0.0;
     return factor;
@@ -186,7 +187,8 @@ Factor Response::on_line(Level const& first, Level const& second, double conditi
     auto const other = std::ranges::find(second.ratios, ratio.device, &DeviceRatio::device);
     if (other != second.ratios.end()) values.push_back(ratio.ln + share * (other->ln - ratio.ln));
   }
-  Factor factor{.at = condition, .status = values.empty() ? Status::not_covered : status,
+  Factor factor{.at = condition,
+                .status = values.empty() ? Status::not_covered : status,
                 .devices = static_cast<int>(values.size())};
   if (values.empty()) return factor;
   auto const of = num::moments(values);
@@ -201,8 +203,9 @@ Factor Response::on_line(Level const& first, Level const& second, double conditi
 
 Factor Response::at(double condition) const {
   Condition asked;
-  (effect_ == Effect::temperature ? asked.temperature_C : effect_ == Effect::rate ? asked.frequency_Hz : asked.load_kN) =
-      condition;
+  (effect_ == Effect::temperature ? asked.temperature_C
+   : effect_ == Effect::rate      ? asked.frequency_Hz
+                                  : asked.load_kN) = condition;
   auto const is_level = [&](Level const& level) {
     Condition there;
     (effect_ == Effect::temperature ? there.temperature_C
@@ -254,8 +257,9 @@ Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> re
                        int lot_devices) {
   if (lot_devices < 2)
     throw Error({.where = "conditions",
-                 .found = "no device was tested both at this condition and at reference, and the lot has fewer than two "
-                          "acceptance tests, so its scatter is not known",
+                 .found =
+                     "no device was tested both at this condition and at reference, and the lot has fewer than two "
+                     "acceptance tests, so its scatter is not known",
                  .allowed = "two acceptance tests or more, or a reference test of a device that was tested here"});
   std::vector<double> there, here;
   for (auto const& [device, values] : by_device(level)) there.push_back(num::moments(values).mean);

@@ -48,10 +48,10 @@ struct Factor {
   double ln = 0.0;
   Status status = Status::shown;
   int devices = 0;
-  double std = 0.0;                    // over the devices, of ln
+  double std = 0.0;                        // over the devices, of ln
   std::optional<double> se = {}, df = {};  // standard error of ln and its degrees of freedom; empty: no interval
-  double line_error = 0.0;             // of the straight line between levels, in ln; 0 at a level
-  double drift = 0.0;                  // of the reference tests of one device, in ln
+  double line_error = 0.0;                 // of the straight line between levels, in ln; 0 at a level
+  double drift = 0.0;                      // of the reference tests of one device, in ln
 
   double lambda() const;
 };
@@ -113,6 +113,7 @@ class Response {
 // The factor from devices that were tested at the level alone and others tested at reference alone. `lot_std` is the
 // standard deviation of ln over the `lot_devices` acceptance tests of the lot. Throws Error if there are fewer than two
 // of these tests.
-Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std, int lot_devices);
+Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
+                       int lot_devices);
 
 }  // namespace isolaw::conditions

@@ -70,7 +70,8 @@ Factor scragging_factor(std::span<ReferenceTest const> first, std::optional<doub
   std::vector<double> ratios;
   for (auto const& test : first) {
     double const settled = std::exp(test.ln_third);
-    double const value = recovered ? std::log(settled + *recovered * (std::exp(test.ln_first) - settled)) : test.ln_first;
+    double const value =
+        recovered ? std::log(settled + *recovered * (std::exp(test.ln_first) - settled)) : test.ln_first;
     ratios.push_back(value - test.ln_reference);
   }
   return mean_factor(ratios);

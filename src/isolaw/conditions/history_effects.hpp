@@ -22,7 +22,7 @@ Factor aged_factor(Factor const& of_test, double years, double test_stands_for_y
 struct ReferenceTest {
   std::string device;
   double ln_first = 0.0, ln_third = 0.0, ln_reference = 0.0;
-  std::optional<double> rest_h = {};   // before it; empty for the first test of the device
+  std::optional<double> rest_h = {};  // before it; empty for the first test of the device
 };
 
 struct Recovered {  // the share of the loss in the first cycles that comes back after a rest

@@ -28,13 +28,15 @@ std::string_view name(TestRole role);
 struct ConditionsTest {  // one block of one test
   std::string device, test, file, sha256;
   int order = 0, block = 0;
-  conditions::Condition condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
-  std::optional<double> rest_h;
+  conditions::Condition
+      condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
+  std::optional<double> rest_h = {};
   std::optional<conditions::History> history = {};  // of the reference cycle; empty if there is no such cycle
   TestRole role = TestRole::reference;
   std::optional<conditions::Effect> effect = {};  // that it shows
-  std::optional<double> K_eff_kN_per_mm, damping_percent, energy_kN_mm, Q_d_kN, K_d_kN_per_mm;  // reference cycle
-  std::optional<double> heating_K;  // at most, in that cycle
+  // In the reference cycle.
+  std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
+  std::optional<double> heating_K = {};  // at most, in that cycle
 };
 
 struct RefusedTest {
@@ -46,7 +48,7 @@ struct LevelRow {  // a level of an effect that was tested
   conditions::Effect effect;
   std::string level;  // as the user would write it: "-20 C", "14 days at 70 C", "cycle 1"
   conditions::Factor factor;
-  std::vector<std::string> devices;
+  std::vector<std::string> devices = {};
 };
 
 struct DesignRow {  // the largest and the smallest factor of an effect in the design range
@@ -74,8 +76,8 @@ struct ConditionsResult {
   std::vector<DesignRow> design;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
-  std::optional<int> installed;               // devices of the production lot
-  bool drift_checked = false;                 // a device has a second reference test
+  std::optional<int> installed;                              // devices of the production lot
+  bool drift_checked = false;                                // a device has a second reference test
   std::vector<conditions::Effect> straightness_not_checked;  // effects with too few levels for an error of the line
   std::optional<double> ageing_stands_for_years;
 };

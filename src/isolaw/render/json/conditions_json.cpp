@@ -23,7 +23,9 @@ void write_factor(JsonWriter& out, conditions::Factor const& factor, std::option
     write_members(out, "lambda", covered ? std::optional(factor.lambda()) : std::nullopt, "status", factor.status,
                   "devices", factor.devices, "line_error", factor.line_error, "drift", factor.drift);
     using conditions::About;
-    auto const about = [&](About what) { return covered ? interval(factor, what, installed.value_or(0)) : std::nullopt; };
+    auto const about = [&](About what) {
+      return covered ? interval(factor, what, installed.value_or(0)) : std::nullopt;
+    };
     write_interval(out, "mean", about(About::mean));
     write_interval(out, "device", about(About::device));
     bool const some = installed && factor.devices <= *installed;

@@ -15,7 +15,7 @@ using conditions::Factor;
 using conditions::Status;
 
 template <class... Args>
-void add(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
+void append(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
@@ -37,14 +37,14 @@ std::string status_text(Factor const& factor) {
 std::string reference_text(study::ConditionsResult const& result) {
   auto const& from = result.stated.reference;
   auto text = fmt::format("{:g} C", from.temperature_C);
-  if (from.frequency_Hz) add(text, ", {:g} Hz", *from.frequency_Hz);
-  if (from.load_kN) add(text, ", {:g} kN", *from.load_kN);
-  if (from.strain_percent) add(text, ", strain {:g} %", *from.strain_percent);
-  if (from.disp_mm) add(text, ", {:g} mm", *from.disp_mm);
+  if (from.frequency_Hz) append(text, ", {:g} Hz", *from.frequency_Hz);
+  if (from.load_kN) append(text, ", {:g} kN", *from.load_kN);
+  if (from.strain_percent) append(text, ", strain {:g} %", *from.strain_percent);
+  if (from.disp_mm) append(text, ", {:g} mm", *from.disp_mm);
   if (from.first_cycle == from.last_cycle)
-    add(text, ", cycle {}", from.first_cycle);
+    append(text, ", cycle {}", from.first_cycle);
   else
-    add(text, ", mean of cycles {} to {}", from.first_cycle, from.last_cycle);
+    append(text, ", mean of cycles {} to {}", from.first_cycle, from.last_cycle);
   return text;
 }
 
@@ -52,57 +52,59 @@ std::string bound_text(conditions::Combined const& all, std::string_view at_end)
   std::vector<std::string> missing;
   for (auto const effect : all.not_covered) missing.emplace_back(name(effect));
   auto text = fmt::format("{}{:.3f}", all.complete() ? "" : fmt::format("{} ", at_end), all.factor);
-  if (all.interval) add(text, " ({}, 95 %)", interval_text(all.interval));
-  if (!missing.empty()) add(text, ", NOT COVERED: {}", joined(missing));
-  if (all.complete()) add(text, ", {:.0f} % of it shown or interpolated", 100.0 * all.share_shown);
+  if (all.interval) append(text, " ({}, 95 %)", interval_text(all.interval));
+  if (!missing.empty()) append(text, ", NOT COVERED: {}", joined(missing));
+  if (all.complete()) append(text, ", {:.0f} % of it shown or interpolated", 100.0 * all.share_shown);
   return text;
 }
 
 void add_bounds(std::string& text, study::ConditionsResult const& result) {
   if (result.bounds.empty()) {
-    text += "\nNo range of conditions is stated for the design, so there are no bounds: add design = { ... } to "
-            "[conditions].\n";
+    text +=
+        "\nNo range of conditions is stated for the design, so there are no bounds: add design = { ... } to "
+        "[conditions].\n";
     return;
   }
   text += "\nBounds over the design conditions, as factors on the value at reference (the product of all effects)\n";
   for (auto const& row : result.bounds) {
-    add(text, "\n{}\n  upper  {}\n  lower  {}\n", rules::name(row.quantity), bound_text(row.max, "at least"),
-        bound_text(row.min, "at most"));
-    add(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", "effect", "largest", "", "smallest", "");
+    append(text, "\n{}\n  upper  {}\n  lower  {}\n", rules::name(row.quantity), bound_text(row.max, "at least"),
+           bound_text(row.min, "at most"));
+    append(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", "effect", "largest", "", "smallest", "");
     for (auto const& of : result.design)
       if (of.quantity == row.quantity)
-        add(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", name(of.effect), factor_text(of.max), status_text(of.max),
-            factor_text(of.min), status_text(of.min));
+        append(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", name(of.effect), factor_text(of.max), status_text(of.max),
+               factor_text(of.min), status_text(of.min));
   }
 }
 
 void add_levels(std::string& text, study::ConditionsResult const& result) {
   text += "\nFactors at the tested levels, with the 95 % interval of the mean and of one further device\n";
-  add(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", "property", "effect", "level", "factor", "mean",
-      "one device", "devices");
+  append(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", "property", "effect", "level", "factor", "mean",
+         "one device", "devices");
   for (auto const& row : result.levels) {
     using conditions::About;
     auto const about = [&](About what) {
       auto const found = interval(row.factor, what);
       return found ? interval_text(found) : std::string("-");
     };
-    add(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", rules::name(row.quantity), name(row.effect), row.level,
-        factor_text(row.factor), about(About::mean), about(About::device), printable(joined(row.devices)));
+    append(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", rules::name(row.quantity), name(row.effect),
+           row.level, factor_text(row.factor), about(About::mean), about(About::device),
+           printable(joined(row.devices)));
   }
 }
 
 void add_tests(std::string& text, study::ConditionsResult const& result) {
   text += "\nTests; temperature, ageing, rest and order are as stated, not measured\n";
-  add(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", "device", "test", "order", "T, C",
-      "f, Hz", "N, kN", "strain", "cycle is", "used as", "K_eff", "damping");
+  append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", "device", "test", "order",
+         "T, C", "f, Hz", "N, kN", "strain", "cycle is", "used as", "K_eff", "damping");
   auto const number = [](std::optional<double> const& value) { return value ? fmt::format("{:.4g}", *value) : "-"; };
   for (auto const& test : result.tests) {
     auto const& at = test.condition;
-    add(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", printable(test.device),
-        printable(test.test), test.order, number(at.temperature_C), number(at.frequency_Hz), number(at.load_kN),
-        number(at.strain_percent), test.history ? name(*test.history) : "-",
-        test.effect && test.role == study::TestRole::effect ? name(*test.effect) : name(test.role),
-        number(test.K_eff_kN_per_mm), number(test.damping_percent));
+    append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", printable(test.device),
+           printable(test.test), test.order, number(at.temperature_C), number(at.frequency_Hz), number(at.load_kN),
+           number(at.strain_percent), test.history ? name(*test.history) : "-",
+           test.effect && test.role == study::TestRole::effect ? name(*test.effect) : name(test.role),
+           number(test.K_eff_kN_per_mm), number(test.damping_percent));
   }
 }
 
@@ -113,31 +115,31 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
   std::vector<std::string> devices;
   for (auto const& test : result.tests)
     if (std::ranges::find(devices, test.device) == devices.end()) devices.push_back(test.device);
-  add(text, "{}{}{} of {}\nReference: {}\n", printable(result.title), result.title.empty() ? "" : ": ",
-      counted(result.tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
+  append(text, "{}{}{} of {}\nReference: {}\n", printable(result.title), result.title.empty() ? "" : ": ",
+         counted(result.tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
   add_bounds(text, result);
   add_levels(text, result);
   if (!result.recovery.empty()) {
     text += "\nRecovery: share of the loss in the first cycles that comes back\n";
     for (auto const& row : result.recovery)
-      add(text, "  after {:g} h: {:.2f} on {}\n", row.rest_h, row.share,
-          counted(static_cast<std::size_t>(row.devices), "device"));
+      append(text, "  after {:g} h: {:.2f} on {}\n", row.rest_h, row.share,
+             counted(static_cast<std::size_t>(row.devices), "device"));
   }
   text += '\n';
   if (!result.drift_checked) text += "Drift not checked: no device has a second reference test.\n";
   for (auto const effect : result.straightness_not_checked)
-    add(text, "Straightness not checked: {} has fewer than three levels.\n", name(effect));
+    append(text, "Straightness not checked: {} has fewer than three levels.\n", name(effect));
   if (result.ageing_stands_for_years)
-    add(text, "The ageing test stands for {:.3g} years at {:g} C.\n", *result.ageing_stands_for_years,
-        result.stated.design.service_temperature_C.value_or(result.stated.reference.temperature_C));
+    append(text, "The ageing test stands for {:.3g} years at {:g} C.\n", *result.ageing_stands_for_years,
+           result.stated.design.service_temperature_C.value_or(result.stated.reference.temperature_C));
   auto const unused = std::ranges::count_if(result.tests, [](study::ConditionsTest const& test) {
     return test.role != study::TestRole::reference && test.role != study::TestRole::effect;
   });
   if (unused > 0)
-    add(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
-        unused == 1 ? "shows" : "show");
+    append(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
+           unused == 1 ? "shows" : "show");
   for (auto const& test : result.refused)
-    add(text, "Refused: {}, {}: {}\n", printable(test.device), printable(test.test), printable(test.reason));
+    append(text, "Refused: {}, {}: {}\n", printable(test.device), printable(test.test), printable(test.reason));
   if (details) add_tests(text, result);
   return text;
 }
