@@ -85,9 +85,16 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
 TEST_F(Conditions, as_text_begin_with_the_bounds) {
   auto const o = isolaw({"conditions", "ex/lot.toml", "--details"});
   ASSERT_EQ(o.code, 0) << o;
-  for (auto const* part : {"upper  1.869", "lower  0.705", "extrapolated on 3 devices", "1.313",
-                           "1 test shows no effect", "as stated, not measured", "combined"})
+  for (auto const* part :
+       {"upper  1.869", "lower  0.705", "extrapolated on 3 devices", "1.313", "as stated, not measured", "combined"})
     EXPECT_TRUE(contains(o.out, part)) << part << o;
+}
+
+TEST_F(Conditions, without_details_leave_the_tests_out) {
+  auto const o = isolaw({"conditions", "ex/lot.toml"});
+  EXPECT_TRUE(contains(o.out, "1 test shows no effect; --details says why.")) << o;
+  EXPECT_FALSE(contains(o.out, "combined")) << o;
+  EXPECT_TRUE(contains(o.out, "no interval: rate, load, ageing, cycles were tested on one device")) << o;
 }
 
 TEST_F(Conditions, that_no_test_covers_leave_the_bound_open) {

@@ -12,7 +12,7 @@
 namespace isolaw::app {
 namespace {
 
-constexpr double amplitude_mm = 208.0;
+constexpr double stretch_mm = 208.0;
 
 struct ConditionTest {
   char const* name;
@@ -82,7 +82,7 @@ std::string condition_record(ConditionDevice const& device, ConditionTest const&
   std::string text = "Time [s],Displacement [mm],Force [kN],Vertical load [kN]\n";
   double z = 0.0, before = 0.0;
   for (int i = 0; i <= per_cycle * test.cycles; ++i) {
-    double const d = amplitude_mm * std::sin(2.0 * std::numbers::pi * i / per_cycle);
+    double const d = stretch_mm * std::sin(2.0 * std::numbers::pi * i / per_cycle);
     z = std::clamp(z + (d - before) / D_y, -1.0, 1.0);
     before = d;
     double const force = k(std::min(i / per_cycle + 1, test.cycles)) * (K_2 * d + Q * z);

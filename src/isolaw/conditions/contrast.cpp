@@ -92,7 +92,8 @@ double Factor::lambda() const {
 }
 
 std::optional<Interval> interval(Factor const& factor, About about, int installed) {
-  if (!factor.se) return std::nullopt;
+  bool const from_one = factor.devices < 2 && factor.status != Status::unpaired;
+  if (!factor.se || (from_one && about != About::mean)) return std::nullopt;
   // The standard error is that of the mean over the devices. The scatter of a single device is sqrt(D) times as large.
   double const D = factor.devices, scatter = *factor.se * std::sqrt(D), N = installed;
   double width = *factor.se;
@@ -133,8 +134,10 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
       double const a = static_cast<double>(values.size()), b = static_cast<double>(own->second.size());
       if (a + b > 2.0) {
         double const pooled = std::sqrt((sum_of_squares(values) + sum_of_squares(own->second)) / (a + b - 2.0));
-        level.replicate_se = pooled * std::sqrt(1.0 / a + 1.0 / b);
-        level.replicate_df = a + b - 2.0;
+        if (pooled > 0.0) {
+          level.replicate_se = pooled * std::sqrt(1.0 / a + 1.0 / b);
+          level.replicate_df = a + b - 2.0;
+        }
       }
     }
     if (level.ratios.size() != 1) level.replicate_se = level.replicate_df = std::nullopt;

@@ -29,7 +29,8 @@ struct Level {
   std::optional<Ageing> ageing = {};
   bool reference = false;
   std::vector<DeviceRatio> ratios = {};
-  // Standard error and degrees of freedom from repeated tests, if a single device was tested here.
+  // Standard error and degrees of freedom from repeated tests, if a single device was tested here. Empty if these tests
+  // do not differ at all: they then show no scatter.
   std::optional<double> replicate_se = {}, replicate_df = {};
   int tests = 0;
 
@@ -58,7 +59,7 @@ struct Factor {
 
 // For which value an interval is.
 enum class About {
-  mean,        // the mean factor
+  mean,        // the mean factor; for a factor from repeated tests of a single device, the factor of this device
   device,      // one further device
   system,      // the mean of the installed devices, of which the tested ones are some
   prototypes,  // the same, but the tested devices are not installed
@@ -67,7 +68,8 @@ std::string_view name(About about);
 struct Interval {
   double low = 0.0, high = 0.0;
 };
-// The 95 % interval of lambda. Empty without a standard error. `installed` is the number of installed devices.
+// The 95 % interval of lambda. Empty without a standard error, and for other devices than the tested ones if only one was
+// tested. `installed` is the number of installed devices.
 std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
 
 // The levels of one effect, and the straight lines in ln between them: over the temperature, the logarithm of the

@@ -87,7 +87,7 @@ std::string conditions_json(study::ConditionsResult const& result) {
     out.member("straightness_not_checked", unchecked);
     out.member("ageing_stands_for_years", result.ageing_stands_for_years);
   });
-  return out.take();
+  return out.take() + '\n';
 }
 
 }  // namespace isolaw::render

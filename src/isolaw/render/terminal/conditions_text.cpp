@@ -48,48 +48,69 @@ std::string reference_text(study::ConditionsResult const& result) {
   return text;
 }
 
+std::vector<std::string> names_of(std::vector<conditions::Effect> const& effects) {
+  std::vector<std::string> names;
+  for (auto const effect : effects) names.emplace_back(name(effect));
+  return names;
+}
+
 std::string bound_text(conditions::Combined const& all, std::string_view at_end) {
-  std::vector<std::string> missing;
-  for (auto const effect : all.not_covered) missing.emplace_back(name(effect));
-  auto text = fmt::format("{}{:.3f}", all.complete() ? "" : fmt::format("{} ", at_end), all.factor);
+  if (!all.complete())
+    return fmt::format("{} {:.3f}, NOT COVERED: {}", at_end, all.factor, joined(names_of(all.not_covered)));
+  auto text = fmt::format("{:.3f}", all.factor);
   if (all.interval) append(text, " ({}, 95 %)", interval_text(all.interval));
-  if (!missing.empty()) append(text, ", NOT COVERED: {}", joined(missing));
-  if (all.complete()) append(text, ", {:.0f} % of it shown or interpolated", 100.0 * all.share_shown);
+  append(text, ", {}", name(all.status));
+  if (all.status == Status::shown || all.status == Status::interpolated) return text;
+  append(text, "; {:.0f} % of it rests on tests at such conditions or between them", 100.0 * all.share_shown);
   return text;
 }
 
-void add_bounds(std::string& text, study::ConditionsResult const& result) {
+// The properties that are printed in full without --details. The others follow from them, or judge less.
+bool is_short(rules::Quantity quantity) {
+  return quantity == rules::Quantity::Q_d || quantity == rules::Quantity::K_d;
+}
+
+void add_bounds(std::string& text, study::ConditionsResult const& result, bool details) {
   if (result.bounds.empty()) {
     text +=
         "\nNo range of conditions is stated for the design, so there are no bounds: add design = { ... } to "
         "[conditions].\n";
     return;
   }
-  text += "\nBounds over the design conditions, as factors on the value at reference (the product of all effects)\n";
+  text += "\nBounds over the design conditions: factors on the value at reference, the product of all effects\n";
+  std::vector<std::string> alone;
   for (auto const& row : result.bounds) {
+    for (auto const* side : {&row.max, &row.min})
+      for (auto& effect : names_of(side->without_interval))
+        if (std::ranges::find(alone, effect) == alone.end()) alone.push_back(std::move(effect));
     append(text, "\n{}\n  upper  {}\n  lower  {}\n", rules::name(row.quantity), bound_text(row.max, "at least"),
            bound_text(row.min, "at most"));
-    append(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", "effect", "largest", "", "smallest", "");
+    if (is_short(row.quantity) && !details) continue;
+    append(text, "    {:<12} {:>7}  {:<28} {:>8}\n", "effect", "largest", "", "smallest");
     for (auto const& of : result.design)
       if (of.quantity == row.quantity)
-        append(text, "    {:<12} {:>7}  {:<32} {:>7}  {}\n", name(of.effect), factor_text(of.max), status_text(of.max),
+        append(text, "    {:<12} {:>7}  {:<28} {:>8}  {}\n", name(of.effect), factor_text(of.max), status_text(of.max),
                factor_text(of.min), status_text(of.min));
   }
+  if (!alone.empty())
+    append(text, "\nThe bounds have no interval: {} {} tested on one device, without repeated tests that differ.\n",
+           joined(alone), alone.size() == 1 ? "was" : "were");
 }
 
-void add_levels(std::string& text, study::ConditionsResult const& result) {
-  text += "\nFactors at the tested levels, with the 95 % interval of the mean and of one further device\n";
-  append(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", "property", "effect", "level", "factor", "mean",
-         "one device", "devices");
+void add_levels(std::string& text, study::ConditionsResult const& result, bool details) {
+  text += "\nFactors at the tested levels, with 95 % intervals of the mean and of one further device\n";
+  append(text, "  {:<8} {:<12} {:<16} {:>7}  {:<15} {:<15} {}\n", "property", "effect", "level", "factor", "mean",
+         "one device", "tested on");
   for (auto const& row : result.levels) {
+    if (!details && row.quantity != rules::Quantity::K_eff && row.quantity != rules::Quantity::damping) continue;
     using conditions::About;
     auto const about = [&](About what) {
       auto const found = interval(row.factor, what);
       return found ? interval_text(found) : std::string("-");
     };
-    append(text, "  {:<8} {:<12} {:<18} {:>7}  {:<16} {:<16} {}\n", rules::name(row.quantity), name(row.effect),
+    append(text, "  {:<8} {:<12} {:<16} {:>7}  {:<15} {:<15} {}\n", rules::name(row.quantity), name(row.effect),
            row.level, factor_text(row.factor), about(About::mean), about(About::device),
-           printable(joined(row.devices)));
+           row.devices.size() > 4 ? fmt::format("{} devices", row.devices.size()) : printable(joined(row.devices)));
   }
 }
 
@@ -117,8 +138,8 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
     if (std::ranges::find(devices, test.device) == devices.end()) devices.push_back(test.device);
   append(text, "{}{}{} of {}\nReference: {}\n", printable(result.title), result.title.empty() ? "" : ": ",
          counted(result.tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
-  add_bounds(text, result);
-  add_levels(text, result);
+  add_bounds(text, result, details);
+  add_levels(text, result, details);
   if (!result.recovery.empty()) {
     text += "\nRecovery: share of the loss in the first cycles that comes back\n";
     for (auto const& row : result.recovery)
@@ -135,7 +156,7 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
   auto const unused = std::ranges::count_if(result.tests, [](study::ConditionsTest const& test) {
     return test.role != study::TestRole::reference && test.role != study::TestRole::effect;
   });
-  if (unused > 0)
+  if (unused > 0 && !details)
     append(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
            unused == 1 ? "shows" : "show");
   for (auto const& test : result.refused)
