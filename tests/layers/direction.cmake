@@ -1,6 +1,6 @@
 # A module may include only modules to the left of it here: base <- num <- {laws, opt, data} <- wording <- fit <-
-# analysis <- {campaign, lot, rules} <- building <- study <- {render, programs} <- api <- app. Modules in one pair of
-# braces must not include one another. The folders of render must not include one another either, but all of them may
+# analysis <- {campaign, lot, rules} <- {building, conditions} <- study <- {render, programs} <- api <- app. Modules in
+# one pair of braces must not include one another. The folders of render must not include one another either, but all of them may
 # include `json` and render/results.hpp. The folders of data are ordered too: files <- channels <- cycles <- signals <-
 # properties, and none of them includes a file that lies in data itself, such as data/read.hpp.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
@@ -16,7 +16,9 @@ set(rank_analysis 5)
 foreach(module campaign lot rules)
   set(rank_${module} 6)
 endforeach()
-set(rank_building 7)
+foreach(module building conditions)
+  set(rank_${module} 7)
+endforeach()
 set(rank_study 8)
 foreach(module render programs)
   set(rank_${module} 9)

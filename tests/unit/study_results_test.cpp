@@ -10,6 +10,7 @@
 
 #include "isolaw/study/acceptance_results.hpp"
 #include "isolaw/study/building_results.hpp"
+#include "isolaw/study/conditions_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/published_results.hpp"
 #include "isolaw/study/value_doubts.hpp"
@@ -109,6 +110,10 @@ TEST(Results, OfBuildingsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(judged_results, of("`laws[].limits[]`"));
   expect_all_documented(checked_results, of("`laws[].checked[]`"));
   expect_all_documented(history_results, of("`laws[].histories[]`"));
+}
+
+TEST(Results, OfConditionsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
+  expect_all_documented(conditions_test_results, documented("`tests[]`", "conditions.md"));
 }
 
 TEST(Results, HaveAHeadingForEachCell) {

@@ -235,6 +235,17 @@ void add_inspect(Commands& commands) {
       "also print the skeleton curve, bilinear loops, and energy, stiffness and residual displacement of each cycle");
 }
 
+void add_conditions(Commands& commands) {
+  auto const [c, a] = commands.add<ConditionsArguments>(
+      "conditions", "Show how temperature, rate, load, ageing and history change the properties of devices",
+      "isolaw conditions lot.toml", conditions);
+  c.add_option("lot", a.lot, "a lot file with a table [conditions]")->required();
+  c.add_option("--out", a.out, "directory for conditions.json");
+  add_allow_outside(c, a.allow_outside);
+  c.add_flag("--json", a.json, "print conditions.json instead of text");
+  c.add_flag("--details", a.details, "also list every test and how it is used");
+}
+
 void add_report(Commands& commands) {
   auto const [c, a] = commands.add<ReportArguments>(
       "report", "Write the summary, tables and page of a campaign again from its store",
@@ -455,19 +466,20 @@ void add_reference(Commands& commands) {
 
 void add_example(Commands& commands) {
   auto const [c, a] =
-      commands.add<ExampleArguments>("example", "Write the built-in example lot, example tests, or an example building",
+      commands.add<ExampleArguments>("example", "Write the built-in example lot, example tests, tests under several conditions, or an example building",
                                      "isolaw example lot", example);
   c.add_option("directory", a.directory, "directory to write to")->required();
   c.add_flag(
       "--tests", a.tests,
       "write another lot instead: tests of three amplitudes, with scragging, a soft bearing and a faulty channel");
   c.add_flag("--building", a.building, "write a building file and motions instead of the lot");
+  c.add_flag("--conditions", a.conditions, "write tests under several conditions instead of the lot");
 }
 
 int dispatch(CLI::App& app, int argc, char** argv) {
   Commands commands(app, {argv, argv + argc});
   for (auto const add :
-       {add_calibrate, add_init, add_inspect, add_report, add_merge, add_parts, add_sample, add_export, add_simulate,
+       {add_calibrate, add_init, add_inspect, add_conditions, add_report, add_merge, add_parts, add_sample, add_export, add_simulate,
         add_building, add_rules, add_bench, add_check, add_laws, add_keywords, add_reference, add_example})
     add(commands);
 

@@ -108,16 +108,22 @@ int list_laws(std::string const& id, bool json, bool markdown) {
 
 int example(ExampleArguments const& arguments) {
   auto const& directory = arguments.directory;
-  if (arguments.building && arguments.tests)
-    throw Error({.where = "--building", .found = "is given with --tests", .allowed = "one of them"});
+  if (arguments.building + arguments.tests + arguments.conditions > 1)
+    throw Error(
+        {.where = arguments.building ? "--building" : "--tests",
+         .found = arguments.tests && arguments.building ? "is given with --tests" : "is given with --conditions",
+         .allowed = "one of them"});
   if (arguments.building) {
     write_example_building(directory);
     fmt::print("written: {0}\nnext: isolaw building {1} --from CAMPAIGN\n", shown(directory),
                shown(directory / "building.toml"));
     return exit_done;
   }
-  write_example(directory, arguments.tests ? example_tests() : example_lot());
-  fmt::print("written: {0}\nnext: isolaw calibrate {1}\n", shown(directory), shown(directory / "lot.toml"));
+  write_example(directory, arguments.conditions ? example_conditions()
+                           : arguments.tests    ? example_tests()
+                                                : example_lot());
+  fmt::print("written: {0}\nnext: isolaw {1} {2}\n", shown(directory),
+             arguments.conditions ? "conditions" : "calibrate", shown(directory / "lot.toml"));
   return exit_done;
 }
 

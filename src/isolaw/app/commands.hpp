@@ -69,6 +69,13 @@ struct InspectArguments {
 };
 int inspect(InspectArguments const& arguments);
 
+struct ConditionsArguments {
+  std::filesystem::path lot;                 // a lot file with a table [conditions]
+  std::optional<std::filesystem::path> out;  // for conditions.json
+  bool allow_outside = false, json = false, details = false;
+};
+int conditions(ConditionsArguments const& arguments);
+
 struct InitArguments {
   std::vector<std::filesystem::path> files;
   Values read;
@@ -147,7 +154,7 @@ int list_laws(std::string const& id, bool json, bool markdown);
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 struct ExampleArguments {
   std::filesystem::path directory;
-  bool building = false, tests = false;
+  bool building = false, tests = false, conditions = false;
 };
 int example(ExampleArguments const& arguments);
 

@@ -22,6 +22,8 @@ std::vector<TextFile> example_lot();
 // Five records, lot.toml and README.md: tests of three amplitudes, with scragging, a soft bearing and a clipped
 // channel.
 std::vector<TextFile> example_tests();
+// 26 records, lot.toml and README.md: tests at several temperatures, frequencies and loads, aged, and after rests.
+std::vector<TextFile> example_conditions();
 
 // The force of a law on a motion. Names in `parameters` that the law does not have are ignored, because Table A.5 has a
 // parameter p that abe-y0 lacks. A parameter that is not given gets its default value, or 0 if it has none.

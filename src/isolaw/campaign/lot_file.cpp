@@ -194,9 +194,14 @@ std::string name_of(std::vector<TestInput> const& tests) {
 // Reads the tables of a device. Files outside the lot file's folder are refused unless the user allows them.
 class DeviceReader {
  public:
+  // `conditions` are those of the lot file, or nullptr.
   DeviceReader(std::filesystem::path directory, LotFileOptions const& options, std::string file,
-               std::vector<Complaint>& complaints)
-      : directory_(std::move(directory)), options_(options), file_(std::move(file)), complaints_(complaints) {}
+               StatedConditions const* conditions, std::vector<Complaint>& complaints)
+      : directory_(std::move(directory)),
+        options_(options),
+        file_(std::move(file)),
+        conditions_(conditions),
+        complaints_(complaints) {}
 
   DeviceInput read(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) const {
     DeviceInput device;
@@ -220,6 +225,7 @@ class DeviceReader {
       device.tests.push_back(std::move(only));
     }
     if (device.name.empty()) device.name = name_of(device.tests);
+    if (conditions_ != nullptr) take_history(table, source, device);
     read_vertical_input(
         table, directory_, [&](std::string const& name) { check_inside(name); }, file_, complaints_, device.vertical);
     table.refuse_unknown();
@@ -289,10 +295,51 @@ class DeviceReader {
     auto test = test_in(table, defaults, false);
     find_columns(table, source, test);
     test.name = name_in(table);
+    if (conditions_ != nullptr)
+      for (auto const& option : test_table())
+        table.json(option.option(), [&](Json const& value) { option.set(test.stated, value); });
     if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
     if (test.name.empty() && !test.files.empty()) test.name = name_of_file(test.files.front());
     table.refuse_unknown();
     return test;
+  }
+
+  // Puts the tests in their order, and chooses those that stand for the device elsewhere: the test with stands-for =
+  // "acceptance", else the first one at the reference temperature that is not aged, else the first one; and beside it
+  // those with fit = true.
+  void take_history(TomlTable& table, toml::table const& source, DeviceInput& device) const {
+    auto& all = device.history = std::move(device.tests);
+    device.tests.clear();
+    if (all.size() == 1) {
+      auto& only = all.front();
+      if (only.name.empty() && !only.files.empty()) only.name = name_of_file(only.files.front());
+      if (!only.stated.temperature_C) only.stated.temperature_C = device.info.temperature_C;
+      only.stated.order = only.stated.order.value_or(1);
+    }
+    std::set<int> orders;
+    for (auto const& test : all)
+      if (!test.stated.order || !orders.insert(*test.stated.order).second)
+        table.complain(source,
+                       fmt::format("test '{}' has {}", printable(test.name),
+                                   test.stated.order ? "the order of another test" : "no order"),
+                       "order = 1, 2, ... in the order in which the device was tested");
+    std::ranges::stable_sort(all, {}, [](TestInput const& test) { return test.stated.order.value_or(0); });
+    if (std::ranges::count_if(all, [](TestInput const& test) { return test.stated.is_acceptance; }) > 1)
+      table.complain(source, "two tests of a device with stands-for = \"acceptance\"", "one of them");
+    auto const chosen = [&](auto const& stands) { return std::ranges::find_if(all, stands); };
+    auto acceptance = chosen([](TestInput const& test) { return test.stated.is_acceptance; });
+    if (acceptance == all.end())
+      acceptance = chosen([&](TestInput const& test) {
+        return test.stated.temperature_C && !test.stated.aged &&
+               std::abs(*test.stated.temperature_C - conditions_->reference.temperature_C) <=
+                   conditions_->tolerance.temperature_C;
+      });
+    if (acceptance == all.end()) acceptance = all.begin();
+    for (auto test = all.begin(); test != all.end(); ++test)
+      if (test == acceptance || test->stated.fit) device.tests.push_back(*test);
+    if (device.tests.size() == 1) device.tests.front().name.clear();
+    if (acceptance != all.end() && !device.info.temperature_C)
+      device.info.temperature_C = acceptance->stated.temperature_C;
   }
 
   static void refuse_same_names(TomlTable& table, toml::node const& node, std::vector<TestInput> const& tests) {
@@ -306,6 +353,7 @@ class DeviceReader {
   std::filesystem::path directory_;
   LotFileOptions const& options_;
   std::string file_;
+  StatedConditions const* conditions_;
   std::vector<Complaint>& complaints_;
 };
 
@@ -447,6 +495,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     reader.refuse_unknown();
   }
   lot.read = defaults;
+  if (auto const* table = top.table("conditions")) lot.conditions = read_conditions(*table, file, complaints);
   auto const* devices = top.find("device");
   if (devices == nullptr || !devices->is_array_of_tables()) {
     complaints.push_back({.where = file,
@@ -464,7 +513,8 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     for (auto const& node : tables) {
       TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
       auto device =
-          DeviceReader(path.parent_path(), options, file, complaints).read(reader, *node.as_table(), defaults);
+          DeviceReader(path.parent_path(), options, file, lot.conditions ? &*lot.conditions : nullptr, complaints)
+              .read(reader, *node.as_table(), defaults);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
                         "a name of its own for each device");

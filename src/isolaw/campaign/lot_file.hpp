@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/lot_conditions.hpp"
 #include "isolaw/data/read.hpp"
 
 namespace isolaw::campaign {
@@ -30,11 +31,15 @@ struct TestInput {                           // one test before its record is re
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::string shown_file;                    // the name in reports
   data::ReadOptions read;
+  StatedTest stated = {};  // under which condition; only in a lot file with [conditions]
 };
 
 struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
+  // All tests of the device in their order, if the lot file has a table [conditions]. `tests` then holds the one that
+  // stands for the device, and those that are fitted beside it.
+  std::vector<TestInput> history = {};
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
   DeviceInfo info;
   VerticalInput vertical = {};
@@ -52,6 +57,7 @@ struct Lot {
   Settings settings;
   data::ReadOptions read;  // defaults for reading the devices' records
   std::vector<DeviceInput> devices;
+  std::optional<StatedConditions> conditions;
   std::optional<std::filesystem::path> out;  // directory for results, relative to the program's current directory
   std::optional<int> jobs;
 };

@@ -22,14 +22,6 @@
 namespace isolaw::campaign {
 namespace {
 
-// Joins the files of one test into one history. Between two files, time goes on by one sampling interval.
-data::TestRecord read_history(TestInput const& input) {
-  auto record = data::read_record(input.files.front(), input.read);
-  for (std::size_t i = 1; i < input.files.size(); ++i)
-    data::continue_with(record, data::read_record(input.files[i], input.read), input.files[i].filename().string());
-  return record;
-}
-
 // Cuts `directory` from the paths in a text: results must not depend on the folder in which the program was started.
 std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
   auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
@@ -241,6 +233,14 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
 }
 
 }  // namespace
+
+// Joins the files of one test into one history. Between two files, time goes on by one sampling interval.
+data::TestRecord read_history(TestInput const& input) {
+  auto record = data::read_record(input.files.front(), input.read);
+  for (std::size_t i = 1; i < input.files.size(); ++i)
+    data::continue_with(record, data::read_record(input.files[i], input.read), input.files[i].filename().string());
+  return record;
+}
 
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings) {
   auto box = fit::make_box(law, settings.box, fit::scales_of(record, law.info), settings.overrides);

@@ -29,6 +29,8 @@ struct NamedRecord {  // a record in memory; its name must suit a lot file
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title);
 // Reads a compression test. If it gives no stiffness, `refusal` says why. Messages name files relative to `directory`.
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
+// Reads the files of one test, one after another as one history. Throws Error as data::read_record() does.
+data::TestRecord read_history(TestInput const& input);
 // Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);

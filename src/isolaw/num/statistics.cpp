@@ -1,6 +1,7 @@
 #include "isolaw/num/statistics.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,12 @@ double median(std::span<double const> values) {
   std::ranges::sort(sorted);
   auto const half = sorted.size() / 2;
   return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+// P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), the incomplete beta function.
+double student_97_5(double freedom) {
+  double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
+  return std::sqrt(freedom * (1.0 - x) / x);
 }
 
 ModifiedScores modified_scores(std::span<double const> values, double least_scale) {

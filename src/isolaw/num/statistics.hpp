@@ -18,6 +18,8 @@ Moments moments(std::span<double const> values);
 double population_std(std::span<double const> values);
 // The middle value, or the mean of the two middle ones. NaN when there are no values or one of them is NaN.
 double median(std::span<double const> values);
+// Quantile 0.975 of Student's t, which bounds a two-sided interval of 95 %. `freedom` need not be whole.
+double student_97_5(double freedom);
 template <class Items, class Property>
 double median_over(Items const& items, Property property) {
   std::vector<double> values;

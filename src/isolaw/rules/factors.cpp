@@ -1,20 +1,15 @@
 #include "isolaw/rules/factors.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <limits>
+
+#include "isolaw/num/statistics.hpp"
 
 namespace isolaw::rules {
 namespace {
 
 constexpr double normal_97_5 = 1.959963984540054;  // quantile of the normal distribution for a two-sided 95 %
-
-// Quantile 0.975 of Student's t. P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), the incomplete beta function.
-double student_97_5(double freedom) {
-  double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
-  return std::sqrt(freedom * (1.0 - x) / x);
-}
 
 }  // namespace
 
@@ -60,7 +55,7 @@ double system_half_width_percent(double cov_percent, int installed, int tested) 
 double prediction_half_width_percent(double cov_percent, int installed, int tested) {
   if (tested < 2) return std::numeric_limits<double>::quiet_NaN();
   auto const N = static_cast<double>(installed), n = static_cast<double>(std::min(tested, installed));
-  return student_97_5(n - 1.0) * cov_percent * std::sqrt(1.0 / n - 1.0 / N);
+  return num::student_97_5(n - 1.0) * cov_percent * std::sqrt(1.0 / n - 1.0 / N);
 }
 
 }  // namespace isolaw::rules

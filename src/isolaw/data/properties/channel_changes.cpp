@@ -22,9 +22,9 @@ constexpr double same_at_peaks = 0.3;
 constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
 constexpr double line_contrast = 4.0;  // times; a line of the spectrum must be so many times as large as its neighbours
 constexpr double lowest_line = 10.0;   // times the test's frequency; lines are sought above it
-constexpr double line_neighbours = 9.0;  // times the test's frequency; lines that are closer are neighbours
-constexpr double least_line = 0.001;     // times the amplitude; a smaller line is not reported
-constexpr double most_uneven = 0.1;      // times the sampling interval; each interval may differ from the mean by this
+constexpr double line_neighbours = 9.0;   // times the test's frequency; lines that are closer are neighbours
+constexpr double least_line = 0.001;      // times the amplitude; a smaller line is not reported
+constexpr double most_uneven_step = 0.1;  // times the sampling interval; each interval may differ from the mean by this
 constexpr std::size_t most_transformed = 65536;
 
 // The counted cycles of a block. None if there are fewer than `fewest`, or if a rest or a gap separates two of them. A
@@ -164,7 +164,7 @@ void transform(std::vector<std::complex<double>>& x) {
 bool is_uniform(std::span<double const> time, std::size_t begin, std::size_t end) {
   double const interval = (time[end - 1] - time[begin]) / static_cast<double>(end - 1 - begin);
   for (auto i = begin + 1; i < end; ++i)
-    if (std::abs(time[i] - time[i - 1] - interval) > most_uneven * interval) return false;
+    if (std::abs(time[i] - time[i - 1] - interval) > most_uneven_step * interval) return false;
   return true;
 }
 

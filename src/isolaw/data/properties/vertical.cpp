@@ -63,7 +63,7 @@ Compression compression_of(VerticalTest const& test) {
 constexpr double noise_left = 0.0005;         // fraction of the range; averaging reduces noise to this
 constexpr std::size_t least_of_loading = 10;  // least number of averaging windows in a loading
 
-std::vector<double> averaged(std::vector<double> const& x, std::size_t half) {
+std::vector<double> running_mean(std::vector<double> const& x, std::size_t half) {
   std::vector<double> sums(x.size() + 1, 0.0), averages(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) sums[i + 1] = sums[i] + x[i];
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -114,8 +114,8 @@ Compression without_noise(Compression compression) {
   double const longest = static_cast<double>((counting.last - counting.first) / least_of_loading);
   auto const half = static_cast<std::size_t>(std::min(longest, std::pow(noise / noise_left, 2.0)) / 2.0);
   if (half == 0) return compression;
-  compression.load_kN = averaged(compression.load_kN, half);
-  compression.disp_mm = averaged(compression.disp_mm, half);
+  compression.load_kN = running_mean(compression.load_kN, half);
+  compression.disp_mm = running_mean(compression.disp_mm, half);
   return compression;
 }
 

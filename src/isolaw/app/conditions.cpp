@@ -1,0 +1,26 @@
+// `isolaw conditions`: how the properties of devices change with temperature, rate, load, ageing and history.
+#include "isolaw/study/conditions.hpp"
+#include "isolaw/app/commands.hpp"
+#include "isolaw/app/lot_of.hpp"
+#include "isolaw/app/output.hpp"
+#include "isolaw/app/say.hpp"
+#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/json/conditions_json.hpp"
+#include "isolaw/render/terminal/conditions_text.hpp"
+
+namespace isolaw::app {
+
+int conditions(ConditionsArguments const& arguments) {
+  auto const lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
+  auto const result = study::build_conditions(lot);
+  print(arguments.json ? render::conditions_json(result) : render::conditions_text(result, arguments.details));
+  if (arguments.out) {
+    auto const file = *arguments.out / "conditions.json";
+    std::filesystem::create_directories(*arguments.out);
+    write_file(file, render::conditions_json(result));
+    say("written: {}\n", shown(file));
+  }
+  return result.refused.empty() ? exit_done : exit_with_refusals;
+}
+
+}  // namespace isolaw::app

@@ -1,0 +1,198 @@
+#include "isolaw/campaign/lot_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::campaign {
+namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
+// Above this temperature an oven damages rubber instead of ageing it.
+Limits const temperatures{.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"},
+    ovens{.least = 0.0,
+          .most = 100.0,
+          .words = "degrees Celsius, 0 to 100: in a hotter oven rubber is damaged, not aged"},
+    positive{.least = std::numeric_limits<double>::min(), .most = largest, .words = "above 0"},
+    not_negative{.least = 0.0, .most = largest, .words = "0 or more"};
+
+// Takes the entries of { days = 14, at-C = 70 }, one in each call.
+void set_aged(StatedTest& test, Json const& value) {
+  if (!value.is_object()) refuse(value, "{ days = 14, at-C = 70 }");
+  if (!test.aged) test.aged.emplace();
+  for (auto const& [key, number] : value.items()) {
+    if (key == "days")
+      test.aged->days = real_of(number, not_negative);
+    else if (key == "at-C")
+      test.aged->at_C = real_of(number, ovens);
+    else
+      throw Error({.where = {}, .found = fmt::format("{}, which is not known", key), .allowed = "days, at-C"});
+  }
+}
+
+std::vector<Option<StatedTest>> make_test_table() {
+  using T = StatedTest;
+  std::vector<Option<T>> table{
+      number<T>("order", "place among all tests of the device", at(&T::order),
+                {.least = 1, .most = 1'000'000, .words = "a whole number from 1"}),
+      number<T>("temperature-C", "temperature of the rubber at the start", at(&T::temperature_C), temperatures),
+      number<T>("load-kN", "mean vertical load, if the record has no channel for it", at(&T::load_kN), not_negative),
+      number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative),
+      {{.key = "aged",
+        .kind = Kind::assignments,
+        .help = "ageing in an oven before the test: { days = 14, at-C = 70 }"},
+       [](T const& test) {
+         return test.aged ? Json({{"days", test.aged->days}, {"at-C", test.aged->at_C}}) : Json();
+       },
+       set_aged},
+      flag<T>("fit", "the record takes part in fits beside the one of the acceptance test", at(&T::fit))};
+  constexpr std::pair<std::string_view, bool> stands_for[]{{"dependence", false}, {"acceptance", true}};
+  table.push_back(
+      word<T>("stands-for", "which record stands for the device elsewhere", at(&T::is_acceptance), stands_for));
+  Option<T> place{{.key = "temperature-of", .help = "where the temperature was measured"}, {}, {}};
+  place.words = {"core", "surface", "chamber"};
+  place.get = [](T const& test) { return test.temperature_of.empty() ? Json() : Json(test.temperature_of); };
+  place.set = [allowed = place.words](T& test, Json const& value) {
+    auto const text = text_in(value);
+    if (std::ranges::find(allowed, text) == allowed.end()) refuse(value, joined(allowed));
+    test.temperature_of = text;
+  };
+  table.push_back(std::move(place));
+  return table;
+}
+
+// The tables within [conditions].
+class ConditionsReader {
+ public:
+  ConditionsReader(toml::table const& table, std::string const& file, std::vector<Complaint>& complaints)
+      : file_(file), complaints_(complaints), top_(table, file, "[conditions]", complaints) {}
+
+  StatedConditions read() {
+    StatedConditions all;
+    inside("reference", true, [&](TomlTable& table) { reference(table, all); });
+    inside("design", false, [&](TomlTable& table) { design(table, all); });
+    inside("tolerance", false, [&](TomlTable& table) {
+      auto& to = all.tolerance;
+      take(table, "temperature-C", not_negative, to.temperature_C);
+      take(table, "frequency-percent", not_negative, to.frequency_percent);
+      take(table, "load-percent", not_negative, to.load_percent);
+      take(table, "strain-percent", not_negative, to.strain_percent);
+    });
+    take(top_, "activation-energy-kJ-mol", positive, all.activation_energy_kJ_per_mol);
+    top_.value<std::string>("activation-energy-source", "text",
+                            [&](std::string const& text) { all.activation_energy_source = text; });
+    take(top_, "heat-capacity-MJ-m3K", positive, all.heat_capacity_MJ_per_m3K);
+    if (all.activation_energy_kJ_per_mol.has_value() == all.activation_energy_source.empty())
+      top_.complain("an activation energy without its source, or a source without the energy",
+                    "activation-energy-kJ-mol and activation-energy-source = \"text\" together");
+    top_.refuse_unknown();
+    return all;
+  }
+
+ private:
+  void inside(std::string_view key, bool required, auto const& read) {
+    auto const* table = top_.table(key);
+    if (table == nullptr) {
+      if (required) top_.complain(fmt::format("no {}", key), "reference = { temperature-C = 20, frequency-Hz = 0.5 }");
+      return;
+    }
+    TomlTable reader(*table, file_, fmt::format("{} in [conditions]", key), complaints_);
+    read(reader);
+    reader.refuse_unknown();
+  }
+
+  template <class To>
+  static void take(TomlTable& table, std::string_view key, Limits const& limits, To& to) {
+    table.value<double>(key, limits.text(), [&](double value) { to = real_of(value, limits); });
+  }
+
+  // A number, or the two ends of a range as a list.
+  void range(TomlTable& table, std::string_view key, Limits const& limits, std::optional<ConditionRange>& to) {
+    auto const* node = table.find(key);
+    if (node == nullptr) return;
+    std::vector<double> ends;
+    if (auto const* list = node->as_array(); list != nullptr) {
+      for (auto const& item : *list) ends.push_back(item.value<double>().value_or(std::nan("")));
+    } else if (auto const one = node->value<double>()) {
+      ends = {*one, *one};
+    }
+    bool const right = ends.size() == 2 && ends[0] <= ends[1] && limits.allow(ends[0]) && limits.allow(ends[1]);
+    if (!right)
+      return table.complain(*node, fmt::format("{} is not a range", key),
+                            fmt::format("[low, high], each {}", limits.text()));
+    to = {.low = ends[0], .high = ends[1]};
+  }
+
+  static void reference(TomlTable& table, StatedConditions& all) {
+    auto& to = all.reference;
+    if (table.find("temperature-C") == nullptr)
+      table.complain("a reference without a temperature", "temperature-C = 20");
+    take(table, "temperature-C", temperatures, to.temperature_C);
+    take(table, "frequency-Hz", positive, to.frequency_Hz);
+    take(table, "load-kN", positive, to.load_kN);
+    take(table, "strain-percent", positive, to.strain_percent);
+    take(table, "disp-mm", positive, to.disp_mm);
+    if (to.strain_percent && to.disp_mm) table.complain("strain-percent and disp-mm", "one of them");
+    table.json("cycle", [&](Json const& value) {
+      auto const text = text_of(value);
+      auto const dash = text.find('-');
+      auto const whole = [](std::string_view digits, int& number) {
+        auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        return error == std::errc() && end == digits.data() + digits.size();
+      };
+      bool const right = whole(text.substr(0, dash), to.first_cycle) &&
+                         whole(dash == std::string::npos ? text : text.substr(dash + 1), to.last_cycle) &&
+                         to.first_cycle >= 1 && to.first_cycle <= to.last_cycle;
+      if (!right) refuse(value, "a number of a cycle from 1, or a range such as \"1-3\"");
+    });
+  }
+
+  void design(TomlTable& table, StatedConditions& all) {
+    auto& to = all.design;
+    range(table, "temperature-C", temperatures, to.temperature_C);
+    range(table, "frequency-Hz", positive, to.frequency_Hz);
+    range(table, "load-kN", not_negative, to.load_kN);
+    table.json("rest", [&](Json const& value) {
+      if (value == Json("full"))
+        to.full_rest = true;
+      else if (value.is_number())
+        to.rest_h = real_of(value, positive);
+      else
+        refuse(value, "\"full\", or hours above 0");
+    });
+    table.value<int>("cycles", "a whole number from 1",
+                     [&](int value) { to.cycles = whole_of(value, {.least = 1, .most = 1000}); });
+    if (table.find("aged") != nullptr) {
+      StatedTest aged;
+      table.json("aged", [&](Json const& value) { set_aged(aged, value); });
+      to.aged = aged.aged;
+    }
+    take(table, "years", positive, to.years);
+    take(table, "service-temperature-C", temperatures, to.service_temperature_C);
+    if (to.years && to.aged) table.complain("aged and years", "one of them");
+    if (to.years.has_value() != to.service_temperature_C.has_value())
+      table.complain("years without a service temperature, or the reverse", "years and service-temperature-C together");
+  }
+
+  std::string const& file_;
+  std::vector<Complaint>& complaints_;
+  TomlTable top_;
+};
+
+}  // namespace
+
+std::span<Option<StatedTest> const> test_table() {
+  static auto const table = make_test_table();
+  return table;
+}
+
+StatedConditions read_conditions(toml::table const& table, std::string const& file,
+                                 std::vector<Complaint>& complaints) {
+  return ConditionsReader(table, file, complaints).read();
+}
+
+}  // namespace isolaw::campaign

@@ -1,0 +1,279 @@
+#include "isolaw/conditions/contrast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::conditions {
+namespace {
+
+using OfDevice = std::map<std::string, std::vector<double>, std::less<>>;
+
+OfDevice by_device(std::span<Sample const> samples) {
+  OfDevice values;
+  for (auto const& sample : samples) values[sample.device].push_back(sample.ln);
+  return values;
+}
+
+double condition_of(Effect effect, Condition const& condition) {
+  switch (effect) {
+    case Effect::temperature:
+      return condition.temperature_C.value_or(0.0);
+    case Effect::rate:
+      return condition.frequency_Hz.value_or(0.0);
+    case Effect::load:
+      return condition.load_kN.value_or(0.0);
+    default:
+      return 0.0;
+  }
+}
+
+double sum_of_squares(std::vector<double> const& values) {
+  auto const of = num::moments(values);
+  return of.std * of.std * static_cast<double>(of.count - 1);
+}
+
+}  // namespace
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::shown:
+      return "shown";
+    case Status::interpolated:
+      return "interpolated";
+    case Status::extrapolated:
+      return "extrapolated";
+    case Status::unpaired:
+      return "unpaired";
+    case Status::scaled:
+      return "scaled";
+    case Status::assumed:
+      return "assumed";
+    case Status::not_covered:
+      return "not covered";
+  }
+  return "";
+}
+
+std::string_view name(About about) {
+  switch (about) {
+    case About::mean:
+      return "mean";
+    case About::device:
+      return "device";
+    case About::system:
+      return "system";
+    case About::prototypes:
+      return "prototypes";
+  }
+  return "";
+}
+
+double Level::mean() const {
+  return num::moments(lns()).mean;
+}
+
+double Level::std() const {
+  return ratios.empty() ? 0.0 : num::moments(lns()).std;
+}
+
+std::vector<double> Level::lns() const {
+  std::vector<double> values;
+  for (auto const& ratio : ratios) values.push_back(ratio.ln);
+  return values;
+}
+
+double Factor::lambda() const {
+  return std::exp(ln);
+}
+
+std::optional<Interval> interval(Factor const& factor, About about, int installed) {
+  bool const from_one = factor.devices < 2 && factor.status != Status::unpaired;
+  if (!factor.se || (from_one && about != About::mean)) return std::nullopt;
+  // The standard error is that of the mean over the devices. The scatter of a single device is sqrt(D) times as large.
+  double const D = factor.devices, scatter = *factor.se * std::sqrt(D), N = installed;
+  double width = *factor.se;
+  if (about == About::device) width = scatter * std::sqrt(1.0 + 1.0 / D);
+  if (about == About::system) width = scatter * std::sqrt(std::max(0.0, 1.0 / D - 1.0 / N));
+  if (about == About::prototypes) width = scatter * std::sqrt(1.0 / D + 1.0 / N);
+  double const half = std::hypot(num::student_97_5(*factor.df) * width, factor.line_error, factor.drift);
+  return Interval{.low = std::exp(factor.ln - half), .high = std::exp(factor.ln + half)};
+}
+
+Response::Response(Effect effect, std::span<Sample const> reference, std::span<Sample const> others,
+                   Condition const& reference_condition, Tolerance const& tolerance)
+    : effect_(effect), tolerance_(tolerance) {
+  auto const at_reference = by_device(reference);
+  std::vector<Sample> sorted(others.begin(), others.end());
+  std::ranges::stable_sort(sorted, {}, [&](Sample const& sample) {
+    auto const& ageing = sample.condition.ageing;
+    return effect == Effect::ageing && ageing ? std::pair(ageing->at_C, ageing->days)
+                                              : std::pair(condition_of(effect, sample.condition), 0.0);
+  });
+  for (auto begin = sorted.begin(); begin != sorted.end();) {
+    auto const end = std::find_if(begin, sorted.end(), [&](Sample const& sample) {
+      return !agree_in(effect, sample.condition, begin->condition, tolerance);
+    });
+    std::span<Sample const> const tests(begin, end);
+    Level level{.ageing = effect == Effect::ageing ? begin->condition.ageing : std::nullopt,
+                .tests = static_cast<int>(tests.size())};
+    for (auto const& test : tests) level.at += condition_of(effect, test.condition) / static_cast<double>(tests.size());
+    for (auto const& [device, values] : by_device(tests)) {
+      auto const own = at_reference.find(device);
+      if (own == at_reference.end()) {
+        if (std::ranges::find(unpaired_, device) == unpaired_.end()) unpaired_.push_back(device);
+        continue;
+      }
+      level.ratios.push_back({.device = device, .ln = num::moments(values).mean - num::moments(own->second).mean});
+      auto const [first, last] = std::pair(own->second.front(), own->second.back());
+      if (own->second.size() > 1) drift_ = std::max(drift_.value_or(0.0), std::abs(last - first) / 2.0);
+      double const a = static_cast<double>(values.size()), b = static_cast<double>(own->second.size());
+      if (a + b > 2.0) {
+        double const pooled = std::sqrt((sum_of_squares(values) + sum_of_squares(own->second)) / (a + b - 2.0));
+        if (pooled > 0.0) {
+          level.replicate_se = pooled * std::sqrt(1.0 / a + 1.0 / b);
+          level.replicate_df = a + b - 2.0;
+        }
+      }
+    }
+    if (level.ratios.size() != 1) level.replicate_se = level.replicate_df = std::nullopt;
+    if (!level.ratios.empty()) levels_.push_back(std::move(level));
+    begin = end;
+  }
+
+  Level own{
+      .at = condition_of(effect, reference_condition), .reference = true, .tests = static_cast<int>(reference.size())};
+  for (auto const& [device, values] : at_reference) own.ratios.push_back({.device = device, .ln = 0.0});
+  if (effect == Effect::ageing) {
+    levels_.insert(levels_.begin(), std::move(own));
+    return;
+  }
+  levels_.insert(std::ranges::find_if(levels_, [&](Level const& level) { return level.at > own.at; }), std::move(own));
+  for (std::size_t i = 1; i + 1 < levels_.size(); ++i) {
+    auto const through = on_line(levels_[i - 1], levels_[i + 1], levels_[i].at, Status::interpolated);
+    if (through.status == Status::not_covered) continue;
+    // At the reference, all ratios are 1 by definition, so its mean is that of any devices.
+    line_error_ = std::max(line_error_.value_or(0.0), std::abs(through.ln - levels_[i].mean()));
+  }
+}
+
+double Response::abscissa(double condition) const {
+  if (effect_ == Effect::rate) return std::log(condition);
+  return effect_ == Effect::load ? condition * condition : condition;
+}
+
+Factor Response::at_level(Level const& level) const {
+  Factor factor{
+      .at = level.at, .ln = level.mean(), .devices = static_cast<int>(level.ratios.size()), .std = level.std()};
+  if (level.reference) {
+    factor.se = 0.0, factor.df = 1.0, factor.std = 0.0;
+    return factor;
+  }
+  factor.drift = drift_.value_or(0.0);
+  if (level.ratios.size() > 1) {
+    factor.se = factor.std / std::sqrt(static_cast<double>(level.ratios.size()));
+    factor.df = static_cast<double>(level.ratios.size() - 1);
+  } else {
+    factor.se = level.replicate_se, factor.df = level.replicate_df;
+  }
+  return factor;
+}
+
+Factor Response::on_line(Level const& first, Level const& second, double condition, Status status) const {
+  double const share = (abscissa(condition) - abscissa(first.at)) / (abscissa(second.at) - abscissa(first.at));
+  std::vector<double> values;
+  for (auto const& ratio : first.ratios) {
+    auto const other = std::ranges::find(second.ratios, ratio.device, &DeviceRatio::device);
+    if (other != second.ratios.end()) values.push_back(ratio.ln + share * (other->ln - ratio.ln));
+  }
+  Factor factor{.at = condition,
+                .status = values.empty() ? Status::not_covered : status,
+                .devices = static_cast<int>(values.size())};
+  if (values.empty()) return factor;
+  auto const of = num::moments(values);
+  factor.ln = of.mean, factor.std = of.std;
+  factor.line_error = line_error_.value_or(0.0), factor.drift = drift_.value_or(0.0);
+  if (values.size() > 1) {
+    factor.se = of.std / std::sqrt(static_cast<double>(values.size()));
+    factor.df = static_cast<double>(values.size() - 1);
+  }
+  return factor;
+}
+
+Factor Response::at(double condition) const {
+  Condition asked;
+  (effect_ == Effect::temperature ? asked.temperature_C
+   : effect_ == Effect::rate      ? asked.frequency_Hz
+                                  : asked.load_kN) = condition;
+  auto const is_level = [&](Level const& level) {
+    Condition there;
+    (effect_ == Effect::temperature ? there.temperature_C
+     : effect_ == Effect::rate      ? there.frequency_Hz
+                                    : there.load_kN) = level.at;
+    return agree_in(effect_, asked, there, tolerance_);
+  };
+  std::vector<Level const*> near;
+  for (auto const& level : levels_)
+    if (is_level(level)) near.push_back(&level);
+  if (!near.empty())
+    return at_level(**std::ranges::min_element(
+        near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); }));
+  Factor const none{.at = condition, .status = Status::not_covered};
+  if (levels_.size() < 2) return none;
+  auto const above = std::ranges::find_if(levels_, [&](Level const& level) { return level.at > condition; });
+  if (above != levels_.begin() && above != levels_.end())
+    return on_line(*std::prev(above), *above, condition, Status::interpolated);
+  bool const below = above == levels_.begin();
+  auto const& outermost = below ? levels_.front() : levels_.back();
+  double const edge = outermost.at;
+  constexpr double most_K = 10.0, most_times = 2.0, most_of_load = 0.2, rounding = 1e-9;
+  double const beyond = effect_ == Effect::temperature ? std::abs(condition - edge) / most_K
+                        : effect_ == Effect::rate      ? std::abs(std::log(condition / edge)) / std::log(most_times)
+                                                       : std::abs(condition - edge) / (most_of_load * std::abs(edge));
+  if (!(beyond <= 1.0 + rounding)) return none;
+  return on_line(outermost, below ? levels_[1] : levels_[levels_.size() - 2], condition, Status::extrapolated);
+}
+
+Factor Response::at(Ageing const& ageing) const {
+  auto const level =
+      std::ranges::find_if(levels_, [&](Level const& each) { return each.ageing && agrees(*each.ageing, ageing); });
+  return level == levels_.end() ? Factor{.status = Status::not_covered} : at_level(*level);
+}
+
+Response::Extremes Response::over(double low, double high) const {
+  std::vector<Factor> all;
+  for (auto const& level : levels_)
+    if (level.reference || (level.at >= low && level.at <= high)) all.push_back(at_level(level));
+  for (double const end : {low, high}) {
+    all.push_back(at(end));
+    if (all.back().status == Status::not_covered) return {.max = all.back(), .min = all.back()};
+  }
+  auto const [min, max] = std::ranges::minmax_element(all, {}, &Factor::ln);
+  return {.max = *max, .min = *min};
+}
+
+Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
+                       int lot_devices) {
+  if (lot_devices < 2)
+    throw Error({.where = "conditions",
+                 .found =
+                     "no device was tested both at this condition and at reference, and the lot has fewer than two "
+                     "acceptance tests, so its scatter is not known",
+                 .allowed = "two acceptance tests or more, or a reference test of a device that was tested here"});
+  std::vector<double> there, here;
+  for (auto const& [device, values] : by_device(level)) there.push_back(num::moments(values).mean);
+  for (auto const& [device, values] : by_device(reference)) here.push_back(num::moments(values).mean);
+  Factor factor{.ln = num::moments(there).mean - num::moments(here).mean,
+                .status = Status::unpaired,
+                .devices = static_cast<int>(there.size()),
+                .std = lot_std};
+  factor.se = lot_std * std::sqrt(1.0 / static_cast<double>(there.size()) + 1.0 / static_cast<double>(here.size()));
+  factor.df = lot_devices - 1.0;
+  return factor;
+}
+
+}  // namespace isolaw::conditions

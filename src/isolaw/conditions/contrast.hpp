@@ -1,0 +1,121 @@
+// How much one condition changes a property: the ratio of a device's value under another condition to its own value
+// under reference conditions, for every device that was tested under both, then the mean over the devices with its
+// interval. The logarithm is used throughout, so that factors multiply.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/conditions/condition.hpp"
+
+namespace isolaw::conditions {
+
+struct Sample {  // the value of one test of one device
+  std::string device;
+  Condition condition;
+  double ln = 0.0;  // natural logarithm of the property
+};
+
+struct DeviceRatio {
+  std::string device;
+  double ln = 0.0;  // mean over the device's tests at the level less mean over its reference tests
+};
+
+struct Level {
+  double at = 0.0;  // mean condition of its tests; 0 for ageing, whose levels have no order
+  std::optional<Ageing> ageing = {};
+  bool reference = false;
+  std::vector<DeviceRatio> ratios = {};
+  // Standard error and degrees of freedom from repeated tests, if a single device was tested here. Empty if these tests
+  // do not differ at all: they then show no scatter.
+  std::optional<double> replicate_se = {}, replicate_df = {};
+  int tests = 0;
+
+  std::vector<double> lns() const;  // of the devices
+  double mean() const;
+  double std() const;  // over the devices; 0 for a single one
+};
+
+// How sure a factor is. From the strongest to the weakest.
+enum class Status { shown, interpolated, extrapolated, unpaired, scaled, assumed, not_covered };
+std::string_view name(Status status);
+
+// The factor lambda = exp(ln) of an effect at one condition.
+struct Factor {
+  double at = 0.0;
+  double ln = 0.0;
+  Status status = Status::shown;
+  int devices = 0;
+  double std = 0.0;                        // over the devices, of ln
+  std::optional<double> se = {}, df = {};  // standard error of ln and its degrees of freedom; empty: no interval
+  double line_error = 0.0;                 // of the straight line between levels, in ln; 0 at a level
+  double drift = 0.0;                      // of the reference tests of one device, in ln
+
+  double lambda() const;
+};
+
+// For which value an interval is.
+enum class About {
+  mean,        // the mean factor; for a factor from repeated tests of a single device, the factor of this device
+  device,      // one further device
+  system,      // the mean of the installed devices, of which the tested ones are some
+  prototypes,  // the same, but the tested devices are not installed
+};
+std::string_view name(About about);
+struct Interval {
+  double low = 0.0, high = 0.0;
+};
+// The 95 % interval of lambda. Empty without a standard error, and for other devices than the tested ones if only one was
+// tested. `installed` is the number of installed devices.
+std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
+
+// The levels of one effect, and the straight lines in ln between them: over the temperature, the logarithm of the
+// frequency, or the square of the load.
+class Response {
+ public:
+  // `reference` and `others` are the tests that agree with the reference, and those that differ from it in this effect
+  // alone. Devices without a reference test are left out.
+  Response(Effect effect, std::span<Sample const> reference, std::span<Sample const> others,
+           Condition const& reference_condition, Tolerance const& tolerance);
+
+  Effect effect() const { return effect_; }
+  std::vector<Level> const& levels() const { return levels_; }  // by rising condition, with that of the reference
+  // The largest distance of a level from the line through its neighbours, in ln, over all levels between others. Empty
+  // with fewer than three levels: nobody knows then how straight the response is.
+  std::optional<double> line_error() const { return line_error_; }
+  std::optional<double> drift() const { return drift_; }  // empty if no device has two reference tests
+  std::vector<std::string> const& unpaired() const { return unpaired_; }
+
+  // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between two levels it is interpolated. It
+  // is extrapolated by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
+  Factor at(double condition) const;
+  Factor at(Ageing const& ageing) const;  // a level that agrees with it, else not covered
+  // The factor of the largest and of the smallest value in a range of the condition: the reference, its two ends, or a
+  // level within it. It is not covered if an end is not.
+  struct Extremes {
+    Factor max, min;
+  };
+  Extremes over(double low, double high) const;
+
+ private:
+  Factor at_level(Level const& level) const;
+  Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
+  double abscissa(double condition) const;
+
+  Effect effect_;
+  Tolerance tolerance_;
+  std::vector<Level> levels_;
+  std::optional<double> line_error_, drift_;
+  std::vector<std::string> unpaired_;
+};
+
+// The factor from devices that were tested at the level alone and others tested at reference alone. `lot_std` is the
+// standard deviation of ln over the `lot_devices` acceptance tests of the lot. Throws Error if there are fewer than two
+// of these tests.
+Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
+                       int lot_devices);
+
+}  // namespace isolaw::conditions

@@ -1,0 +1,45 @@
+// Effects of what a device went through: ageing in an oven and in service, the loss of stiffness in the first cycles
+// and its recovery at rest.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "isolaw/conditions/contrast.hpp"
+
+namespace isolaw::conditions {
+
+// The time in years at the service temperature for which an ageing test stands, by the law of Arrhenius.
+double stands_for_years(Ageing const& test, double service_temperature_C, double activation_energy_kJ_per_mol);
+// The factor of ageing after so many years: that of the test for a shorter life than the test stands for, in proportion
+// (extrapolated) up to twice this life, and not covered beyond.
+Factor aged_factor(Factor const& of_test, double years, double test_stands_for_years);
+
+// A reference test of one device: ln of a property in its first, its third and its last cycle, and in the reference
+// cycle.
+struct ReferenceTest {
+  std::string device;
+  double ln_first = 0.0, ln_third = 0.0, ln_reference = 0.0;
+  std::optional<double> rest_h = {};  // before it; empty for the first test of the device
+};
+
+struct Recovered {  // the share of the loss in the first cycles that comes back after a rest
+  double rest_h = 0.0, share = 0.0;
+  int devices = 0;
+};
+// R = (P_1,again - P_s)/(P_1 - P_s) for each rest, a mean over the devices, from 0 to 1. `first` are the tests of new
+// devices, and `again` their later tests, in which cycle 1 is the first one after a rest.
+std::vector<Recovered> recovery(std::span<ReferenceTest const> first, std::span<ReferenceTest const> again);
+// On a straight line in the logarithm of the rest between two tested rests. Empty outside them.
+std::optional<double> recovery_after(std::span<Recovered const> tested, double rest_h);
+
+// The ratio of the first cycle to the reference cycle. With `recovered`, the share of the loss that has come back, it is
+// that of a device which was stretched before and then rested.
+Factor scragging_factor(std::span<ReferenceTest const> first, std::optional<double> recovered = {});
+
+// A mean over devices of ln ratios, as a factor that a test shows.
+Factor mean_factor(std::span<double const> ln_ratios);
+
+}  // namespace isolaw::conditions

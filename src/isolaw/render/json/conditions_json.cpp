@@ -1,0 +1,93 @@
+#include "isolaw/render/json/conditions_json.hpp"
+
+#include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/conditions_results.hpp"
+
+namespace isolaw::render {
+namespace {
+
+constexpr int conditions_schema = 1;
+
+void write_interval(JsonWriter& out, std::string_view key, std::optional<conditions::Interval> const& interval) {
+  out.key(key);
+  if (!interval)
+    out.null();
+  else
+    out.object([&] { write_members(out, "low", interval->low, "high", interval->high); });
+}
+
+// The factor, its status, and its interval for the mean, for one further device and for all installed devices.
+void write_factor(JsonWriter& out, conditions::Factor const& factor, std::optional<int> installed) {
+  bool const covered = factor.status != conditions::Status::not_covered;
+  out.object([&] {
+    write_members(out, "lambda", covered ? std::optional(factor.lambda()) : std::nullopt, "status", factor.status,
+                  "devices", factor.devices, "line_error", factor.line_error, "drift", factor.drift);
+    using conditions::About;
+    auto const about = [&](About what) {
+      return covered ? interval(factor, what, installed.value_or(0)) : std::nullopt;
+    };
+    write_interval(out, "mean", about(About::mean));
+    write_interval(out, "device", about(About::device));
+    bool const some = installed && factor.devices <= *installed;
+    write_interval(out, "system", installed ? about(some ? About::system : About::prototypes) : std::nullopt);
+  });
+}
+
+void write_combined(JsonWriter& out, conditions::Combined const& all) {
+  auto const names = [](std::vector<conditions::Effect> const& effects) {
+    std::vector<std::string> texts;
+    for (auto const effect : effects) texts.emplace_back(name(effect));
+    return texts;
+  };
+  out.object([&] {
+    write_members(out, "factor", all.factor, "complete", all.complete(), "status", all.status, "share_shown",
+                  all.share_shown);
+    write_interval(out, "interval", all.interval);
+    out.member("not_covered", names(all.not_covered));
+    out.member("without_interval", names(all.without_interval));
+  });
+}
+
+}  // namespace
+
+std::string conditions_json(study::ConditionsResult const& result) {
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.object([&] {
+    write_members(out, "schema", conditions_schema, "title", result.title);
+    auto const& reference = result.stated.reference;
+    out.key("reference").object([&] {
+      write_members(out, "temperature_C", reference.temperature_C, "frequency_Hz", reference.frequency_Hz, "load_kN",
+                    reference.load_kN, "strain_percent", reference.strain_percent, "disp_mm", reference.disp_mm,
+                    "first_cycle", reference.first_cycle, "last_cycle", reference.last_cycle);
+    });
+    write_rows(out.key("tests"), study::conditions_test_results, result.tests, Digits::shown);
+    out.key("refused").objects(result.refused, [&](study::RefusedTest const& test) {
+      write_members(out, "device", test.device, "test", test.test, "reason", test.reason);
+    });
+    out.key("levels").objects(result.levels, [&](study::LevelRow const& row) {
+      write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "devices", row.devices);
+      write_factor(out.key("factor"), row.factor, result.installed);
+    });
+    out.key("design").objects(result.design, [&](study::DesignRow const& row) {
+      write_members(out, "quantity", row.quantity, "effect", row.effect);
+      write_factor(out.key("max"), row.max, result.installed);
+      write_factor(out.key("min"), row.min, result.installed);
+    });
+    out.key("bounds").objects(result.bounds, [&](study::BoundRow const& row) {
+      write_members(out, "quantity", row.quantity);
+      write_combined(out.key("max"), row.max);
+      write_combined(out.key("min"), row.min);
+    });
+    out.key("recovery").objects(result.recovery, [&](study::RecoveryRow const& row) {
+      write_members(out, "rest_h", row.rest_h, "share", row.share, "devices", row.devices);
+    });
+    out.member("drift_checked", result.drift_checked);
+    std::vector<std::string> unchecked;
+    for (auto const effect : result.straightness_not_checked) unchecked.emplace_back(name(effect));
+    out.member("straightness_not_checked", unchecked);
+    out.member("ageing_stands_for_years", result.ageing_stands_for_years);
+  });
+  return out.take() + '\n';
+}
+
+}  // namespace isolaw::render

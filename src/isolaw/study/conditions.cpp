@@ -1,0 +1,427 @@
+#include "isolaw/study/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
+#include "isolaw/campaign/prepare.hpp"
+#include "isolaw/data/properties/properties.hpp"
+#include "isolaw/num/statistics.hpp"
+#include "isolaw/wording/table.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using conditions::Effect;
+using conditions::Factor;
+using rules::Quantity;
+
+constexpr Effect of_tests[]{Effect::temperature, Effect::rate, Effect::load, Effect::ageing};
+// Damping follows from stiffness and energy, so it is shown and not combined.
+constexpr Quantity combined[]{Quantity::K_eff, Quantity::energy, Quantity::Q_d, Quantity::K_d};
+
+conditions::CycleValues values_of(data::Cycle const& cycle) {
+  conditions::CycleValues values{.number = cycle.number};
+  for (std::size_t i = 0; i < conditions::quantities; ++i) {
+    auto const value = [&]() -> double {
+      switch (rules::measured_quantities()[i]) {
+        case Quantity::K_eff:
+          return cycle.K_eff_kN_per_mm;
+        case Quantity::damping:
+          return cycle.damping().value_or(0.0);
+        case Quantity::energy:
+          return cycle.energy_kN_mm;
+        case Quantity::Q_d:
+          return cycle.Q_d_kN;
+        case Quantity::K_d:
+          return cycle.K_d_kN_per_mm;
+        case Quantity::K_v:
+          break;
+      }
+      return 0.0;
+    };
+    values.values[i] = value();
+  }
+  return values;
+}
+
+struct Observed {  // a block with the history of its cycles
+  conditions::Block block;
+  double largest_before_percent = 0.0;
+  std::size_t row = 0;  // in ConditionsResult::tests
+  std::vector<Effect> differs = {};
+  bool usable = false;  // it has the reference strain and the reference cycles
+};
+
+class Builder {
+ public:
+  explicit Builder(campaign::Lot const& lot) : lot_(lot), stated_(*lot.conditions) {
+    auto const& from = stated_.reference;
+    reference_ = {.temperature_C = from.temperature_C,
+                  .frequency_Hz = from.frequency_Hz,
+                  .load_kN = from.load_kN,
+                  .strain_percent = from.disp_mm ? from.disp_mm : from.strain_percent};
+    auto const& within = stated_.tolerance;
+    tolerance_ = {.temperature_C = within.temperature_C,
+                  .frequency_percent = within.frequency_percent,
+                  .load_percent = within.load_percent,
+                  .strain_percent = within.strain_percent};
+    out_.title = lot.title;
+    out_.stated = stated_;
+    out_.installed = lot.acceptance.lot_size;
+  }
+
+  ConditionsResult operator()() {
+    for (auto const& device : lot_.devices) read(device);
+    if (out_.tests.empty())
+      throw Error({.where = "conditions",
+                   .found = "no test can be used" + (out_.refused.empty() ? "" : ": " + out_.refused.front().reason),
+                   .allowed = "records of cyclic tests"});
+    for (auto const quantity : rules::measured_quantities()) examine(quantity);
+    return std::move(out_);
+  }
+
+ private:
+  void refuse(campaign::DeviceInput const& device, campaign::TestInput const& test, std::string why) {
+    out_.refused.push_back({.device = device.name, .test = test.name, .reason = std::move(why)});
+  }
+
+  void read(campaign::DeviceInput const& device) {
+    std::vector<Observed> own;
+    for (auto const& test : device.history) {
+      try {
+        add_blocks(device, test, own);
+      } catch (Error const& error) {
+        refuse(device, test, to_string(error.complaints().front()));
+      }
+    }
+    std::vector<conditions::Block> blocks;
+    for (auto const& each : own) blocks.push_back(each.block);
+    auto const before = conditions::largest_before(blocks);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      own[i].largest_before_percent = before[i];
+      judge(own[i]);
+      out_.tests[own[i].row].history = history_of(own[i], stated_.reference.first_cycle);
+      all_.push_back(std::move(own[i]));
+    }
+  }
+
+  // The strain of a block in percent of the rubber's thickness, or its amplitude in mm if the reference is one.
+  std::optional<double> strain_of(campaign::DeviceInput const& device, data::Block const& block) const {
+    if (stated_.reference.disp_mm) return block.amplitude_mm;
+    if (!device.info.rubber_thickness_mm) {
+      if (stated_.reference.strain_percent)
+        throw Error({.where = printable(device.name),
+                     .found = "the reference is a strain, and the thickness of the rubber is not known",
+                     .allowed = "rubber-thickness-mm in the device's table, or disp-mm in the reference"});
+      return block.amplitude_mm;
+    }
+    return 100.0 * block.amplitude_mm / *device.info.rubber_thickness_mm;
+  }
+
+  void add_blocks(campaign::DeviceInput const& device, campaign::TestInput const& test, std::vector<Observed>& own) {
+    auto const record = campaign::read_history(test);
+    auto const properties = data::cyclic_properties(record);
+    if (properties.is_false || (properties.blocks.empty() && !properties.refusal.empty()))
+      return refuse(device, test, wording::reasons(properties.refusal));
+    bool first = true;
+    for (auto const& block : properties.blocks) {
+      auto const counted = block.counted();
+      if (counted.empty()) continue;
+      auto const measured_load = counted.front()->N_mean_kN;
+      if (measured_load && test.stated.load_kN)
+        return refuse(device, test, "load-kN is stated, and the record has a channel for the load; leave load-kN out");
+      if (reference_.load_kN && !measured_load && !test.stated.load_kN)
+        return refuse(device, test, "the vertical load is neither measured nor stated: load-kN = 2000");
+      if (!test.stated.temperature_C) return refuse(device, test, "no temperature is stated: temperature-C = 20");
+      auto const& aged = test.stated.aged;
+      conditions::Condition const condition{
+          .temperature_C = test.stated.temperature_C,
+          .frequency_Hz = block.frequency_Hz,
+          .load_kN = measured_load ? measured_load : test.stated.load_kN,
+          .strain_percent = strain_of(device, block),
+          .ageing = aged ? std::optional(conditions::Ageing{.days = aged->days, .at_C = aged->at_C}) : std::nullopt};
+      Observed seen{.block = {.device = device.name,
+                              .test = test.name,
+                              .order = *test.stated.order,
+                              .number = block.number,
+                              .condition = condition,
+                              .rest_h = first ? test.stated.rest_h : 0.0},
+                    .row = out_.tests.size()};
+      for (auto const* cycle : counted) seen.block.cycles.push_back(values_of(*cycle));
+      out_.tests.push_back({.device = device.name,
+                            .test = test.name,
+                            .file = test.shown_file,
+                            .sha256 = record.sha256,
+                            .order = *test.stated.order,
+                            .block = block.number,
+                            .condition = condition,
+                            .rest_h = seen.block.rest_h});
+      add_values(device, seen.block, out_.tests.back());
+      own.push_back(std::move(seen));
+      first = false;
+    }
+  }
+
+  void add_values(campaign::DeviceInput const& device, conditions::Block const& block, ConditionsTest& row) const {
+    auto const value = [&](Quantity quantity) -> std::optional<double> {
+      auto const ln = ln_at_reference(block, quantity);
+      return ln ? std::optional(std::exp(*ln)) : std::nullopt;
+    };
+    row.K_eff_kN_per_mm = value(Quantity::K_eff);
+    row.damping_percent = value(Quantity::damping);
+    row.energy_kN_mm = value(Quantity::energy);
+    row.Q_d_kN = value(Quantity::Q_d);
+    row.K_d_kN_per_mm = value(Quantity::K_d);
+    auto const& info = device.info;
+    if (row.energy_kN_mm && info.rubber_area_mm2 && info.rubber_thickness_mm)
+      row.heating_K = conditions::heating_K(*row.energy_kN_mm, stated_.heat_capacity_MJ_per_m3K, *info.rubber_area_mm2,
+                                            *info.rubber_thickness_mm);
+  }
+
+  // ln of the mean over the reference cycles; empty if one of them is missing or has no such value.
+  std::optional<double> ln_at_reference(conditions::Block const& block, Quantity quantity) const {
+    double sum = 0.0;
+    auto const& [first, last] = std::pair(stated_.reference.first_cycle, stated_.reference.last_cycle);
+    for (int number = first; number <= last; ++number) {
+      auto const* cycle = block.find(number);
+      auto const ln = cycle != nullptr ? cycle->ln(quantity) : std::nullopt;
+      if (!ln) return std::nullopt;
+      sum += std::exp(*ln);
+    }
+    return std::log(sum / (last - first + 1));
+  }
+
+  std::optional<conditions::History> history_of(Observed const& seen, int cycle) const {
+    auto const& block = seen.block;
+    if (block.find(cycle) == nullptr || !block.condition.strain_percent) return std::nullopt;
+    return conditions::history(*block.condition.strain_percent, seen.largest_before_percent, cycle, block.rest_h,
+                               tolerance_);
+  }
+
+  void judge(Observed& seen) {
+    auto& row = out_.tests[seen.row];
+    auto const& condition = seen.block.condition;
+    auto reference = reference_;
+    // A key that the reference leaves out asks only that tests agree among themselves, so it makes no difference here.
+    if (!reference.frequency_Hz) reference.frequency_Hz = condition.frequency_Hz;
+    if (!reference.load_kN) reference.load_kN = condition.load_kN;
+    if (!reference.strain_percent) reference.strain_percent = condition.strain_percent;
+    seen.differs = conditions::differences(condition, reference, tolerance_);
+    if (!conditions::agrees(condition.strain_percent, reference.strain_percent, tolerance_.strain_percent)) {
+      row.role = TestRole::other_strain;
+    } else if (seen.block.find(stated_.reference.last_cycle) == nullptr) {
+      row.role = TestRole::cycle_missing;
+    } else if (seen.differs.size() > 1) {
+      row.role = TestRole::combined;
+    } else {
+      seen.usable = true;
+      if (seen.differs.empty()) return;
+      row.role = TestRole::effect;
+      row.effect = seen.differs.front();
+    }
+  }
+
+  // The tests that show an effect, or the reference tests. A test is left out if its reference cycle has another history
+  // than that of the device's first reference test.
+  std::vector<conditions::Sample> samples(Quantity quantity, std::optional<Effect> effect) {
+    std::vector<conditions::Sample> found;
+    for (auto const& seen : all_) {
+      if (!seen.usable || (effect ? seen.differs != std::vector{*effect} : !seen.differs.empty())) continue;
+      auto const ln = ln_at_reference(seen.block, quantity);
+      if (!ln) continue;
+      auto const word = history_of(seen, stated_.reference.first_cycle);
+      auto const own = std::ranges::find_if(all_, [&](Observed const& other) {
+        return other.usable && other.differs.empty() && other.block.device == seen.block.device;
+      });
+      if (own != all_.end() && history_of(*own, stated_.reference.first_cycle) != word) {
+        out_.tests[seen.row].role = TestRole::other_history;
+        continue;
+      }
+      found.push_back({.device = seen.block.device, .condition = seen.block.condition, .ln = *ln});
+    }
+    return found;
+  }
+
+  static std::string level_text(Effect effect, conditions::Level const& level) {
+    if (level.ageing) return fmt::format("{:.4g} days at {:.4g} C", level.ageing->days, level.ageing->at_C);
+    char const* unit = effect == Effect::temperature ? "C" : effect == Effect::rate ? "Hz" : "kN";
+    return fmt::format("{:.4g} {}", level.at, unit);
+  }
+
+  void examine(Quantity quantity) {
+    auto const reference = samples(quantity, std::nullopt);
+    std::vector<conditions::Part> max, min;
+    auto const add = [&](Effect effect, Factor const& largest, Factor const& smallest) {
+      out_.design.push_back({.quantity = quantity, .effect = effect, .max = largest, .min = smallest});
+      max.push_back({.effect = effect, .factor = largest});
+      min.push_back({.effect = effect, .factor = smallest});
+    };
+    auto const& design = stated_.design;
+    for (auto const effect : of_tests) {
+      auto const others = samples(quantity, effect);
+      conditions::Response const response(effect, reference, others, reference_, tolerance_);
+      for (auto const& level : response.levels()) {
+        if (level.reference) continue;
+        LevelRow row{.quantity = quantity,
+                     .effect = effect,
+                     .level = level_text(effect, level),
+                     .factor = level.ageing ? response.at(*level.ageing) : response.at(level.at)};
+        for (auto const& ratio : level.ratios) row.devices.push_back(ratio.device);
+        out_.levels.push_back(std::move(row));
+      }
+      if (response.drift()) out_.drift_checked = true;
+      if (quantity == Quantity::K_eff && response.levels().size() == 2 && effect != Effect::ageing)
+        out_.straightness_not_checked.push_back(effect);
+      if (effect == Effect::ageing) {
+        if (auto const factor = aged(response)) {
+          Factor const none = as_reference();
+          bool const larger = factor->ln > 0.0;
+          bool const covered = factor->status != conditions::Status::not_covered;
+          add(effect, larger || !covered ? *factor : none, larger && covered ? none : *factor);
+        }
+        continue;
+      }
+      auto const& range = effect == Effect::temperature ? design.temperature_C
+                          : effect == Effect::rate      ? design.frequency_Hz
+                                                        : design.load_kN;
+      if (!range) continue;
+      auto const [largest, smallest] = response.over(range->low, range->high);
+      add(effect, largest, smallest);
+    }
+    add_history(quantity, add);
+    if (max.empty() || std::ranges::find(combined, quantity) == std::end(combined)) return;
+    out_.bounds.push_back({.quantity = quantity, .max = combine({}, max), .min = combine({}, min)});
+  }
+
+  // The factor of ageing that the design asks for; empty if it asks for none.
+  std::optional<Factor> aged(conditions::Response const& response) {
+    auto const& design = stated_.design;
+    if (design.aged) return response.at(conditions::Ageing{.days = design.aged->days, .at_C = design.aged->at_C});
+    if (!design.years) return std::nullopt;
+    Factor none{.status = conditions::Status::not_covered};
+    if (!stated_.activation_energy_kJ_per_mol) return none;
+    for (auto const& level : response.levels())
+      if (level.ageing) {
+        double const life = conditions::stands_for_years(*level.ageing, *design.service_temperature_C,
+                                                         *stated_.activation_energy_kJ_per_mol);
+        out_.ageing_stands_for_years = std::max(out_.ageing_stands_for_years.value_or(0.0), life);
+        auto const factor = conditions::aged_factor(response.at(*level.ageing), *design.years, life);
+        if (factor.status < none.status) none = factor;
+      }
+    return none;
+  }
+
+  static Factor as_reference() { return {.se = 0.0, .df = 1.0}; }
+
+  // Scragging, its recovery, and the softening over many cycles.
+  void add_history(Quantity quantity, auto const& add) {
+    std::vector<conditions::ReferenceTest> first, again;
+    std::vector<std::string> first_devices;
+    std::vector<double> after;  // ln of the ratio after the design's number of cycles
+    std::vector<std::string> after_devices;
+    for (auto const& seen : all_) {
+      if (!seen.usable || !seen.differs.empty()) continue;
+      auto const reference = ln_at_reference(seen.block, quantity);
+      auto const at = [&](int number) {
+        auto const* cycle = seen.block.find(number);
+        return cycle != nullptr ? cycle->ln(quantity) : std::nullopt;
+      };
+      if (!reference) continue;
+      constexpr int settled = 3;
+      if (auto const one = at(1), third = at(settled); one && third) {
+        conditions::ReferenceTest const test{.device = seen.block.device,
+                                             .ln_first = *one,
+                                             .ln_third = *third,
+                                             .ln_reference = *reference,
+                                             .rest_h = seen.block.rest_h};
+        auto const word = history_of(seen, 1);
+        if (word == conditions::History::virgin) {
+          first.push_back(test), first_devices.push_back(seen.block.device);
+        } else if (word == conditions::History::first_after_rest) {
+          again.push_back(test);
+        }
+      }
+      if (auto const many = stated_.design.cycles ? at(*stated_.design.cycles) : std::nullopt;
+          many && std::ranges::find(after_devices, seen.block.device) == after_devices.end()) {
+        after.push_back(*many - *reference);
+        after_devices.push_back(seen.block.device);
+      }
+    }
+    if (!first.empty())
+      out_.levels.push_back({.quantity = quantity,
+                             .effect = Effect::scragging,
+                             .level = "cycle 1, new",
+                             .factor = conditions::scragging_factor(first),
+                             .devices = first_devices});
+    if (quantity == Quantity::K_eff)
+      for (auto const& each : conditions::recovery(first, again))
+        out_.recovery.push_back({.rest_h = each.rest_h, .share = each.share, .devices = each.devices}),
+            recovered_.push_back(each);
+    auto const add_one = [&](Effect effect, Factor const& factor) {
+      bool const covered = factor.status != conditions::Status::not_covered, larger = factor.ln > 0.0;
+      add(effect, larger || !covered ? factor : as_reference(), larger && covered ? as_reference() : factor);
+    };
+    auto const& design = stated_.design;
+    if (design.full_rest) add_one(Effect::scragging, conditions::scragging_factor(first));
+    if (design.rest_h) {
+      auto const share = conditions::recovery_after(recovered_, *design.rest_h);
+      add_one(Effect::scragging,
+              share ? conditions::scragging_factor(first, share) : Factor{.status = conditions::Status::not_covered});
+    }
+    if (!design.cycles) return;
+    auto const factor = conditions::mean_factor(after);
+    if (!after.empty())
+      out_.levels.push_back({.quantity = quantity,
+                             .effect = Effect::cycles,
+                             .level = fmt::format("cycle {}", *design.cycles),
+                             .factor = factor,
+                             .devices = after_devices});
+    add_one(Effect::cycles, factor);
+  }
+
+  campaign::Lot const& lot_;
+  campaign::StatedConditions const& stated_;
+  conditions::Condition reference_;
+  conditions::Tolerance tolerance_;
+  std::vector<Observed> all_;
+  std::vector<conditions::Recovered> recovered_;
+  ConditionsResult out_;
+};
+
+}  // namespace
+
+std::string_view name(TestRole role) {
+  switch (role) {
+    case TestRole::reference:
+      return "reference";
+    case TestRole::effect:
+      return "effect";
+    case TestRole::combined:
+      return "combined";
+    case TestRole::other_strain:
+      return "another strain";
+    case TestRole::cycle_missing:
+      return "no reference cycle";
+    case TestRole::other_history:
+      return "another history";
+  }
+  return "";
+}
+
+ConditionsResult build_conditions(campaign::Lot const& lot) {
+  if (!lot.conditions)
+    throw Error({.where = "conditions",
+                 .found = "the lot file has no table [conditions]",
+                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
+                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
+  return Builder(lot)();
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,89 @@
+// How the properties of a lot's devices change with temperature, frequency, vertical load, ageing and history: the
+// results of `isolaw conditions`, from the records that a lot file with a table [conditions] names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/conditions/combine.hpp"
+#include "isolaw/conditions/history_effects.hpp"
+#include "isolaw/conditions/observe.hpp"
+
+namespace isolaw::study {
+
+// How a block of a test is used.
+enum class TestRole {
+  reference,      // it agrees with the reference in everything
+  effect,         // it differs in one condition, and shows the effect of this condition
+  combined,       // it differs in two conditions or more, so it shows no single effect
+  other_strain,   // it has another strain than the reference
+  cycle_missing,  // it has no cycle with the number of the reference cycle
+  other_history,  // its cycle has another history than that of the device's reference test
+};
+std::string_view name(TestRole role);
+
+struct ConditionsTest {  // one block of one test
+  std::string device, test, file, sha256;
+  int order = 0, block = 0;
+  conditions::Condition
+      condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
+  std::optional<double> rest_h = {};
+  std::optional<conditions::History> history = {};  // of the reference cycle; empty if there is no such cycle
+  TestRole role = TestRole::reference;
+  std::optional<conditions::Effect> effect = {};  // that it shows
+  // In the reference cycle.
+  std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
+  std::optional<double> heating_K = {};  // at most, in that cycle
+};
+
+struct RefusedTest {
+  std::string device, test, reason;
+};
+
+struct LevelRow {  // a level of an effect that was tested
+  rules::Quantity quantity;
+  conditions::Effect effect;
+  std::string level;  // as the user would write it: "-20 C", "14 days at 70 C", "cycle 1"
+  conditions::Factor factor;
+  std::vector<std::string> devices = {};
+};
+
+struct DesignRow {  // the largest and the smallest factor of an effect in the design range
+  rules::Quantity quantity;
+  conditions::Effect effect;
+  conditions::Factor max, min;
+};
+
+struct BoundRow {  // all effects together
+  rules::Quantity quantity;
+  conditions::Combined max, min;
+};
+
+struct RecoveryRow {
+  double rest_h = 0.0, share = 0.0;
+  int devices = 0;
+};
+
+struct ConditionsResult {
+  std::string title;
+  campaign::StatedConditions stated;
+  std::vector<ConditionsTest> tests;
+  std::vector<RefusedTest> refused;
+  std::vector<LevelRow> levels;
+  std::vector<DesignRow> design;
+  std::vector<BoundRow> bounds;
+  std::vector<RecoveryRow> recovery;
+  std::optional<int> installed;                              // devices of the production lot
+  bool drift_checked = false;                                // a device has a second reference test
+  std::vector<conditions::Effect> straightness_not_checked;  // effects with too few levels for an error of the line
+  std::optional<double> ageing_stands_for_years;
+};
+
+// Reads every record of the lot. A test that cannot be used is listed in `refused`. Throws Error if the lot file has no
+// table [conditions], or if no test is left.
+ConditionsResult build_conditions(campaign::Lot const& lot);
+
+}  // namespace isolaw::study

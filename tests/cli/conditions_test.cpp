@@ -1,0 +1,153 @@
+// Tests `isolaw conditions` on its example, whose records follow closed formulas, and on lot files with mistakes.
+#include <cmath>
+
+#include "cli/run.hpp"
+#include "cli/store.hpp"
+
+namespace isolaw::cli_test {
+namespace {
+
+class Conditions : public InFreshDirectory {
+ protected:
+  void SetUp() override {
+    InFreshDirectory::SetUp();
+    ASSERT_EQ(isolaw({"example", "ex", "--conditions"}).code, 0);
+  }
+  // The lot file of the example with `part` replaced.
+  Outcome with(std::string const& part, std::string const& by, Words const& more = {}) {
+    auto text = read("ex/lot.toml");
+    auto const at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    write("ex/changed.toml", text.replace(at, part.size(), by));
+    return isolaw(Words{"conditions", "ex/changed.toml"} + more);
+  }
+  static void near(Json const& value, double wanted, double relative) {
+    EXPECT_NEAR(value.get<double>(), wanted, relative * std::abs(wanted));
+  }
+  static Json find(Json const& rows, std::string const& quantity, std::string const& effect,
+                   std::string const& level = "") {
+    for (auto const& row : rows)
+      if (row["quantity"] == quantity && (effect.empty() || row["effect"] == effect) &&
+          (level.empty() || row["level"] == level))
+        return row;
+    ADD_FAILURE() << quantity << ' ' << effect << ' ' << level;
+    return {};
+  }
+};
+
+TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
+  auto const o = isolaw({"conditions", "ex/lot.toml", "--json", "--out", "C"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_EQ(read("C/conditions.json"), o.out);
+  auto const j = Json::parse(o.out);
+  EXPECT_EQ(j["tests"].size(), 26u);
+  EXPECT_TRUE(j["refused"].empty());
+  constexpr double stiffness = 1e-8, energy = 2e-4;
+  auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C");
+  near(cold["factor"]["lambda"], 1.313436434, stiffness);
+  near(cold["factor"]["mean"]["low"], 1.291890605, 1e-7);
+  near(cold["factor"]["device"]["high"], 1.357612093, 1e-7);
+  near(cold["factor"]["system"]["low"], 1.293068286, 1e-7);
+  EXPECT_EQ(cold["devices"], Json({"P1", "P2", "P3"}));
+  EXPECT_EQ(cold["factor"]["status"], "shown");
+  near(find(j["levels"], "K_eff", "rate", "2 Hz")["factor"]["lambda"], 1.067708704, stiffness);
+  near(find(j["levels"], "K_eff", "load", "4000 kN")["factor"]["lambda"], 0.811377958, stiffness);
+  near(find(j["levels"], "damping", "ageing", "14 days at 70 C")["factor"]["lambda"], 0.890483635, energy);
+  auto const scragging = find(j["levels"], "K_eff", "scragging")["factor"];
+  near(scragging["lambda"], 1.294167673, stiffness);
+  EXPECT_EQ(scragging["devices"], 5);
+  near(find(j["levels"], "energy", "scragging")["factor"]["lambda"], 1.286876661, 1e-3);
+  near(find(j["levels"], "K_eff", "cycles")["factor"]["lambda"], 0.917871090, stiffness);
+  near(find(j["design"], "K_eff", "temperature")["max"]["lambda"], 1.269113038, stiffness);
+  near(find(j["design"], "K_eff", "temperature")["min"]["lambda"], 0.848178179, stiffness);
+  auto const bounds = find(j["bounds"], "K_eff", "");
+  near(bounds["max"]["factor"], 1.869155861, stiffness);
+  EXPECT_EQ(bounds["max"]["status"], "interpolated");
+  EXPECT_EQ(bounds["max"]["share_shown"], 1.0);
+  EXPECT_TRUE(bounds["max"]["interval"].is_null());
+  near(bounds["min"]["factor"], 0.705430235, stiffness);
+  EXPECT_EQ(bounds["min"]["status"], "extrapolated");
+  near(bounds["min"]["share_shown"], 0.528110688, 1e-7);
+  near(find(j["bounds"], "energy", "")["max"]["factor"], 1.859391152, 1e-3);
+  near(find(j["bounds"], "energy", "")["min"]["factor"], 0.665827352, 1e-3);
+  ASSERT_EQ(j["recovery"].size(), 3u);
+  near(j["recovery"][0]["share"], 0.109861229, 1e-6);
+  near(j["recovery"][2]["share"], 0.582008293, 1e-6);
+  EXPECT_TRUE(j["drift_checked"]);
+  near(j["tests"][0]["heating_K"], 0.169213 * std::exp(0.03 + 0.002), 1e-3);
+  for (auto const& test : j["tests"])
+    if (test["device"] == "P6") {
+      near(test["K_eff_kN_per_mm"], 0.603681447, stiffness);
+      EXPECT_EQ(test["role"], "combined");
+    }
+}
+
+TEST_F(Conditions, as_text_begin_with_the_bounds) {
+  auto const o = isolaw({"conditions", "ex/lot.toml", "--details"});
+  ASSERT_EQ(o.code, 0) << o;
+  for (auto const* part :
+       {"upper  1.869", "lower  0.705", "extrapolated on 3 devices", "1.313", "as stated, not measured", "combined"})
+    EXPECT_TRUE(contains(o.out, part)) << part << o;
+}
+
+TEST_F(Conditions, without_details_leave_the_tests_out) {
+  auto const o = isolaw({"conditions", "ex/lot.toml"});
+  EXPECT_TRUE(contains(o.out, "1 test shows no effect; --details says why.")) << o;
+  EXPECT_FALSE(contains(o.out, "combined")) << o;
+  EXPECT_TRUE(contains(o.out, "no interval: rate, load, ageing, cycles were tested on one device")) << o;
+}
+
+TEST_F(Conditions, that_no_test_covers_leave_the_bound_open) {
+  auto const o = with("temperature-C = [-15, 45]", "temperature-C = [-35, 45]");
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.out, "at least 1.473, NOT COVERED: temperature")) << o;
+  auto const years = with("aged = { days = 14, at-C = 70 } }", "years = 60, service-temperature-C = 20 }");
+  EXPECT_TRUE(contains(years.out, "NOT COVERED: ageing")) << years;
+}
+
+// Elsewhere a device has one record: that of the acceptance test, or the first at the reference temperature.
+TEST_F(Conditions, leave_one_record_for_each_device_to_other_commands) {
+  auto const o = isolaw({"inspect", "ex/lot.toml", "--json"});
+  auto const j = Json::parse(o.out);
+  ASSERT_EQ(j["devices"].size(), 6u);
+  EXPECT_EQ(j["devices"][0]["file"], "P1-20C.csv");
+  EXPECT_EQ(j["devices"][4]["file"], "P5-ten-cycles.csv");
+  EXPECT_EQ(j["devices"][5]["file"], "P6-acceptance.csv");
+}
+
+TEST_F(Conditions, are_refused_with_the_line_and_what_is_allowed) {
+  struct Case {
+    char const *part, *by, *said;
+  };
+  for (auto const& [part, by, said] : {
+           Case{"temperature-C = 20, frequency-Hz = 0.5,", "frequency-Hz = 0.5,", "a reference without a temperature"},
+           Case{"cycle = 3", "cycle = \"3-1\"", "a number of a cycle from 1"},
+           Case{"cycle = 3", "cycle = 3, cycles = 4", "cycles"},
+           Case{"temperature-C = [-15, 45]", "temperature-C = [45, -15]", "temperature-C is not a range"},
+           Case{"rest = \"full\"", "rest = \"long\"", "\"full\", or hours above 0"},
+           Case{"rest = \"full\"", "years = 50", "years"},
+           Case{"at-C = 70 } }", "at-C = 170 } }", "0 to 100"},
+           Case{"order = 2", "order = 1", "the order of another test"},
+           Case{"order = 2\n", "", "no order"},
+           Case{"order = 2\n", "order = 2\ntemperature-of = \"skin\"\n", "core, surface, chamber"},
+           Case{"rest-h = 24", "rest-h = -1", "0 or more"},
+           Case{"[conditions]", "[conditions]\nactivation-energy-kJ-mol = 90\n",
+                "activation energy without its source"},
+       }) {
+    auto const o = with(part, by);
+    EXPECT_EQ(o.code, 2) << part << " -> " << by << o;
+    EXPECT_TRUE(contains(o.err, said)) << said << o;
+    EXPECT_TRUE(contains(o.err, "changed.toml:")) << o;
+  }
+  auto const without = isolaw({"conditions", "ex/P1-20C.csv"});
+  EXPECT_EQ(without.code, 2) << without;
+}
+
+TEST_F(Conditions, name_a_test_that_cannot_be_used) {
+  auto const o = with("rest-h = 24\n", "rest-h = 24\nload-kN = 2000\n");
+  EXPECT_EQ(o.code, 1) << o;
+  EXPECT_TRUE(contains(o.out, "Refused: P1, -20C: load-kN is stated, and the record has a channel for the load")) << o;
+}
+
+}  // namespace
+}  // namespace isolaw::cli_test

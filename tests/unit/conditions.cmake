@@ -1,0 +1,1 @@
+isolaw_test(unit_conditions conditions_test.cpp)

@@ -1,0 +1,392 @@
+// Tests how conditions change the properties of a device, against numbers that were computed by an independent program
+// from closed forms: the devices of `isolaw example --conditions`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include <cmath>
+
+#include "isolaw/conditions/combine.hpp"
+#include "isolaw/conditions/contrast.hpp"
+#include "isolaw/conditions/history_effects.hpp"
+#include "isolaw/conditions/observe.hpp"
+#include "isolaw/num/statistics.hpp"
+
+namespace isolaw::conditions {
+namespace {
+
+constexpr double closely = 1e-8, ends = 1e-7;  // relative
+void expect_near(double value, double wanted, double relative = closely) {
+  EXPECT_NEAR(value, wanted, relative * std::abs(wanted));
+}
+
+struct Settings {
+  double T = 20.0, f = 0.5, N = 2000.0, noise = 0.0, recovered = 1.0;
+  bool aged = false;
+  int cycle = 3, settled_at = 3;  // from this cycle on, nothing softens further
+};
+struct Properties {
+  double K_eff, energy;
+};
+Properties properties(double u, Settings const& at) {
+  double const U = std::exp(u + at.noise / 100.0), amplitude = 208.0;
+  double const K2 = 0.6 * std::exp(-0.006 * (at.T - 20.0)) * std::pow(at.f / 0.5, 0.04) *
+                    (1.0 - std::pow(at.N / 7505.621896, 2.0)) * (at.aged ? 1.10 : 1.0) * U;
+  double const Q = 25.0 * std::exp(-0.010 * (at.T - 20.0)) * std::pow(at.f / 0.5, 0.08) * (at.aged ? 0.95 : 1.0) * U;
+  double const n = std::min(at.cycle, at.settled_at);
+  double const s = (1.0 + 0.45 * std::pow(n, -1.2)) / (1.0 + 0.45 * std::pow(3.0, -1.2));
+  double const k = 1.0 + at.recovered * (s - 1.0), D_y = Q / (5.0 * K2);
+  double energy = 4.0 * k * Q * (amplitude - D_y);
+  if (at.cycle == 1) energy -= Q * k * D_y / 2.0;
+  return {.K_eff = k * (K2 + Q / amplitude), .energy = energy};
+}
+
+struct Test {
+  std::string device;
+  double u;
+  Settings at;
+};
+Condition condition_of(Settings const& at) {
+  return {.temperature_C = at.T,
+          .frequency_Hz = at.f,
+          .load_kN = at.N,
+          .strain_percent = 100.0,
+          .ageing = at.aged ? std::optional(Ageing{.days = 14.0, .at_C = 70.0}) : std::nullopt};
+}
+std::vector<Sample> samples(std::vector<Test> const& tests, double Properties::*which = &Properties::K_eff) {
+  std::vector<Sample> all;
+  for (auto const& test : tests)
+    all.push_back({.device = test.device,
+                   .condition = condition_of(test.at),
+                   .ln = std::log(properties(test.u, test.at).*which)});
+  return all;
+}
+
+Condition const reference = condition_of({});
+
+Response temperature(std::vector<std::string> const& devices = {"P1", "P2", "P3"},
+                     double Properties::*which = &Properties::K_eff) {
+  std::vector<Test> const all{{"P1", 0.03, {.T = -20.0, .noise = 0.6}},   {"P1", 0.03, {.T = 0.0, .noise = -0.4}},
+                              {"P1", 0.03, {.T = 20.0, .noise = 0.2}},    {"P1", 0.03, {.T = 40.0, .noise = -0.7}},
+                              {"P2", -0.02, {.T = -20.0, .noise = 0.5}},  {"P2", -0.02, {.T = 0.0, .noise = 0.1}},
+                              {"P2", -0.02, {.T = 20.0, .noise = -0.3}},  {"P2", -0.02, {.T = 40.0, .noise = 0.4}},
+                              {"P3", 0.005, {.T = -20.0, .noise = -0.6}}, {"P3", 0.005, {.T = 0.0, .noise = 0.3}},
+                              {"P3", 0.005, {.T = 20.0, .noise = -0.1}},  {"P3", 0.005, {.T = 40.0, .noise = 0.7}}};
+  std::vector<Test> own, others;
+  for (auto const& test : all)
+    if (std::ranges::find(devices, test.device) != devices.end()) (test.at.T == 20.0 ? own : others).push_back(test);
+  return {Effect::temperature, samples(own, which), samples(others, which), reference, {}};
+}
+Response rate(double Properties::*which = &Properties::K_eff) {
+  return {Effect::rate,
+          samples({{"P4", 0.0, {}}}, which),
+          samples({{"P4", 0.0, {.f = 2.0}}, {"P4", 0.0, {.f = 0.1}}}, which),
+          reference,
+          {}};
+}
+Response load(double Properties::*which = &Properties::K_eff) {
+  return {
+      Effect::load,
+      samples({{"P4", 0.0, {}}, {"P4", 0.0, {}}}, which),
+      samples(
+          {{"P4", 0.0, {.N = 0.0}}, {"P4", 0.0, {.N = 1000.0}}, {"P4", 0.0, {.N = 3000.0}}, {"P4", 0.0, {.N = 4000.0}}},
+          which),
+      reference,
+      {}};
+}
+Response ageing(double Properties::*which = &Properties::K_eff) {
+  return {
+      Effect::ageing, samples({{"P4", 0.0, {}}}, which), samples({{"P4", 0.0, {.aged = true}}}, which), reference, {}};
+}
+
+void expect_interval(std::optional<Interval> const& found, double low, double high) {
+  ASSERT_TRUE(found);
+  expect_near(found->low, low, ends);
+  expect_near(found->high, high, ends);
+}
+
+TEST(Heat, is_the_energy_over_the_heat_capacity) {
+  auto const [K_eff, energy] = properties(0.0, {});
+  expect_near(K_eff, 0.677589534);
+  expect_near(energy, 19902.973649);
+  expect_near(heating_K(energy, 2.0, 282743.0, 208.0), 0.169213, 1e-5);
+}
+
+TEST(Temperature, of_paired_devices) {
+  auto const response = temperature();
+  ASSERT_EQ(response.levels().size(), 4u);
+  auto const cold = response.at(-20.0);
+  EXPECT_EQ(cold.status, Status::shown);
+  EXPECT_EQ(cold.devices, 3);
+  expect_near(cold.ln, 0.272646934, 1e-8);
+  expect_near(cold.std, 0.006658328, 1e-6);
+  expect_near(cold.lambda(), 1.313436434);
+  expect_interval(interval(cold, About::mean), 1.291890605, 1.335341599);
+  expect_interval(interval(cold, About::device), 1.270698217, 1.357612093);
+  expect_interval(interval(cold, About::system, 28), 1.293068286, 1.334125416);
+  expect_interval(interval(cold, About::prototypes, 28), 1.290775487, 1.336495218);
+  auto const warm = response.at(40.0);
+  expect_near(warm.lambda(), 0.876576202);
+  expect_interval(interval(warm, About::mean), 0.856048023, 0.897596651);
+  expect_interval(interval(warm, About::device), 0.836000585, 0.919121173);
+  auto const two = temperature({"P1", "P2"}).at(-20.0);
+  expect_near(two.lambda(), 1.318261207);
+  expect_interval(interval(two, About::mean), 1.285183091, 1.352190690);
+  auto drifting = cold;
+  drifting.drift = 0.002;
+  expect_interval(interval(drifting, About::mean), 1.291734969, 1.335502488);
+}
+
+TEST(Temperature, between_levels_and_beyond) {
+  auto const response = temperature();
+  expect_near(*response.line_error(), 0.001800301, 1e-6);
+  auto const inside = response.at(-15.0);
+  EXPECT_EQ(inside.status, Status::interpolated);
+  expect_near(inside.lambda(), 1.269113038);
+  expect_near(inside.std, 0.004888336, 1e-6);
+  expect_interval(interval(inside, About::mean), 1.253628610, 1.284788725);
+  expect_interval(interval(inside, About::device), 1.238579335, 1.300399464);
+  auto const beyond = response.at(45.0);
+  EXPECT_EQ(beyond.status, Status::extrapolated);
+  expect_near(beyond.lambda(), 0.848178179);
+  expect_interval(interval(beyond, About::mean), 0.823377364, 0.873726015);
+  EXPECT_EQ(response.at(50.0).status, Status::extrapolated);
+  EXPECT_EQ(response.at(52.0).status, Status::not_covered);
+  auto const energy = temperature({"P1", "P2", "P3"}, &Properties::energy);
+  expect_near(energy.at(-15.0).lambda(), 1.412114624);
+  expect_near(energy.at(45.0).lambda(), 0.784133449);
+  EXPECT_EQ(response.at(21.9).status, Status::shown);
+  EXPECT_EQ(response.at(21.9).ln, 0.0);
+}
+
+TEST(Rate, on_one_device_has_no_interval) {
+  auto const response = rate();
+  expect_near(response.at(0.1).lambda(), 0.927280900);
+  expect_near(response.at(2.0).lambda(), 1.067708704);
+  EXPECT_FALSE(interval(response.at(2.0), About::mean));
+  expect_near(response.at(0.35).lambda(), 0.983407573);
+  expect_near(response.at(0.65).lambda(), 1.012476273);
+  expect_near(*response.line_error(), 0.000259962, 2e-6);
+  EXPECT_FALSE(response.drift());
+  auto const energy = rate(&Properties::energy);
+  expect_near(energy.at(0.35).lambda(), 0.972473827);
+  expect_near(energy.at(0.65).lambda(), 1.020713778);
+  EXPECT_EQ(response.at(4.0).status, Status::extrapolated);
+  EXPECT_EQ(response.at(4.1).status, Status::not_covered);
+}
+
+TEST(Load, goes_straight_over_its_square) {
+  auto const response = load();
+  double const wanted[]{1.062874014, 1.047155510, 1.0, 0.921407483, 0.811377958};
+  for (int i = 0; i < 5; ++i) expect_near(response.at(1000.0 * i).lambda(), wanted[i]);
+  expect_near(*response.line_error(), 0.005239300, 1e-6);
+  EXPECT_EQ(*response.drift(), 0.0);
+  auto const [max, min] = response.over(1000.0, 3000.0);
+  expect_near(max.lambda(), 1.047155510);
+  expect_near(min.lambda(), 0.921407483);
+  EXPECT_EQ(response.at(4800.0).status, Status::extrapolated);
+  EXPECT_EQ(response.at(4801.0).status, Status::not_covered);
+}
+
+TEST(Ageing, stands_for_years_of_service) {
+  Ageing const test{.days = 14.0, .at_C = 70.0};
+  auto const factor = ageing().at(test);
+  EXPECT_EQ(factor.status, Status::shown);
+  expect_near(factor.lambda(), 1.073392673);
+  expect_near(ageing(&Properties::energy).at(test).lambda(), 0.955838609);
+  EXPECT_EQ(ageing().at(Ageing{.days = 28.0, .at_C = 70.0}).status, Status::not_covered);
+  double const energies[]{70, 80, 90, 100, 110}, years[]{2.517165, 4.576532, 8.320728, 15.128161, 27.504957};
+  for (int i = 0; i < 5; ++i) expect_near(stands_for_years(test, 20.0, energies[i]), years[i], 1e-6);
+  double const life = stands_for_years(test, 20.0, 90.0);
+  EXPECT_EQ(aged_factor(factor, 8.0, life).ln, factor.ln);
+  auto const twelve = aged_factor(factor, 12.0, life);
+  EXPECT_EQ(twelve.status, Status::extrapolated);
+  expect_near(twelve.lambda(), 1.107540267, 1e-6);
+  EXPECT_EQ(aged_factor(factor, 16.7, life).status, Status::not_covered);
+  expect_near(stands_for_years({.days = 100.9527, .at_C = 70.0}, 20.0, 90.0), 60.0, 1e-6);
+  expect_near(stands_for_years({.days = 41.3230, .at_C = 80.0}, 20.0, 90.0), 60.0, 1e-6);
+}
+
+// Device P5: ten cycles at first, then again after 1, 24 and 168 hours.
+TEST(Cycles, soften_and_recover) {
+  double const K[]{0.876914470, 0.723226971, 0.677589534, 0.656330601, 0.644217759,
+                   0.636465753, 0.631112745, 0.627212265, 0.624254064, 0.621939844};
+  auto const value = [](int cycle, double recovered = 1.0, int settled_at = 10) {
+    return properties(0.0, {.recovered = recovered, .cycle = cycle, .settled_at = settled_at});
+  };
+  for (int n = 1; n <= 10; ++n) expect_near(value(n).K_eff, K[n - 1]);
+  expect_near(value(1).K_eff / value(3).K_eff, 1.294167673);
+  expect_near(value(10).K_eff / value(3).K_eff, 0.917871090);
+  expect_near(value(1).energy / value(3).energy, 1.286876661);
+  auto const test = [&](double recovered, std::optional<double> rest_h) {
+    return ReferenceTest{.device = "P5",
+                         .ln_first = std::log(value(1, recovered).K_eff),
+                         .ln_third = std::log(value(3, recovered).K_eff),
+                         .ln_reference = std::log(value(3, recovered).K_eff),
+                         .rest_h = rest_h};
+  };
+  std::vector<ReferenceTest> const first{test(1.0, std::nullopt)};
+  std::vector<ReferenceTest> again;
+  for (double const rest : {1.0, 24.0, 168.0}) again.push_back(test(std::min(1.0, 0.1 * std::log1p(rest / 0.5)), rest));
+  auto const tested = recovery(first, again);
+  ASSERT_EQ(tested.size(), 3u);
+  expect_near(tested[0].share, 0.109861229);
+  expect_near(tested[1].share, 0.389182030);
+  expect_near(tested[2].share, 0.582008293);
+  expect_near(*recovery_after(tested, 6.0), 0.267339899);
+  EXPECT_EQ(*recovery_after(tested, 24.0), tested[1].share);
+  EXPECT_FALSE(recovery_after(tested, 0.5));
+  EXPECT_FALSE(recovery_after(tested, 200.0));
+  expect_near(scragging_factor(first).lambda(), 1.294167673);
+  expect_near(scragging_factor(first, recovery_after(tested, 6.0)).lambda(), 1.078642756);
+}
+
+Sample relative(std::string device, double T, double value) {
+  return {.device = std::move(device), .condition = condition_of({.T = T}), .ln = std::log(value)};
+}
+
+TEST(Replicates, on_one_device_give_an_interval) {
+  std::vector<Sample> const own{relative("A", 20, 0.999), relative("A", 20, 1.001), relative("A", 20, 1.000)},
+      others{relative("A", 0, 1.066), relative("A", 0, 1.070)};
+  auto factor = Response(Effect::temperature, own, others, reference, {}).at(0.0);
+  expect_near(factor.lambda(), 1.067998483);
+  EXPECT_EQ(*factor.df, 3.0);
+  expect_near(*factor.se, 0.001733371 * std::sqrt(1.0 / 2.0 + 1.0 / 3.0), 1e-6);
+  factor.drift = 0.0;
+  expect_interval(interval(factor, About::mean), 1.062633856, 1.073390193);
+}
+
+TEST(Unpaired, devices_have_the_scatter_of_the_lot) {
+  auto const factor = [](int a, int b) {
+    std::vector<Sample> there, here;
+    for (int i = 0; i < a; ++i) there.push_back(relative("a" + std::to_string(i), 0, 1.0));
+    for (int i = 0; i < b; ++i) here.push_back(relative("b" + std::to_string(i), 20, 1.0));
+    return unpaired_factor(there, here, 0.07, 28);
+  };
+  EXPECT_EQ(factor(1, 1).status, Status::unpaired);
+  expect_near(interval(factor(1, 1), About::mean)->high, 1.225220537, ends);
+  expect_near(interval(factor(3, 3), About::mean)->high, 1.124425099, ends);
+  EXPECT_ANY_THROW(unpaired_factor({}, {}, 0.07, 1));
+}
+
+Factor factor_of(double lambda, std::optional<double> se, double df, Status status = Status::shown) {
+  return {.ln = std::log(lambda), .status = status, .se = se, .df = df};
+}
+
+TEST(Combination, of_factors_with_intervals) {
+  std::vector<Part> const parts{
+      {.effect = Effect::temperature,
+       .group = Group::environment,
+       .factor = factor_of(1.313436434, 0.006658328 / std::sqrt(3.0), 2.0)},
+      {.effect = Effect::rate, .group = Group::test, .factor = factor_of(1.067708704, 0.004, 3.0)},
+      {.effect = Effect::ageing,
+       .group = Group::environment,
+       .factor = factor_of(1.10, std::nullopt, 0.0, Status::assumed)}};
+  auto const product = combine({.form = Form::product}, parts);
+  expect_near(product.factor, 1.542604264);
+  expect_near(product.se, 0.005547772, 1e-6);
+  expect_near(product.df, 4.869672862, 1e-6);
+  expect_interval(product.interval, 1.520585565, 1.564941803);
+  expect_near(product.share_shown, 0.780123826, 1e-8);
+  EXPECT_EQ(product.status, Status::assumed);
+  EXPECT_EQ(product.assumed, std::vector{Effect::ageing});
+  struct Case {
+    Combination how;
+    double factor, low, high;
+  };
+  for (auto const& [how, factor, low, high] :
+       {Case{{.form = Form::asce, .adjust = 0.75, .supply = 1.15}, 1.637462430, 1.616227078, 1.658976790},
+        Case{{.form = Form::each, .adjust = 0.7}, 1.366604599, 1.352180645, 1.381182417},
+        Case{{.form = Form::product, .adjust = 0.7}, 1.379822985, 1.364385840, 1.395434791},
+        Case{{.form = Form::sum, .margin = 1.2, .supply = 1.15}, 1.727374166, 1.706219385, 1.748791237}}) {
+    SCOPED_TRACE(name(how.form));
+    auto const combined = combine(how, parts);
+    expect_near(combined.factor, factor);
+    expect_interval(combined.interval, low, high);
+  }
+  std::vector<Part> simple;
+  for (double const lambda : {1.2, 1.4, 1.2})
+    simple.push_back({.effect = Effect::temperature, .factor = factor_of(lambda, std::nullopt, 0.0, Status::assumed)});
+  expect_near(combine({.form = Form::each, .adjust = 0.66}, simple).factor, 1.619719936);
+  expect_near(combine({.form = Form::product, .adjust = 0.66}, simple).factor, 1.670560000);
+  expect_near(combine({.form = Form::sum}, simple).factor, 1.8);
+}
+
+// The whole example, product of all factors.
+TEST(Combination, of_the_example) {
+  auto const bounds = [](double Properties::*which) {
+    auto const scragging = std::log(properties(0.0, {.cycle = 1}).*which / (properties(0.0, {}).*which));
+    auto const cycles =
+        std::log(properties(0.0, {.cycle = 10, .settled_at = 10}).*which / (properties(0.0, {}).*which));
+    auto const temperatures = temperature({"P1", "P2", "P3"}, which).over(-15.0, 45.0);
+    auto const rates = rate(which).over(0.35, 0.65), loads = load(which).over(1000.0, 3000.0);
+    auto const aged = ageing(which).at(Ageing{.days = 14.0, .at_C = 70.0});
+    Factor const none{.se = 0.0, .df = 1.0};
+    auto const scragged = factor_of(std::exp(scragging), 0.0, 4.0),
+               after = factor_of(std::exp(cycles), std::nullopt, 0.0);
+    auto const combined = [](auto const&... factors) {
+      return combine({}, std::vector<Part>{{.effect = Effect::temperature, .factor = factors}...});
+    };
+    bool const stiffer = aged.ln > 0.0;
+    return std::pair(combined(temperatures.max, rates.max, loads.max, stiffer ? aged : none, scragged, none),
+                     combined(temperatures.min, rates.min, loads.min, stiffer ? none : aged, none, after));
+  };
+  auto const [max, min] = bounds(&Properties::K_eff);
+  expect_near(max.factor, 1.869155861);
+  EXPECT_EQ(max.status, Status::interpolated);
+  EXPECT_EQ(max.share_shown, 1.0);
+  EXPECT_FALSE(max.interval);
+  expect_near(min.factor, 0.705430235);
+  EXPECT_EQ(min.status, Status::extrapolated);
+  expect_near(min.share_shown, 0.528110688);
+  auto const [energy_max, energy_min] = bounds(&Properties::energy);
+  expect_near(energy_max.factor, 1.859391152);
+  expect_near(energy_min.factor, 0.665827352);
+}
+
+TEST(Combination, without_an_interval_or_a_test_says_so) {
+  std::vector<Part> const parts{{.effect = Effect::rate, .factor = factor_of(1.1, std::nullopt, 0.0)},
+                                {.effect = Effect::ageing, .factor = {.status = Status::not_covered}}};
+  auto const combined = combine({}, parts);
+  EXPECT_FALSE(combined.interval);
+  EXPECT_FALSE(combined.complete());
+  EXPECT_EQ(combined.status, Status::not_covered);
+  expect_near(combined.factor, 1.1);
+  EXPECT_EQ(combined.without_interval, std::vector{Effect::rate});
+}
+
+TEST(History, of_the_cycles_of_a_device) {
+  auto const of = [](double strain, double before, int n, std::optional<double> rest = 0.0) {
+    return history(strain, before, n, rest, {});
+  };
+  EXPECT_EQ(of(24, 0, 1), History::virgin);
+  EXPECT_EQ(of(49, 24, 1), History::disturbed);
+  EXPECT_EQ(of(98, 49, 1), History::disturbed);
+  EXPECT_EQ(of(98, 49, 3), History::scragged);
+  for (int n = 1; n < 6; ++n) EXPECT_EQ(of(100, 200, n), History::disturbed);
+  EXPECT_EQ(of(100, 100, 1, 24.0), History::first_after_rest);
+  EXPECT_EQ(of(100, 100, 1, std::nullopt), History::first_after_rest);
+  EXPECT_EQ(of(100, 100, 1, 0.5), History::scragged);
+  EXPECT_EQ(of(100, 25, 1), History::virgin);
+  std::vector<Block> blocks(3);
+  for (int i = 0; i < 3; ++i)
+    blocks[static_cast<std::size_t>(i)].condition.strain_percent =
+        std::array{100.0, 50.0, 80.0}[static_cast<std::size_t>(i)];
+  EXPECT_EQ(largest_before(blocks), (std::vector{0.0, 100.0, 100.0}));
+}
+
+TEST(Response, of_equal_tests_is_one_and_inverts_with_its_reference) {
+  std::vector<Sample> const own{relative("A", 20, 1.3), relative("B", 20, 1.1)},
+      equal{relative("A", 0, 1.3), relative("B", 0, 1.1)}, others{relative("A", 0, 1.7), relative("B", 0, 1.2)};
+  EXPECT_EQ(Response(Effect::temperature, own, equal, reference, {}).at(0.0).lambda(), 1.0);
+  auto cold = reference;
+  cold.temperature_C = 0.0;
+  auto const there = Response(Effect::temperature, own, others, reference, {}).at(0.0),
+             back = Response(Effect::temperature, others, own, cold, {}).at(20.0);
+  EXPECT_DOUBLE_EQ(there.ln, -back.ln);
+  EXPECT_DOUBLE_EQ(*there.se, *back.se);
+}
+
+}  // namespace
+}  // namespace isolaw::conditions
