@@ -83,7 +83,7 @@ std::span<Row const> rows() {
                "{devices} {was|were} refused. The lot has {lot_devices} devices; its law is made from the others."),
       campaign(
           same_record, "same-record", "copies", serious, records, each_alone, signed_too, none,
-          "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ In the means and spreads of laws' parameters it counts {times} times.]"),
+          "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ Means, spreads, draws and bounds leave out {left_out}.]"),
       campaign(copies_not_sought, "copies-not-sought", "copies", caution, records, each_alone, signed_too, none,
                "the lot has more than {most:,} devices: only exact copies of records are looked for, no record that was "
                "scaled, shifted, sampled anew or given noise."),
