@@ -281,6 +281,8 @@ std::vector<Option<Acceptance>> make_acceptance() {
       alike("alike-frequency-percent", "percent of frequency", &Alike::frequency_percent, Alike::own_frequency_percent),
       alike("alike-load-percent", "percent of vertical load", &Alike::load_percent, Alike::own_load_percent),
       alike("alike-amplitude-percent", "percent of amplitude", &Alike::amplitude_percent, Alike::own_amplitude_percent),
+      alike("alike-earlier-cycles", "number of earlier cycles of at least the amplitude of those that count",
+            &Alike::earlier_cycles, Alike::own_earlier_cycles),
   };
 }
 

@@ -92,7 +92,7 @@ struct FactorRule {            // see combine() in factors.hpp
 };
 
 struct SameCondition {  // how far the tests of a lot may differ from one another; percent of the largest value
-  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
+  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent, earlier_cycles;
   std::string clause;
 };
 

@@ -167,7 +167,7 @@ std::span<Row const> rows() {
       campaign(
           conditions_differ, "conditions-differ", "lot", serious, "Compare the devices under one condition",
           each_alone, signed_too, none,
-          "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
+          "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})][; {least_earlier_cycles:.0f} to {largest_earlier_cycles:.0f} earlier cycles of this amplitude or a larger one (alike within {allowed_earlier_cycles:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(
