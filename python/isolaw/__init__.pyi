@@ -204,6 +204,7 @@ def calibrate(
     alike_frequency_percent: float | None = None,
     alike_load_percent: float | None = None,
     alike_amplitude_percent: float | None = None,
+    alike_earlier_cycles: float | None = None,
     # the end of what it wrote
     vertical: Mapping[str, _Vertical] | None = None,
     jobs: int = 0,

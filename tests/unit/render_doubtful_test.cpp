@@ -79,13 +79,13 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   auto summary = two_devices();
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
   summary.devices[1].raw.disp_mm = summary.devices[0].raw.disp_mm;
+  summary.devices[1].copy_of = "A";
   auto const found = findings(summary).warnings;
   auto const copies = std::ranges::find(found, FindingKind::same_record, &Finding::kind);
   ASSERT_NE(copies, found.end());
   EXPECT_EQ(copies->devices, (std::vector<std::string>{"A", "B"}));
-  EXPECT_EQ(
-      wording::sentence(*copies),
-      "A and B hold the same record: it counts as one device. In the means and spreads of laws' parameters it counts 2 times.");
+  EXPECT_EQ(wording::sentence(*copies),
+            "A and B hold the same record: it counts as one device. Means, spreads, draws and bounds leave out B.");
   // The warnings of a device are its own findings and the finding that A and B are copies.
   summary.devices[1].raw.warnings.push_back(stated("a column is constant"));
   auto const of_devices = device_warnings(summary);
@@ -94,7 +94,11 @@ TEST(Doubtful, CopiesOfARecordAreNamed) {
   ASSERT_EQ(of_devices[1].size(), 3u);
   EXPECT_EQ(wording::sentence(of_devices[1][0]), "B: a column is constant");
   EXPECT_EQ(of_devices[1][2], *copies);
-  summary.devices[1].raw.force_kN.back() = 7.0;  // another force, so A and B no longer hold the same record
+  summary.devices[1].raw.force_kN.back() = 7.0;
+  EXPECT_EQ(wording::sentence(findings(summary).warnings[static_cast<std::size_t>(copies - found.begin())]),
+            "A and B hold the same record, scaled, shifted, sampled anew or with noise added: it counts as one device. "
+            "Means, spreads, draws and bounds leave out B.");
+  summary.devices[1].copy_of.clear();
   EXPECT_EQ(std::ranges::count(topics(summary), "copies"), 0);
 }
 

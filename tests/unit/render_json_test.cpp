@@ -131,6 +131,7 @@ TEST(SummaryJson, ExactText) {
               "identifiability": null
             }
           },
+          "counts": true,
           "status": "ok",
           "message": "",
           "runs": 1,

@@ -123,6 +123,7 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(set.same_condition.frequency_percent, 15);
   EXPECT_EQ(set.same_condition.load_percent, 15);
   EXPECT_EQ(set.same_condition.amplitude_percent, 8);
+  EXPECT_EQ(set.same_condition.earlier_cycles, 2);
   EXPECT_EQ(set.same_condition.clause, "B.1");
   EXPECT_EQ(set.test.frequencies_Hz, std::vector{0.5});
   EXPECT_EQ(set.test.frequency_tolerance_percent, 10);

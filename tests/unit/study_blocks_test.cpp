@@ -10,6 +10,7 @@
 #include "isolaw/study/acceptance.hpp"
 #include "isolaw/study/lot_conditions.hpp"
 #include "isolaw/study/verdict.hpp"
+#include "isolaw/wording/table.hpp"
 #include "motions.hpp"
 
 namespace isolaw::study {
@@ -89,6 +90,36 @@ TEST(Blocks, AFaultyBlockOfAnotherLoadIsNotChosen) {
   ASSERT_FALSE(properties.blocks[0].fault.empty());
   EXPECT_EQ(assessed(properties, "disp=150,load=2000").block, 2);
   EXPECT_EQ(assessed(properties, "disp=150,load=1000").block, 1);
+}
+
+// One device made two cycles of 110 mm before those of 100 mm, the other made six. All else is alike.
+TEST(Lot, DevicesWithOtherEarlierCyclesWereTestedUnderOtherConditions) {
+  auto const lot = [](int cycles_of_one, int cycles_of_other) {
+    Summary summary;
+    for (int const cycles : {cycles_of_one, cycles_of_other}) {
+      auto& device = summary.devices.emplace_back();
+      device.properties = read(Motion().sine(110.0, 0.5, cycles).sine(100.0, 0.5, 3).end().loop());
+      device.acceptance = assessed(device.properties, "disp=100");
+      EXPECT_EQ(device.acceptance.block, 2);
+    }
+    return summary;
+  };
+  EXPECT_EQ(conditions_differ(lot(3, 3)), std::nullopt);
+  EXPECT_EQ(conditions_differ(lot(3, 4)), std::nullopt);
+  auto differing = lot(2, 6);
+  auto const found = conditions_differ(differing);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(
+      wording::sentence(*found),
+      "The devices were tested under different conditions; 2 to 6 earlier cycles of this amplitude or a larger "
+      "one (alike within 1). Tolerances: isolaw's own. Part of the spread of the devices comes from that, and the "
+      "lot has no verdict, since a verdict holds for one condition.");
+  differing.asked.alike.earlier_cycles = 4.0;
+  EXPECT_EQ(conditions_differ(differing), std::nullopt);
+  differing.acceptance.rules.same_condition.earlier_cycles = 3.0;
+  EXPECT_TRUE(conditions_differ(differing)) << "the rule set comes first";
+  differing.devices[1].copy_of = "D1";
+  EXPECT_EQ(conditions_differ(differing), std::nullopt);
 }
 
 // With two devices at 100 mm and two at 200 mm, the usual amplitude is that of a device, and the others are named.

@@ -297,6 +297,7 @@ TEST(Doubts, OfADevicesStandingAreOfTheLawAndTheRecord) {
 TEST(Doubts, NameCopiesOfARecord) {
   auto summary = fixture::lot();
   summary.devices[1].raw = summary.devices[0].raw;
+  summary.devices[1].copy_of = "D1";
   auto const copies = "D1 and D2 hold the same record";
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", std::nullopt), copies));
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D2"), copies));

@@ -1,6 +1,7 @@
 // Tests the verdicts on a device and on the lot. A verdict is never a plain pass if a value was not compared with its
 // limit.
 #include "finding_text.hpp"
+#include "isolaw/data/signals/copies.hpp"
 #include "isolaw/study/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -175,8 +176,8 @@ TEST(Warnings, SayThatAlteredCopiesAreNotSoughtInLargeLots) {
     summary.devices.resize(devices);
     return std::ranges::count(warnings(summary), FindingKind::copies_not_sought, &Finding::kind);
   };
-  EXPECT_EQ(is_said(most_compared), 0);
-  EXPECT_EQ(is_said(most_compared + 1), 1);
+  EXPECT_EQ(is_said(data::most_compared), 0);
+  EXPECT_EQ(is_said(data::most_compared + 1), 1);
 }
 
 TEST(OverallVerdict, APassThatRestsOnCorrectionsSaysSo) {

@@ -82,7 +82,8 @@ class Analysis {
     auto const lot_is_valid = [&](LotAnalysis const& analysis) {
       std::vector<std::size_t> usable;
       for (auto const& search : contents_.searches)
-        if (search.law == analysis.law && contents_.best_run(search.device, search.law) != nullptr)
+        if (search.law == analysis.law && contents_.devices[search.device].counts() &&
+            contents_.best_run(search.device, search.law) != nullptr)
           usable.push_back(search.device);
       return usable == analysis.devices &&
              std::ranges::all_of(usable, [&](std::size_t device) { return best_is_earlier(device, analysis.law); });
@@ -177,7 +178,7 @@ class Analysis {
       auto const& law = laws[i];
       LawOnLot lot{.law = law};
       for (auto const& search : contents_.searches) {
-        if (search.law != law) continue;
+        if (search.law != law || !contents_.devices[search.device].counts()) continue;
         auto const* on_device = contents_.analysis_of(search.device, law);
         if (on_device == nullptr) continue;
         lot.devices.push_back(search.device);
@@ -309,7 +310,9 @@ fit::SearchBox examined_box(Search const& search) {
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law) {
   std::vector<fit::SearchBox> boxes;
   for (auto const& search : contents.searches)
-    if (search.law == law && contents.analysis_of(search.device, law) != nullptr) boxes.push_back(examined_box(search));
+    if (search.law == law && contents.devices[search.device].counts() &&
+        contents.analysis_of(search.device, law) != nullptr)
+      boxes.push_back(examined_box(search));
   std::vector<fit::SearchBox const*> pointers;
   for (auto const& box : boxes) pointers.push_back(&box);
   return analysis::common_box(pointers);

@@ -16,7 +16,7 @@ namespace isolaw::campaign {
 // The box in which a device's analysis varies the parameters. It is the box of the search, with the logarithmic scales
 // of fit::on_logarithmic_scales(). Only with Method::best does the search itself use these scales.
 fit::SearchBox examined_box(Search const& search);
-// The box in which one law is fitted to all devices that have a DeviceAnalysis of this law.
+// The box in which one law is fitted to all devices that count and have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);

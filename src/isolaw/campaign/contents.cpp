@@ -11,6 +11,8 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/signals/copies.hpp"
 
 namespace isolaw::campaign {
 namespace {
@@ -66,11 +68,14 @@ std::size_t Contents::expected_here() const {
 
 std::size_t Contents::expected_analyses() const {
   if (!settings.analysis) return 0;
-  std::map<std::string_view, std::size_t> usable;
-  for (auto const& search : searches)
-    if (best_run(search.device, search.law) != nullptr) ++usable[search.law];
   std::size_t expected = 0;
-  for (auto const& [law, count] : usable) expected += count + (count > 1 ? 1 + count : 0);
+  std::map<std::string_view, std::size_t> counting;
+  for (auto const& search : searches) {
+    if (best_run(search.device, search.law) == nullptr) continue;
+    ++expected;
+    if (devices[search.device].counts()) ++counting[search.law];
+  }
+  for (auto const& [law, count] : counting) expected += count > 1 ? 1 + count : 0;
   return expected;
 }
 
@@ -86,6 +91,26 @@ void Contents::take_boxes_of_best_runs() {
   for (auto& search : searches) {
     auto const* best = best_run(search.device, search.law);
     search.box = best != nullptr ? box_of(search, *best) : search.first_box;
+  }
+}
+
+void Contents::find_copies() {
+  std::vector<data::TestRecord const*> records;
+  for (auto& device : devices) {
+    device.copy_of.clear();
+    records.push_back(&device.raw);
+  }
+  for (auto const& group : data::groups_of_copies(records)) {
+    auto const first = [&](auto const& is_preferred) {
+      auto const found =
+          std::ranges::find_if(group, [&](std::size_t d) { return devices[d].usable() && is_preferred(devices[d]); });
+      return found == group.end() ? std::nullopt : std::optional(*found);
+    };
+    auto counting =
+        first([](Device const& device) { return data::cyclic_properties(device.raw).reported.has_value(); });
+    if (!counting) counting = first([](Device const&) { return true; });
+    for (auto const d : group)
+      if (d != counting.value_or(group.front())) devices[d].copy_of = devices[counting.value_or(group.front())].name;
   }
 }
 

@@ -46,8 +46,12 @@ struct Device {
   data::TestRecord uncorrected = {};  // the channels of `raw` without corrections by hand; empty if it has none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
+  // The device with the same record, or with the one that this record was made from, which counts instead of this one
+  // in every statistic over devices; else empty. Not stored: Contents::find_copies() sets it.
+  std::string copy_of = {};
 
   bool usable() const { return refusal.empty(); }
+  bool counts() const { return copy_of.empty(); }
 };
 
 struct Search {  // a law that is fitted to a device: its box, or the reason why there is none
@@ -98,7 +102,7 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
   std::size_t maker = 0;
 };
 
-struct LotAnalysis {  // one parameter vector for all devices that have a DeviceAnalysis of the law
+struct LotAnalysis {  // one parameter vector for all devices that count and have a DeviceAnalysis of the law
   std::string law;
   int refinement = 1;                          // the largest refinement of the devices
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
@@ -135,8 +139,8 @@ struct EarlierAnalyses {
 struct Alike {
   // isolaw's own tolerances, where neither the rule set nor the user states one
   static constexpr double own_temperature_C = 2.0, own_frequency_percent = 10.0, own_load_percent = 10.0,
-                          own_amplitude_percent = 5.0;
-  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
+                          own_amplitude_percent = 5.0, own_earlier_cycles = 1.0;
+  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent, earlier_cycles;
 
   bool operator==(Alike const&) const = default;
 };
@@ -192,6 +196,9 @@ struct Contents {
 
   Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
   void take_boxes_of_best_runs();                                       // sets Search::box; needed after runs are added
+  // Sets Device::copy_of; needed after devices are added. Of devices with one record, the first with cyclic properties
+  // counts or, if none has any, the first that is usable.
+  void find_copies();
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device, or nullopt for `whole_lot` if no device has that name. Throws Error for other names.
   std::optional<std::size_t> device_or_lot(std::string_view name) const;

@@ -20,7 +20,7 @@ Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(conte
   for (std::size_t i = 0; i < tasks_.size(); ++i) {
     auto const& law = settings.laws[i];
     double runs = 0.0, descents = 0.0;  // costs of all devices together
-    std::size_t devices = 0;
+    std::size_t devices = 0, counting = 0;
     for (auto const& search : contents.searches) {
       if (search.law != law || !search.refusal.empty()) continue;
       auto const free = static_cast<double>(std::max<std::size_t>(search.box.free_count(), 1));
@@ -28,6 +28,7 @@ Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(conte
       runs += cost;
       descents += genetic ? cost * free * free : cost;
       ++devices;
+      if (contents.devices[search.device].counts()) ++counting;
     }
     if (devices == 0) continue;
     auto const count = static_cast<double>(devices);
@@ -41,9 +42,9 @@ Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(conte
     if (!settings.analysis) continue;
     descents *= descent_s;
     set(TaskKind::device, (of_device + (genetic ? of_run : 0.0)) * descents / count, devices, contents.device_analyses);
-    if (devices < 2) continue;
+    if (counting < 2) continue;
     set(TaskKind::lot, of_lot * descents, 1, contents.lot_analyses);
-    set(TaskKind::left_out, of_left_out * descents * (count - 1.0) / count, devices, contents.left_out);
+    set(TaskKind::left_out, of_left_out * descents * (count - 1.0) / count, counting, contents.left_out);
   }
 }
 

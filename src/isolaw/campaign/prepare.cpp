@@ -201,6 +201,7 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
   auto contents = without_devices(lot.title, lot.acceptance, lot.settings);
   for (auto const& input : lot.devices)
     contents.devices.push_back(prepare_device(input, contents.settings.clean, false_signals));
+  contents.find_copies();
   return contents;
 }
 
@@ -279,6 +280,7 @@ Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std
   check_names(records);
   auto contents = without_devices(title, {}, settings);
   for (auto& record : records) contents.devices.push_back(cleaned(std::move(record), contents.settings.clean));
+  contents.find_copies();
   return with_searches(std::move(contents), settings.laws);
 }
 

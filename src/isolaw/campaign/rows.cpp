@@ -457,6 +457,7 @@ Contents read_campaign_and_series(Connection const& db) {
   else
     for (auto& device : contents.devices)
       for (auto* record : {&device.raw, &device.uncorrected}) data::find_faults(*record);
+  contents.find_copies();
   return contents;
 }
 

@@ -288,6 +288,8 @@ std::vector<Option<Acceptance>> make_acceptance() {
       alike("alike-load-percent", "vertical load, in percent", &Alike::load_percent, Alike::own_load_percent),
       alike("alike-amplitude-percent", "amplitude, in percent", &Alike::amplitude_percent,
             Alike::own_amplitude_percent),
+      alike("alike-earlier-cycles", "earlier cycles as large as those that count, in cycles", &Alike::earlier_cycles,
+            Alike::own_earlier_cycles),
   };
 }
 

@@ -175,7 +175,7 @@ void add_warnings(TestRecord& record, Properties const& properties) {
   if (properties.is_false && !properties.faults.empty()) return append(warnings, properties.refusal);
   append(warnings, properties.faulty);
   for (auto const& fault : properties.faults)
-    if (!fault.finding.word("outside").empty()) warnings.push_back(fault.finding);
+    if (fault.is_outside()) warnings.push_back(fault.finding);
   if (properties.failure) warnings.push_back(*properties.failure);
   auto const [least, largest] = std::ranges::minmax(record.disp_mm);
   double const half_range = (largest - least) / 2.0, start = record.disp_mm.front();

@@ -100,10 +100,6 @@ void take_out(Chosen& chosen, double first, double last) {
                 values->begin() + static_cast<std::ptrdiff_t>(end), 0.0);
 }
 
-bool is_outside(SignalFault const& fault) {
-  return !fault.finding.word("outside").empty();
-}
-
 // Chooses the samples that the objective counts. It leaves out blocks with a signal or a loop that cannot be true,
 // faulty samples outside the blocks with the neighbours that averaging mixes with them, and the samples in which a
 // device has lost its force.
@@ -117,7 +113,7 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
               .block = block_numbers(selection, segmentation, raw.size())};
   }
   bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); }) ||
-                          std::ranges::any_of(properties.faults, is_outside);
+                          std::ranges::any_of(properties.faults, &SignalFault::is_outside);
   // If no block is sound the device is refused as a whole, with the reason.
   if (properties.is_false || (!any_faulty && !properties.failure)) return chosen;
   if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
@@ -128,7 +124,7 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
       options.samples_per_cycle ? properties.samples_per_cycle.value_or(0.0) / *options.samples_per_cycle : 0.0;
   double const reach = std::ceil((options.smooth + thinned) / 2.0);
   for (auto const& fault : properties.faults)
-    for (std::size_t k = 0; is_outside(fault) && k < fault.samples.size(); ++k) {
+    for (std::size_t k = 0; fault.is_outside() && k < fault.samples.size(); ++k) {
       auto const at = static_cast<double>(fault.samples[k]);
       take_out(chosen, at - reach, at + static_cast<double>(fault.longest()) - 1.0 + reach);
     }
@@ -140,7 +136,7 @@ void note_unsound(FitRecord& record, Properties const& properties) {
   for (auto const& block : properties.blocks)
     if (!block.fault.empty())
       record.cleaning.push_back({.kind = FindingKind::faulty_not_scored, .blocks = {block.number}});
-  if (std::ranges::any_of(properties.faults, is_outside))
+  if (std::ranges::any_of(properties.faults, &SignalFault::is_outside))
     record.cleaning.push_back(
         {.kind = FindingKind::faulty_not_scored, .words = {{"outside", "the samples outside the blocks"}}});
   if (!properties.failure) return;

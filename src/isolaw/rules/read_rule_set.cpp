@@ -24,6 +24,7 @@ struct Range {
 };
 constexpr Range percent{1e-6, 1000.0};
 constexpr Range kelvins{1e-6, 1000.0};
+constexpr Range earlier{0.0, 1000.0};  // cycles
 constexpr Range deviation{-100.0, 1000.0};
 constexpr Range share{1e-6, 100.0};
 constexpr Range frequency_Hz{1e-6, 1000.0};
@@ -226,6 +227,7 @@ class Reader {
     table.number("frequency_percent", percent, same.frequency_percent);
     table.number("load_percent", percent, same.load_percent);
     table.number("amplitude_percent", percent, same.amplitude_percent);
+    table.number("earlier_cycles", earlier, same.earlier_cycles);
     table.text("clause", same.clause, longest_note);
   }
 

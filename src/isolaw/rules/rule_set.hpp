@@ -91,9 +91,10 @@ struct FactorRule {            // see combine() in factors.hpp
   std::vector<PropertyFactors> properties;
 };
 
-// How far the tests of a lot may differ from one another: temperature in K, the others in percent of the largest value.
+// How far the tests of a lot may differ from one another: temperature in K, earlier cycles as a number, the others in
+// percent of the largest value.
 struct SameCondition {
-  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent;
+  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent, earlier_cycles;
   std::string clause;
 };
 

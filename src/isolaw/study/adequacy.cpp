@@ -30,13 +30,14 @@ Finding Pinned::finding(std::string const& law) const {
 
 Pinned pinned(LawResult const& law) {
   Pinned result;
-  if (std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; }) < 2) return result;
+  auto fits = law.counting();
+  if (std::ranges::count_if(fits, [](auto const& fit) { return fit_status(fit) == "ok"; }) < 2) return result;
   auto const& parameters = parameters_of(law);
   for (std::size_t n = 0; n < parameters.size(); ++n) {
     if (!parameters[n].free) continue;
     ++result.calibrated;
     std::size_t devices = 0, held = 0;
-    for (auto const& fit : law.devices) {
+    for (auto const& fit : fits) {
       if (n >= fit.parameters.size() || fit_status(fit) != "ok") continue;
       ++devices;
       if (fit.parameters[n].at_bound != fit::AtBound::no) ++held;

@@ -92,7 +92,7 @@ void add_predictions(Summary const& summary, std::vector<Finding>& findings) {
 void add_determined(Summary const& summary, std::vector<Finding>& findings) {
   for (auto const& law : summary.laws) {
     double examined = 0.0, determined = 0.0, weakly = 0.0;
-    for (auto const& fit : law.devices)
+    for (auto const& fit : law.counting())
       for (auto const& parameter : fit.parameters) {
         if (!parameter.analysis) continue;
         auto const verdict = parameter.analysis->identifiability;

@@ -111,7 +111,7 @@ Examined examined(std::vector<DeviceFit const*> const& fits, laws::LawEntry cons
 void add_converged_beta(LawResult& law, laws::LawEntry const& entry) {
   std::vector<DeviceFit const*> fits;
   double sum = 0.0;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     if (!fit.optimum) continue;
     fits.push_back(&fit);
     sum += *fit.optimum;
@@ -192,7 +192,7 @@ lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> con
 std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vector<std::string> const& names) {
   std::vector<std::size_t> found;
   for (std::size_t n = 0; n < names.size(); ++n)
-    if (std::ranges::all_of(law.devices, [&](DeviceFit const& fit) {
+    if (std::ranges::all_of(law.counting(), [&](DeviceFit const& fit) {
           auto const p = std::ranges::find(fit.parameters, names[n], &ParameterFit::name);
           bool const examined = p != fit.parameters.end() && p->analysis;
           return !examined || p->analysis->identifiability == analysis::Verdict::undetermined;
@@ -204,7 +204,7 @@ std::vector<std::size_t> undetermined_everywhere(LawResult const& law, std::vect
 void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Contents const& contents) {
   std::vector<std::string> names;
   std::vector<lot::DeviceEstimate> estimates;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     if (!fit.optimum) continue;
     auto const device = std::ranges::find(contents.devices, fit.device, &campaign::Device::name);
     auto const* a = contents.analysis_of(static_cast<std::size_t>(device - contents.devices.begin()), law.id);
@@ -240,7 +240,7 @@ void add_population(LawResult& law, laws::LawEntry const& entry, campaign::Conte
 void add_prediction(LawResult& law) {
   double fitted = 0.0, predicted = 0.0, worst = 0.0;
   std::size_t devices = 0;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     double sums[2] = {0.0, 0.0};
     int counts[2] = {0, 0};
     for (auto const& score : fit.blocks) {
@@ -308,7 +308,7 @@ void add_lot_law(LawResult& law, campaign::Contents const& contents) {
 
 void add_larger_swings(LawResult& law) {
   double sum = 0.0, least = 0.0, count = 0.0;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     if (!fit.larger_swings_objective) continue;
     sum += *fit.larger_swings_objective;
     least += *fit.larger_swings_least;
@@ -329,6 +329,7 @@ void add_left_out(LawResult& law, campaign::Contents const& contents) {
     if (left_out.law != law.id || !std::isfinite(objective)) continue;
     auto& fit = fit_on(law, contents.devices[left_out.device]);
     fit.left_out_objective = objective;
+    if (!fit.counts) continue;
     sum += objective;
     ++count;
     if (objective > law.loo_worst.value_or(0.0)) {
@@ -349,16 +350,18 @@ void add_outliers(Summary& summary) {
     units.push_back(std::move(unit));
     laws.push_back(std::move(law));
     auto& row = values.emplace_back();
-    for (auto const& device : summary.devices) row.push_back(value_on(device).value_or(std::nan("")));
+    for (auto const& device : summary.devices)
+      row.push_back(device.counts() ? value_on(device).value_or(std::nan("")) : std::nan(""));
   };
   std::vector<double> amplitudes;
   for (auto const& device : summary.devices)
-    if (auto const& cycle = device.properties.reported) amplitudes.push_back(cycle->amplitude_mm);
+    if (auto const& cycle = device.properties.reported; cycle && device.counts())
+      amplitudes.push_back(cycle->amplitude_mm);
   auto const usual = usual_amplitude(amplitudes, summary.acceptance.rules, summary.asked.alike);
   Finding left_out{.kind = FindingKind::not_compared,
                    .numbers = {{"usual_mm", usual.mm}, {"allowed", usual.allowed_percent}}};
   for (auto const& device : summary.devices)
-    if (auto const& cycle = device.properties.reported; cycle && !usual.has(cycle->amplitude_mm))
+    if (auto const& cycle = device.properties.reported; cycle && device.counts() && !usual.has(cycle->amplitude_mm))
       left_out.devices.push_back(device.name);
   if (!left_out.devices.empty() && amplitudes.size() >= num::fewest_for_outliers)
     summary.not_compared = std::move(left_out);

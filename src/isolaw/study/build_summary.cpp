@@ -106,6 +106,7 @@ DeviceResult device_result(campaign::Device const& device, data::CleanOptions co
   result.sha256 = device.raw.sha256;
   result.status = device.usable() ? "ok" : "refused";
   result.message = device.refusal;
+  result.copy_of = device.copy_of;
   result.complaints = device.complaints;
   result.serial = device.info.serial;
   result.lot = device.info.lot;
@@ -236,6 +237,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
   auto const& device = contents.devices[search.device];
   DeviceFit fitted;
   fitted.device = device.name;
+  fitted.counts = device.counts();
   fitted.refusal = search.refusal;
   if (!search.refusal.empty()) return fitted;
 
@@ -290,7 +292,7 @@ DeviceFit device_fit(campaign::Contents const& contents, campaign::Search const&
 
 std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
   std::vector<double> means;
-  for (auto const& fit : law.devices)
+  for (auto const& fit : law.counting())
     if (fit.objective.mean) means.push_back(*fit.parameters[parameter].value.mean);
   return means;
 }
@@ -298,7 +300,8 @@ std::vector<double> means_of(LawResult const& law, std::size_t parameter) {
 void add_lot_statistics(LawResult& law) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> device_means;
-  auto const first = std::ranges::find_if(law.devices, [](auto const& fit) { return fit.objective.mean.has_value(); });
+  auto const is_identified = [](DeviceFit const& fit) { return fit.counts && fit.objective.mean; };
+  auto const first = std::ranges::find_if(law.devices, is_identified);
   if (first == law.devices.end()) {
     law.beta_note = "no device was identified";
     return;
@@ -308,7 +311,7 @@ void add_lot_statistics(LawResult& law) {
     bool const compared = first->parameters[i].free && means.size() > 1;
     auto const differences = compared ? lot::percent_differences(means) : std::vector<double>{};
     for (std::size_t d = 0, k = 0; d < law.devices.size(); ++d)
-      if (law.devices[d].objective.mean && k < differences.size())
+      if (is_identified(law.devices[d]) && k < differences.size())
         law.devices[d].parameters[i].percent_of_lot = differences[k++];
     if (!first->parameters[i].free) continue;
     names.push_back(first->parameters[i].name);
@@ -329,7 +332,7 @@ bool in_programs(LawResult const& law, laws::LawEntry const& entry) {
 
 void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
   std::vector<double> means;
-  for (auto const& fit : law.devices)
+  for (auto const& fit : law.counting())
     if (fit.objective.mean) means.push_back(*fit.objective.mean);
   if (means.empty()) return;
   law.objective = statistic(all_objectives);
@@ -353,15 +356,8 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                      .properties = &device.properties,
                      .rubber_thickness_mm = device.rubber_thickness_mm,
                      .rubber_area_mm2 = device.rubber_area_mm2,
-                     .vertical = vertical_value(device)});
-  summary.altered_copies = find_altered_copies(summary);
-  for (auto const& group : devices_of_one_record(summary)) {
-    auto const assessed =
-        std::ranges::find_if(group, [](auto const* device) { return device->properties.reported.has_value(); });
-    for (auto const* device : group)
-      if (assessed != group.end() && device != *assessed)
-        tests[static_cast<std::size_t>(device - summary.devices.data())].copy_of = (*assessed)->name;
-  }
+                     .vertical = vertical_value(device),
+                     .copy_of = device.status == "ok" ? device.copy_of : std::string()});
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices, summary.asked.alike);
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
@@ -401,7 +397,7 @@ Summary build_summary(campaign::Contents const& contents) {
       for (auto run = std::ranges::lower_bound(contents.runs, wanted, {}, key);
            run != contents.runs.end() && key(*run) == wanted; ++run) {
         runs.push_back(&*run);
-        if (run->usable()) all_objectives.push_back(run->objective);
+        if (run->usable() && contents.devices[search.device].counts()) all_objectives.push_back(run->objective);
       }
       law.devices.push_back(device_fit(contents, search, runs));
     }

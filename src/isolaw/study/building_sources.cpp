@@ -51,11 +51,12 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
         source.tested_mm = std::max(source.tested_mm, std::abs(x));
       source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // If only one device was analysed, there is no law of the lot, and this device's parameters represent the lot.
+  // If only one device that counts was analysed, there is no law of the lot, and its parameters represent the lot.
+  auto const is_analysed = [](DeviceFit const& fit) { return fit.counts && fit.optimum; };
   if (law->lot)
     source.lot = law->lot->parameters;
-  else if (source.devices.size() == 1)
-    source.lot = source.devices.begin()->second;
+  else if (std::ranges::count_if(law->devices, is_analysed) == 1)
+    source.lot = source.devices.at(std::ranges::find_if(law->devices, is_analysed)->device);
   if (source.lot.empty())
     throw Error({.where = where,
                  .found = "no analysis was made",

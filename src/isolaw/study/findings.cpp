@@ -296,7 +296,7 @@ std::optional<double> largest_difference(LawResult const& law, std::size_t param
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error) {
   double sum = 0.0;
   int count = 0;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     if (!(fit.*error)) continue;
     sum += std::abs(*(fit.*error));
     ++count;
@@ -314,37 +314,11 @@ std::optional<double> largest_displacement(Summary const& summary, LawResult con
   return mm > 0.0 ? std::optional(mm) : std::nullopt;
 }
 
-bool is_same_record(DeviceResult const& one, DeviceResult const& other) {
-  if (one.raw.size() == 0 && other.raw.size() == 0) return one.sha256 == other.sha256;
-  return one.raw.disp_mm == other.raw.disp_mm && one.raw.force_kN == other.raw.force_kN;
-}
-
-std::vector<std::pair<std::size_t, std::size_t>> find_altered_copies(Summary const& summary) {
-  std::vector<std::pair<std::size_t, std::size_t>> found;
-  auto const& devices = summary.devices;
-  if (devices.size() > most_compared) return found;
-  std::vector<data::Trace> traces;
-  for (auto const& device : devices) traces.push_back(data::trace_of(device.raw));
-  for (std::size_t one = 0; one < devices.size(); ++one)
-    for (std::size_t other = one + 1; other < devices.size(); ++other)
-      if (!is_same_record(devices[one], devices[other]) && data::is_altered_copy(traces[one], traces[other]))
-        found.emplace_back(one, other);
-  return found;
-}
-
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary) {
-  auto const is_altered = [&](DeviceResult const& one, DeviceResult const& other) {
-    auto const index = [&](DeviceResult const& device) {
-      return static_cast<std::size_t>(&device - summary.devices.data());
-    };
-    return std::ranges::find(summary.altered_copies, std::pair(index(one), index(other))) !=
-           summary.altered_copies.end();
-  };
+  auto const counting = [](DeviceResult const& device) { return device.counts() ? device.name : device.copy_of; };
   return groups_of_devices(
-      summary, [](DeviceResult const& device) { return device.raw.size() > 0 || !device.sha256.empty(); },
-      [&](DeviceResult const& one, DeviceResult const& other) {
-        return is_same_record(one, other) || is_altered(one, other);
-      });
+      summary, [](DeviceResult const&) { return true; },
+      [&](DeviceResult const& one, DeviceResult const& other) { return counting(one) == counting(other); });
 }
 
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary) {

@@ -53,15 +53,7 @@ std::optional<double> mean_magnitude(LawResult const& law, std::optional<double>
 // The largest displacement in mm at which a law was shown to hold: in the whole tests if its prediction is fair or
 // better, otherwise in the part that it was fitted to. Empty if it was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
-// Whether two devices have the same samples or, if both were refused, the same file.
-bool is_same_record(DeviceResult const& one, DeviceResult const& other);
-// With more devices than this, only exact copies of records are looked for: the time to find altered copies grows with
-// the square of the number of devices.
-inline constexpr std::size_t most_compared = 1000;
-// Pairs of devices, by index, in which one device's record was made from the other's (data/signals/copies.hpp).
-std::vector<std::pair<std::size_t, std::size_t>> find_altered_copies(Summary const& summary);
-// Groups of two or more devices with the same record: the same samples, or samples made from those of the first
-// (Summary::altered_copies), or, for refused devices, the same file.
+// Groups of two or more devices with one record: the one that counts and its copies (DeviceResult::copy_of).
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
 // Indices of the laws by rising mean objective; laws without one come last, in their order.

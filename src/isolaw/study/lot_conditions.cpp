@@ -20,11 +20,22 @@ data::Block const* counting_block(DeviceResult const& device) {
   return found == blocks.end() ? nullptr : &*found;
 }
 
-double largest_before(data::Properties const& properties, data::Block const& block) {
-  double largest = 0.0;
-  for (auto const& other : properties.blocks)
-    if (other.number < block.number) largest = std::max(largest, other.amplitude_mm);
-  return largest;
+// What a device went through before the cycles that count: rubber is softer after larger and after more cycles.
+struct Earlier {
+  double largest_mm = 0.0;  // the largest amplitude
+  double cycles = 0.0;      // whole cycles of at least the amplitude of the cycles that count, within its tolerance
+};
+
+Earlier before(data::Properties const& properties, data::Block const& block, double tolerance_percent) {
+  Earlier earlier;
+  double const least_mm = (1.0 - tolerance_percent / 100.0) * block.amplitude_mm;
+  double const first = block.counted().front()->first;
+  for (auto const& other : properties.blocks) {
+    if (other.number < block.number) earlier.largest_mm = std::max(earlier.largest_mm, other.amplitude_mm);
+    for (auto const& cycle : other.cycles)
+      if (!cycle.partial && cycle.first < first && cycle.amplitude_mm >= least_mm) ++earlier.cycles;
+  }
+  return earlier;
 }
 
 struct Tolerance {
@@ -53,15 +64,18 @@ Tolerance amplitude_tolerance(rules::RuleSet const& rules, campaign::Alike const
 }  // namespace
 
 std::optional<Finding> conditions_differ(Summary const& summary) {
-  std::vector<double> temperatures, frequencies, loads, amplitudes, earlier;
+  auto const amplitude = amplitude_tolerance(summary.acceptance.rules, summary.asked.alike);
+  std::vector<double> temperatures, frequencies, loads, amplitudes, earlier, earlier_cycles;
   for (auto const& device : summary.devices) {
     auto const* block = counting_block(device);
-    if (block == nullptr || !device.acceptance.copy_of.empty()) continue;
+    if (block == nullptr || !device.counts()) continue;
     if (device.temperature_C) temperatures.push_back(*device.temperature_C);
     if (block->frequency_Hz) frequencies.push_back(*block->frequency_Hz);
     if (auto const load = mean_load_kN(*block)) loads.push_back(*load);
     amplitudes.push_back(block->amplitude_mm);
-    earlier.push_back(largest_before(device.properties, *block));
+    auto const history = before(device.properties, *block, amplitude.value);
+    earlier.push_back(history.largest_mm);
+    earlier_cycles.push_back(history.cycles);
   }
   Finding found{.kind = FindingKind::conditions_differ};
   std::vector<std::string> sources;
@@ -80,7 +94,6 @@ std::optional<Finding> conditions_differ(Summary const& summary) {
   auto const& test = rules.test;
   auto const& same = rules.same_condition;
   auto const& alike = summary.asked.alike;
-  auto const amplitude = amplitude_tolerance(rules, alike);
   compare(temperatures, "C", tolerance(rules, same.temperature_C, {}, alike.temperature_C, alike.own_temperature_C),
           false);
   compare(frequencies, "Hz",
@@ -90,6 +103,8 @@ std::optional<Finding> conditions_differ(Summary const& summary) {
           tolerance(rules, same.load_percent, test.load_tolerance_percent, alike.load_percent, alike.own_load_percent));
   compare(amplitudes, "mm", amplitude);
   compare(earlier, "earlier_mm", amplitude);
+  compare(earlier_cycles, "earlier_cycles",
+          tolerance(rules, same.earlier_cycles, {}, alike.earlier_cycles, alike.own_earlier_cycles), false);
   if (found.numbers.empty()) return std::nullopt;
   found.words = {{"tolerances", joined(sources, "; ")}};
   return found;

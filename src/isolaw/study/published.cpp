@@ -66,7 +66,7 @@ PublishedNumbers printed_numbers(table_a5::Law const& law) {
 
 PublishedNumbers numbers_here(LawResult const& law) {
   std::vector<double> means, stds;
-  for (auto const& fit : law.devices) {
+  for (auto const& fit : law.counting()) {
     if (fit.objective.mean) means.push_back(*fit.objective.mean);
     if (fit.objective.std) stds.push_back(*fit.objective.std);
   }

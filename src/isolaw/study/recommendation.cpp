@@ -25,7 +25,7 @@ std::optional<double> error_of_fits(LawResult const& law) {
   if (law.objective_converged) return law.objective_converged;
   double sum = 0.0;
   int count = 0;
-  for (auto const& fit : law.devices)
+  for (auto const& fit : law.counting())
     if (fit.objective.best) sum += *fit.objective.best, ++count;
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
@@ -59,7 +59,7 @@ std::size_t searched_parameters(LawResult const& law) {
 
 std::optional<double> share_open(LawResult const& law) {
   int examined = 0, open = 0;
-  for (auto const& fit : law.devices)
+  for (auto const& fit : law.counting())
     for (auto const& parameter : fit.parameters) {
       if (!parameter.analysis) continue;
       ++examined;
@@ -69,8 +69,11 @@ std::optional<double> share_open(LawResult const& law) {
 }
 
 bool identified_on_every_device(Summary const& summary, LawResult const& law) {
-  auto const identified = std::ranges::count_if(law.devices, [](auto const& fit) { return fit_status(fit) == "ok"; });
-  return std::cmp_equal(identified, device_names(summary).size());
+  auto fits = law.counting();
+  auto const identified = std::ranges::count_if(fits, [](auto const& fit) { return fit_status(fit) == "ok"; });
+  return identified == std::ranges::count_if(summary.devices, [](DeviceResult const& device) {
+           return device.status == "ok" && device.counts();
+         });
 }
 
 std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law) {
@@ -93,6 +96,7 @@ std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law) {
 double measured_damping_percent(Summary const& summary) {
   double sum = 0.0, count = 0.0;
   for (auto const& device : summary.devices) {
+    if (!device.counts()) continue;
     auto const swings = std::ranges::find(device.notes, FindingKind::largest_swings, &Finding::kind);
     if (auto const& reported = device.properties.reported; reported && reported->damping())
       sum += reported->damping_percent, ++count;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,6 +70,7 @@ struct TestFit {  // compares a law, fitted to all tests of a device, with one o
 
 struct DeviceFit {
   std::string device;
+  bool counts = true;   // false: its record is a copy (DeviceResult::copy_of), left out of what is said of all devices
   std::string refusal;  // why the law was not identified on this device; "" if it was
   int runs = 0, failed_runs = 0, missing_runs = 0;
   std::string failure;                                    // reason of the first failed run, or that none has finished
@@ -176,6 +178,8 @@ struct LawResult {
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
+  // The fits that every statistic over devices is made from.
+  auto counting() const { return devices | std::views::filter(&DeviceFit::counts); }
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
 };
@@ -185,6 +189,7 @@ struct DeviceResult {
   std::string status;                 // "ok" or "refused"
   std::string message;                // reason of a refusal
   std::vector<Complaint> complaints;  // the parts of the refusal, for an inspection
+  std::string copy_of;                // campaign::Device::copy_of
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
   data::TestRecord raw;    // empty if the device was refused
@@ -199,6 +204,8 @@ struct DeviceResult {
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
   std::vector<data::Effect> effects;                // the whole error budget, for JSON
   DeviceAcceptance acceptance;
+
+  bool counts() const { return copy_of.empty(); }
 };
 
 struct OutlyingDevice {
@@ -222,7 +229,6 @@ struct Summary {
   std::vector<LawResult> laws;  // in the order asked for; none for an inspection
   campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
-  std::vector<std::pair<std::size_t, std::size_t>> altered_copies;  // devices whose record was made from another's
   std::optional<Finding> conditions_differ;    // the conditions in which the devices' tests differ, if any
   std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
   std::optional<Finding> not_compared;         // the devices that were not searched for outliers among measured values

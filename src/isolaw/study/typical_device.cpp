@@ -33,21 +33,23 @@ std::optional<std::size_t> typical_device(Summary const& summary) {
   std::vector<int> stiffnesses(devices.size()), laws(devices.size());
   Values values;
   for (auto const& device : devices)
-    values.push_back(device.properties.reported ? std::optional(device.properties.reported->K_eff_kN_per_mm)
-                                                : std::nullopt);
+    values.push_back(device.counts() && device.properties.reported
+                         ? std::optional(device.properties.reported->K_eff_kN_per_mm)
+                         : std::nullopt);
   add_distances(values, stiffness, stiffnesses);
   for (auto const& law : summary.laws) {
     values.clear();
     for (auto const& device : devices) {
       auto const* fit = fit_of(law, device.name);
-      values.push_back(fit != nullptr ? fit->objective.mean : std::nullopt);
+      values.push_back(fit != nullptr && fit->counts ? fit->objective.mean : std::nullopt);
     }
     add_distances(values, objectives, laws);
   }
   std::optional<std::size_t> nearest;
   double least = 0.0;
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    if (devices[i].status != "ok" || devices[i].record.size() + devices[i].raw.size() == 0) continue;
+    if (devices[i].status != "ok" || !devices[i].counts() || devices[i].record.size() + devices[i].raw.size() == 0)
+      continue;
     double const distance = stiffness[i] + (laws[i] > 0 ? objectives[i] / laws[i] : 0.0);
     bool const is_known = stiffnesses[i] + laws[i] > 0;
     if (nearest && (!is_known || distance >= least)) continue;

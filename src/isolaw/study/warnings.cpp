@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "isolaw/data/signals/copies.hpp"
 #include "isolaw/fit/box.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/adequacy.hpp"
@@ -14,6 +15,7 @@
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/energy_fall.hpp"
 #include "isolaw/study/findings.hpp"
+#include "isolaw/study/spoken.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -92,8 +94,8 @@ class Collector {
     for (auto& finding : shared_records(summary_))
       if (std::ranges::any_of(finding.devices, [&](auto const& name) { return scope_.covers_device(name); }))
         add(std::move(finding));
-    if (summary_.devices.size() > most_compared)
-      add({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(most_compared)}}});
+    if (summary_.devices.size() > data::most_compared)
+      add({.kind = copies_not_sought, .numbers = {{"most", static_cast<double>(data::most_compared)}}});
   }
 
   bool is_given(std::string_view setting) const {
@@ -361,9 +363,12 @@ std::vector<Finding> Collector::shared_records(Summary const& summary) {
   };
   for (auto const& group : devices_of_one_record(summary)) {
     auto& finding = found.emplace_back(Finding{.kind = same_record, .devices = names_of(group)});
-    if (group.front()->raw.size() > 0) finding.numbers = {{"times", static_cast<double>(group.size())}};
-    if (std::ranges::any_of(group, [&](auto const* device) { return !is_same_record(*group.front(), *device); }))
+    if (std::ranges::any_of(group, [&](auto const* d) { return !data::is_same_record(group.front()->raw, d->raw); }))
       finding.words = {{"altered", "yes"}};
+    Names left_out;
+    for (auto const* device : group)
+      if (!device->counts()) left_out.push_back(device->name);
+    if (group.front()->raw.size() > 0) finding.words.push_back({"left_out", enumerate(left_out)});
   }
   for (auto const& group : devices_of_one_compression(summary))
     found.push_back({.kind = same_compression_test,

@@ -83,7 +83,7 @@ std::span<Row const> rows() {
                "{devices} {was|were} refused. The lot has {lot_devices} devices; its law is made from the others."),
       campaign(
           same_record, "same-record", "copies", serious, records, each_alone, signed_too, none,
-          "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ In the means and spreads of laws' parameters it counts {times} times.]"),
+          "{devices} hold the same record[{altered}, scaled, shifted, sampled anew or with noise added]: it counts as one device.[ Means, spreads, draws and bounds leave out {left_out}.]"),
       campaign(copies_not_sought, "copies-not-sought", "copies", caution, records, each_alone, signed_too, none,
                "the lot has more than {most:,} devices: only exact copies of records are looked for, no record that was "
                "scaled, shifted, sampled anew or given noise."),
@@ -167,7 +167,7 @@ std::span<Row const> rows() {
       campaign(
           conditions_differ, "conditions-differ", "lot", serious, "Compare the devices under one condition",
           each_alone, signed_too, none,
-          "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
+          "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})][; {least_earlier_cycles:.0f} to {largest_earlier_cycles:.0f} earlier cycles of this amplitude or a larger one (alike within {allowed_earlier_cycles:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(

@@ -22,6 +22,7 @@ struct SignalFault {
   Finding finding = {};              // counts samples from 1; has times if the record has time
 
   std::size_t longest() const;  // samples of its longest plateau; 1 for faults of single samples
+  bool is_outside() const { return !finding.word("outside").empty(); }  // see Properties::faults
 };
 
 struct TestSource {  // one of several tests of a device

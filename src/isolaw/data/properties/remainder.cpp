@@ -17,8 +17,7 @@ constexpr std::array drawn{FindingKind::signal_spike, FindingKind::stiffness_ris
 
 // A finding on one of several tests of a device has the times and blocks of that test alone, so it is not drawn.
 bool is_drawn(Finding const& finding) {
-  return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty() &&
-         finding.word("outside").empty();
+  return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty();
 }
 
 bool is_of_force(Finding const& finding) {
@@ -66,7 +65,11 @@ std::vector<double> averaged(std::vector<double> const& cycle, std::size_t width
 
 std::optional<Remainder> remainder(TestRecord const& record, Properties const& properties) {
   std::vector<Finding> doubts;
-  std::ranges::copy_if(record.warnings, std::back_inserter(doubts), is_drawn);
+  std::ranges::copy_if(record.warnings, std::back_inserter(doubts), [&](Finding const& finding) {
+    return is_drawn(finding) && std::ranges::none_of(properties.faults, [&](SignalFault const& fault) {
+             return fault.is_outside() && fault.finding == finding;
+           });
+  });
   if (doubts.empty()) return std::nullopt;
   auto const& first = *std::ranges::min_element(
       doubts, {}, [](Finding const& each) { return std::ranges::find(drawn, each.kind) - drawn.begin(); });

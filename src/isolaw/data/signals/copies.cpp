@@ -258,4 +258,28 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   return is_same_noise(own_disp, picked(other.disp_noise), cycle);
 }
 
+bool is_same_record(TestRecord const& one, TestRecord const& other) {
+  if (one.size() == 0 && other.size() == 0) return one.sha256 == other.sha256;
+  return one.disp_mm == other.disp_mm && one.force_kN == other.force_kN;
+}
+
+std::vector<std::vector<std::size_t>> groups_of_copies(std::span<TestRecord const* const> records) {
+  std::vector<Trace> traces;
+  if (records.size() <= most_compared)
+    for (auto const* record : records) traces.push_back(trace_of(*record));
+  auto const is_copy = [&](std::size_t first, std::size_t other) {
+    return is_same_record(*records[first], *records[other]) ||
+           (!traces.empty() && is_altered_copy(traces[first], traces[other]));
+  };
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (records[i]->size() == 0 && records[i]->sha256.empty()) continue;
+    auto found = std::ranges::find_if(groups, [&](auto const& group) { return is_copy(group.front(), i); });
+    if (found == groups.end()) found = groups.insert(groups.end(), {{}});
+    found->push_back(i);
+  }
+  std::erase_if(groups, [](auto const& group) { return group.size() < 2; });
+  return groups;
+}
+
 }  // namespace isolaw::data

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "isolaw/data/channels/record.hpp"
@@ -29,5 +30,13 @@ Trace trace_of(TestRecord const& record);
 
 // Whether one of the two was made from the other. False if there is too little to compare: fewer than four passes.
 bool is_altered_copy(Trace const& one, Trace const& other);
+
+// Whether two records have the same samples or, if neither has any, the same file.
+bool is_same_record(TestRecord const& one, TestRecord const& other);
+// Among more records only the same ones are looked for, because the time to find altered ones grows with the square of
+// the number of records.
+inline constexpr std::size_t most_compared = 1000;
+// Groups of two or more records, as rising indices, that are the same as the first of the group or were made from it.
+std::vector<std::vector<std::size_t>> groups_of_copies(std::span<TestRecord const* const> records);
 
 }  // namespace isolaw::data

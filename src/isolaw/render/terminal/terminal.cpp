@@ -119,7 +119,7 @@ std::string converged_table(Summary const& summary, int width) {
     auto const& law = summary.laws[index];
     if (!law.objective_converged) continue;
     int open = 0, free = 0;
-    for (auto const& fit : law.devices)
+    for (auto const& fit : law.counting())
       for (auto const& p : fit.parameters) {
         free += p.analysis ? 1 : 0;
         open += p.analysis && p.analysis->identifiability == analysis::Verdict::undetermined ? 1 : 0;
@@ -158,7 +158,7 @@ std::string prediction_table(Summary const& summary) {
       if (row.cells.size() == most) break;
       double sum = 0.0;
       int count = 0;
-      for (auto const& fit : law.devices)
+      for (auto const& fit : law.counting())
         for (auto const& score : fit.blocks)
           if (score.block == block) {
             sum += score.objective;

@@ -46,7 +46,7 @@ const relativeEntries = () =>
     const entries = usable
       .map((device) => ({ law, device, objective: law.fitOn.get(device.index)?.objective.mean }))
       .filter(({ objective }) => isNumber(objective));
-    const ofLaw = mean(entries.map(({ objective }) => objective));
+    const ofLaw = mean(entries.filter(({ device }) => !device.copy_of).map(({ objective }) => objective));
     return entries.length > 1 && ofLaw > 0
       ? entries.map(({ device, objective }) => ({ law, device, value: 100 * (objective / ofLaw - 1) }))
       : [];

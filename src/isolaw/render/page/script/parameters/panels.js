@@ -41,7 +41,7 @@ function overDevices(law, place) {
   const entries = usable
     .map((device, x) => ({ device, x, row: law.fitOn.get(device.index)?.parameters[place] }))
     .filter(({ row }) => isNumber(row?.mean));
-  return { entries, lot: mean(entries.map(({ row }) => row.mean)) };
+  return { entries, lot: mean(entries.filter(({ device }) => !device.copy_of).map(({ row }) => row.mean)) };
 }
 
 function panelsCaption() {

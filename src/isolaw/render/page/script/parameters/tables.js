@@ -73,10 +73,10 @@ function parameterTable(law, shown) {
     ],
   };
   const rows = law.parameters.map((parameter, place) => {
-    const means = usable.map((device) => law.fitOn.get(device.index)?.parameters[place]?.mean);
-    const format = rowFormat(means);
+    const meanOn = (device) => law.fitOn.get(device.index)?.parameters[place]?.mean;
+    const format = rowFormat(usable.map(meanOn));
     const box = bounds(law, place),
-      lot = mean(means.filter(isNumber));
+      lot = mean(usable.filter((device) => !device.copy_of).map(meanOn).filter(isNumber));
     return {
       cells: [
         nameCell(parameter),

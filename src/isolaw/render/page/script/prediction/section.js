@@ -36,7 +36,7 @@ function scoredBlocks() {
 }
 
 const scoresOf = (law, { block, fitted }) =>
-  law.devices.flatMap((fit) =>
+  law.devices.filter((fit) => fit.counts).flatMap((fit) =>
     fit.blocks
       .filter((score) => score.block === block && score.fitted === fitted)
       .map((score) => ({ device: devices[fit.device].name, objective: score.objective })),
