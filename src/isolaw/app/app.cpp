@@ -465,9 +465,10 @@ void add_reference(Commands& commands) {
 }
 
 void add_example(Commands& commands) {
-  auto const [c, a] =
-      commands.add<ExampleArguments>("example", "Write the built-in example lot, example tests, tests under several conditions, or an example building",
-                                     "isolaw example lot", example);
+  auto const [c, a] = commands.add<ExampleArguments>(
+      "example",
+      "Write the built-in example lot, example tests, tests under several conditions, or an example building",
+      "isolaw example lot", example);
   c.add_option("directory", a.directory, "directory to write to")->required();
   c.add_flag(
       "--tests", a.tests,
@@ -478,9 +479,9 @@ void add_example(Commands& commands) {
 
 int dispatch(CLI::App& app, int argc, char** argv) {
   Commands commands(app, {argv, argv + argc});
-  for (auto const add :
-       {add_calibrate, add_init, add_inspect, add_conditions, add_report, add_merge, add_parts, add_sample, add_export, add_simulate,
-        add_building, add_rules, add_bench, add_check, add_laws, add_keywords, add_reference, add_example})
+  for (auto const add : {add_calibrate, add_init, add_inspect, add_conditions, add_report, add_merge, add_parts,
+                         add_sample, add_export, add_simulate, add_building, add_rules, add_bench, add_check, add_laws,
+                         add_keywords, add_reference, add_example})
     add(commands);
 
   require_known_command(app, argc, argv);
