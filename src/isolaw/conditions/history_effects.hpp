@@ -35,8 +35,8 @@ std::vector<Recovered> recovery(std::span<ReferenceTest const> first, std::span<
 // On a straight line in the logarithm of the rest between two tested rests. Empty outside them.
 std::optional<double> recovery_after(std::span<Recovered const> tested, double rest_h);
 
-// The ratio of the first cycle to the reference cycle. With `recovered`, the share of the loss that has come back, it is
-// that of a device which was stretched before and then rested.
+// The ratio of the first cycle to the reference cycle. With `recovered`, the share of the loss that has come back, it
+// is that of a device which was stretched before and then rested.
 Factor scragging_factor(std::span<ReferenceTest const> first, std::optional<double> recovered = {});
 
 // A mean over devices of ln ratios, as a factor that a test shows.

@@ -1,5 +1,5 @@
-// The rows that conditions.json and the terminal take from the results of `isolaw conditions`: name, unit and meaning. A
-// test compares docs/conditions.md with these rows.
+// The rows that conditions.json takes from the results of `isolaw conditions`: name, unit and meaning. A test compares
+// docs/conditions.md with these rows.
 #pragma once
 
 #include "isolaw/study/conditions.hpp"

@@ -11,7 +11,8 @@
 namespace isolaw::study {
 
 // Compares the temperature, frequency, vertical load and amplitude of the blocks that are assessed, the largest
-// amplitude before each of them, and the number of earlier cycles that are as large. The allowed difference between devices is the first of these that is known:
+// amplitude before each of them, and the number of earlier cycles that are as large. The allowed difference between
+// devices is the first of these that is known:
 // 1. the rule set's tolerance between tests that count as one condition;
 // 2. twice the rule set's tolerance from the design, since each of two devices may differ from the design by it;
 // 3. the tolerance stated in the lot file or the command (campaign::Alike);
