@@ -68,8 +68,8 @@ std::string_view name(About about);
 struct Interval {
   double low = 0.0, high = 0.0;
 };
-// The 95 % interval of lambda. Empty without a standard error, and for other devices than the tested ones if only one was
-// tested. `installed` is the number of installed devices.
+// The 95 % interval of lambda. Empty without a standard error, and for other devices than the tested ones if only one
+// was tested. `installed` is the number of installed devices.
 std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
 
 // The levels of one effect, and the straight lines in ln between them: over the temperature, the logarithm of the
