@@ -1,4 +1,4 @@
-// What a lot file states about the conditions under which devices were tested: the keys of [[device.test]] and the table
+// The conditions under which devices were tested, as a lot file states them: the keys of [[device.test]] and the table
 // [conditions]. Whether tests agree with a reference, and what they show, is the business of the module `conditions`.
 #pragma once
 
