@@ -112,7 +112,7 @@ TEST_F(Usage, every_refusal_says_who_speaks_what_is_allowed_and_what_to_try) {
     EXPECT_TRUE(contains(o.err, "; try: "));
     return o.err;
   };
-  EXPECT_TRUE(contains(said({}), "allowed: calibrate, init, inspect, report"));
+  EXPECT_TRUE(contains(said({}), "allowed: calibrate, init, inspect, conditions, report"));
   EXPECT_TRUE(contains(said({"calibrat"}), "try: isolaw calibrate, or isolaw --help"));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums", "3"}), "isolaw: --rums: no such option; allowed: "));
   EXPECT_TRUE(contains(said({"calibrate", "x", "--rums=3"}), "try: --runs, or isolaw calibrate --help"));

@@ -20,7 +20,8 @@ namespace isolaw::analysis {
 
 enum class Verdict { determined, weakly_determined, undetermined, at_bound };
 std::string_view name(Verdict verdict);  // "determined", "weakly determined", "undetermined", "at its bound"
-// A loop looks as good as the best one up to a rise of max(visible_rise * least objective, least_visible_rise).
+// A loop looks as good as the best one if its objective is at most max(visible_rise * least objective,
+// least_visible_rise) above the least objective.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // A parameter is determined, or weakly determined, if its open range ends within this distance of its value, relative
 // to the value. If the box spans zero, the divisor is at least a hundredth of the box's width.

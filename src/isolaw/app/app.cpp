@@ -290,7 +290,7 @@ void add_parts(Commands& commands) {
   c.add_option("count", a.count, "number of parts; two or three for each thread are usual")->required();
   c.add_option("--to", a.to,
                "program that runs the parts: " + joined(part_script_kinds) +
-                   " (to read records only up to some time, use the key `to` of a lot file)")
+                   " (here --to is not the end of the time that is read; for that, use the key `to` of a lot file)")
       ->required();
   c.add_option("--campaign", a.campaign,
                "for a building file: directory of the campaign whose lot supplies the bearings");

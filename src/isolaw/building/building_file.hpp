@@ -21,7 +21,9 @@ struct Settings {
   std::string title;
   std::vector<std::string> laws;  // empty: the law that the campaign recommends
   int draws = 500;
-  int populations = 0;  // how often the population is estimated again, to show the uncertainty of the tests; 0: never
+  // How often the population is estimated again, to show how uncertain the medians are because few devices were tested.
+  // Below 2 nothing is shown.
+  int populations = 0;
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;

@@ -190,8 +190,10 @@ std::vector<Setting> make_settings() {
        {},
        false,
        "time"},
-      blocks("fit-blocks", "fit laws only to these blocks of each test: 2, 1-3, 2- (default all)",
-             &data::Selection::blocks),
+      blocks(
+          "fit-blocks",
+          "fit laws only to the blocks with these numbers, as isolaw inspect prints them: 2, 1-3, or 2- for all from the second on (default all)",
+          &data::Selection::blocks),
       blocks("fit-cycles",
              "fit laws only to these cycles of each block, such as 2- to leave out the first cycle (default all)",
              &data::Selection::cycles),

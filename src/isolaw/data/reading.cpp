@@ -86,7 +86,8 @@ std::vector<std::string_view> group_words() {
 
 Reading thousands() {
   return one_of(
-      "thousands", "mark that groups digits, as in 12,345.6: a comma, a point, an apostrophe, or blank", group_words(),
+      "thousands", "mark that groups digits, as in 12,345.6: the mark itself, which is , or . or ', or the word blank",
+      group_words(),
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.thousands ? std::optional(digit_group(*from.thousands).word) : std::nullopt;
       },

@@ -16,7 +16,7 @@ struct PowerMasing {
       .id = "power-masing",
       .name = "Power-law Masing",
       .title = "Power-law Masing with scragging",
-      .source = "isolaw, Eqs. below; found by a search over some 145 structures",
+      .source = "isolaw, Eqs. below; found by a search over some 145 forms of the formula",
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .remembers = true, .masing = true},

@@ -16,7 +16,7 @@ struct PowerMasingViscous : PowerMasing {
       .source = "isolaw, Eqs. of power-masing and a viscous force",
       .force = kN,
       .length = mm,
-      .traits = {.odd = true, .remembers = true},
+      .traits = {.odd = true, .remembers = true, .masing = true},
       .formula =
           "F = c v + Fh + (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3))\n"
           "Fh of Y, g and U, w, m and N as for power-masing",

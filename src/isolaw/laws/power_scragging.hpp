@@ -17,7 +17,7 @@ struct PowerScragging {
       .id = "power-scragging",
       .name = "Power law with fading memory",
       .title = "Power law with fading memory and scragging",
-      .source = "isolaw, Eqs. below; found by a search over some 145 structures",
+      .source = "isolaw, Eqs. below; found by a search over some 145 forms of the formula",
       .force = kN,
       .length = mm,
       .traits = {.rate_independent = true, .odd = true, .remembers = true},

@@ -1,5 +1,5 @@
-// Sums over tables of residuals, compiled once per instruction set. Each compilation gives ISOLAW_ROW_KERNELS, the only
-// object defined here, another name. A function that is not inlined needs a batch among its template arguments: its
+// Sums over tables of residuals, compiled once per instruction set. The only object defined
+// here has another name in each compilation, which the macro ISOLAW_ROW_KERNELS gives. A function that is not inlined needs a batch among its template arguments: its
 // name then contains the instruction set.
 #include "isolaw/num/row_kernels.hpp"
 

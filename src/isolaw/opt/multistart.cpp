@@ -92,9 +92,10 @@ constexpr double sharp = 0.2;
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
 constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
-constexpr int hops_in_vain = 10, most_last_hops = 40;  // largest number of hops in a row without gain, and of all hops
-constexpr double gain_of_last_hop = 0.1;               // in hit tolerances; smaller gains count as none
-constexpr double absolute_tolerance = 1e-9;            // added to relative tolerances, for a best value of zero
+// refine() stops after so many hops in a row without gain, or after so many hops in all.
+constexpr int hops_in_vain = 10, most_last_hops = 40;
+constexpr double gain_of_last_hop = 0.1;     // in hit tolerances; smaller gains count as none
+constexpr double absolute_tolerance = 1e-9;  // added to relative tolerances, for a best value of zero
 
 }  // namespace tuning
 

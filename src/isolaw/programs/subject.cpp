@@ -112,8 +112,8 @@ rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
 }
 
 struct PropertyBounds {
-  std::optional<double> lower, upper;  // factors on `own`
-  double own = 0.0;
+  double own = 0.0;                    // the lot's mean, or the value in the device's counting cycle: own_value()
+  std::optional<double> lower, upper;  // the bounds divided by `own`
   std::optional<double> tolerance_factor;
   std::string text;
 };

@@ -33,7 +33,8 @@ struct Outlier {
 // num::fewest_for_outliers values.
 std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<double const> values);
 
-// A bound holds for whatever the contract says, for a single device, or for the mean of all devices of the system.
+// The values that a bound is about. contract: those that the contract means, as the rule set states it; device: that of
+// any single device of the lot; system: the mean over all devices of the system.
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 

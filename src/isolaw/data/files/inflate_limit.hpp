@@ -1,5 +1,6 @@
-// Limits how much a file may grow when it is unpacked. A laboratory's file grows tenfold at most; a file made to fill
-// the memory grows a thousandfold. A constant channel grows a thousandfold too, so every file may grow to 64 MiB.
+// Limits how much a file may grow when it is unpacked: thirtyfold, but always to 64 MiB and never beyond 1 GiB. A file
+// with measured channels grows at most tenfold, and one made to fill the memory a thousandfold. A channel of constant
+// values also grows a thousandfold; the 64 MiB are for files with such channels.
 #pragma once
 
 #include <cstdint>

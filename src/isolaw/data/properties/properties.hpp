@@ -60,7 +60,8 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
-// Fraction of an amplitude or of a design displacement. Blocks of one nominal amplitude differ by less.
+// Two amplitudes count as equal if they differ by at most this fraction of the amplitude or, when the block nearest to
+// the design is chosen, of the design displacement.
 inline constexpr double same_nominal = 0.02;
 
 struct Block {

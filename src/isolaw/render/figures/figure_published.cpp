@@ -14,7 +14,9 @@ namespace {
 
 struct DeviceSpread {
   std::string device;
-  MaybeNumber mean, std, relative, percent;  // relative: std / |mean|; percent: from the mean over the devices
+  // relative: std / |mean|; percent: how far this device's mean is from the mean over all devices, in percent of the
+  // latter
+  MaybeNumber mean, std, relative, percent;
 };
 using Spreads = std::vector<DeviceSpread>;
 

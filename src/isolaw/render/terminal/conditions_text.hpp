@@ -7,8 +7,9 @@
 
 namespace isolaw::render {
 
-// The bounds of each property first, with the effects behind them, then the factor of every tested level, and with
-// `details` every test and how it is used.
+// Returns, in this order: for each property its bounds and the factors of the effects whose product they are; the
+// factors at the tested levels; the recovery. Only with `details`, Q_d and K_d have the factors of effects, properties
+// besides K_eff and damping have levels, and the tests are listed.
 std::string conditions_text(study::ConditionsResult const& result, bool details);
 
 }  // namespace isolaw::render
