@@ -595,8 +595,9 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
 
     The same as ``isolaw building``. building: a building file (``isolaw building --template``), or its tables as a
     dict. campaign: a Campaign with analysis, or the directory of one. motions: replace the building's motions; a list
-    of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x in m/s2[, along y]). laws,
-    draws, seed, lower, upper and the other keys of ``[building]`` replace the building's own.
+    of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x in m/s2[, along y]). motion_dt
+    and motion_unit state the step in s and the unit of acceleration of files that do not. laws, draws, seed, lower, upper
+    and the other keys of ``[building]`` replace the building's own.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
     same call continues an interrupted study; fresh starts over in it. progress: called as progress(done, total) with
     numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.

@@ -317,6 +317,7 @@ void add_export(Commands& commands) {
       "--motion", a.motions,
       "files of the ground's acceleration, AT2 or columns with units, under which a re-fit is compared with the "
       "law (default: --ground-motion, or artificial motions)");
+  for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");

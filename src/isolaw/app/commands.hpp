@@ -100,10 +100,11 @@ struct ExportArguments {
   std::string law, device, to;
   Values acceptance;  // options that change the bounds
   std::optional<std::string> units, name;
-  std::optional<std::filesystem::path> out;    // empty: standard output
-  std::vector<std::filesystem::path> motions;  // of the ground, to compare a re-fit with the law
-  Values model, seed;                          // model: from programs::model_table(); seed: for the draws
-  bool anyway = false;                         // export despite objections
+  std::optional<std::filesystem::path> out;  // empty: standard output
+  std::vector<std::string> motions;          // of the ground, to compare a re-fit with the law
+  Values stated;                             // of the motions: from building::stated_table()
+  Values model, seed;                        // model: from programs::model_table(); seed: for the draws
+  bool anyway = false;                       // export despite objections
 };
 int export_law(ExportArguments const& arguments);
 

@@ -403,7 +403,7 @@ Motion read_motion(std::string const& files, data::StatedMotion const& stated) {
 }
 
 std::vector<Motion> read_motions(std::vector<std::string> const& files, isolaw::Values const& given) {
-  data::StatedMotion stated{.how = "--motion-dt SECONDS and --motion-unit UNIT"};
+  data::StatedMotion stated{.how_step = "--motion-dt SECONDS", .how_unit = "--motion-unit UNIT"};
   lay_over(stated_table(), given, stated);
   if (files.empty() && !given.empty())
     throw Error({.where = "--" + given.begin()->first, .found = "is given alone", .allowed = "with --motion FILES"});

@@ -33,7 +33,8 @@ struct GroundMotion {
 struct StatedMotion {
   std::optional<double> step_s = {};
   std::optional<std::string> unit = {};
-  std::string_view how = {};  // names the two options or keys in messages; empty if the user has none
+  // How messages name the two options or keys, and where they stand; empty if the user has none.
+  std::string_view how_step = {}, how_unit = {}, where = {};
 };
 
 // The two options that set the StatedMotion at `place`.
@@ -53,8 +54,8 @@ std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::str
 }
 
 // Throws one Error with all problems: values, unequal time steps, not exactly one column of acceleration, missing
-// samples. If the step and the unit are stated, a file may be rows of one number, or of time in s and acceleration,
-// without a header.
+// samples. A file without a header may be rows of time in s and acceleration, if the unit is stated, or of one number, if
+// the step is stated too. Of two columns without a header the first is the time if its steps are equal.
 // A file of an agency may hold several components. `component`, from 1, chooses one of them; in a file's name it stands
 // behind a #, as in FILE.V2#2.
 GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated = {});
