@@ -379,7 +379,10 @@ Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws)
     for (auto const& motion : study.file.motions) {
-      devices_.emplace_back(law, study.file, motion);
+      // Motions under which the law acts alike share their devices, and so the populations that are estimated again.
+      bool const alike =
+          &motion != study.file.motions.data() && devices_.back().coupling() == coupling_under(motion, law);
+      alike ? devices_.push_back(devices_.back()) : void(devices_.emplace_back(law, study.file, motion));
       options_.push_back(options_of(study, model_, devices_.back(), motion));
       options_.back().interrupted = interrupted;
     }
@@ -437,16 +440,22 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   };
   Runs const runs(study, stop);
   auto const& blocks = runs.blocks();
+  // The runs that are made together, as many as the lanes hold, or each by itself. Those that are finished are kept.
   std::vector<Blocks::Block> left;
   RunProgress progress;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
     if (options.part && Blocks::part_of(number, options.part->of) != options.part->number) continue;
     auto const block = blocks.at(number);
-    progress.total += block.to - block.from;
-    if (store.is_there(block))
-      progress.done += block.to - block.from;
-    else
-      left.push_back(block);
+    auto const together = runs.one_by_one(block) ? 1 : lane_width;
+    for (auto from = block.from; from < block.to; from += together) {
+      Blocks::Block const some{
+          .law = block.law, .motion = block.motion, .from = from, .to = std::min(block.to, from + together)};
+      progress.total += some.to - some.from;
+      if (store.is_there(some))
+        progress.done += some.to - some.from;
+      else
+        left.push_back(some);
+    }
   }
   std::mutex one_at_a_time;
   Rows rows(store);
@@ -456,13 +465,13 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     rows.add(std::move(finished));
     if (options.progress) options.progress(progress);
   };
-  auto const perform = [&](Blocks::Block const& block) {
-    auto const step = runs.one_by_one(block) ? 1 : block.to - block.from;
-    for (auto place = block.from; place < block.to && !stop(); place += step) try {
-        take(runs.of({.law = block.law, .motion = block.motion, .from = place, .to = place + step}));
-      } catch (Interrupted const&) {
-        // The numbers of these runs are not kept, and stop() ends all others.
-      }
+  auto const perform = [&](Blocks::Block const& some) {
+    if (stop()) return;
+    try {
+      take(runs.of(some));
+    } catch (InterruptedRun const&) {
+      // The numbers of these runs are not kept, and stop() ends all others.
+    }
   };
   try {
     campaign::for_each_in_parallel(left.size(), threads, [&](std::size_t i) { perform(left[i]); });

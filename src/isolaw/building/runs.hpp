@@ -113,7 +113,7 @@ MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem:
 // Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
 class Runs {
  public:
-  // The study must outlive it. A run throws Interrupted once `interrupted` returns true.
+  // The study must outlive it. A run throws InterruptedRun once `interrupted` returns true.
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,6 +75,12 @@ class Devices {
   std::vector<double> of(Case const& which) const;  // [bearing][parameter]
 
  private:
+  // The populations that were estimated again. Copies of the object share them, and the first that needs them makes them.
+  struct Again {
+    std::once_flag once;
+    std::vector<lot::Population> populations;
+  };
+  lot::Population const& again(std::size_t population) const;
   std::vector<double> full(std::vector<double> const& of_population) const;
 
   Coupling coupling_;
@@ -80,7 +88,7 @@ class Devices {
   std::vector<BearingPlace> places_;
   Settings settings_;
   num::Stream stream_;
-  std::vector<lot::Population> uncertain_;
+  std::shared_ptr<Again> again_ = std::make_shared<Again>();
 };
 
 // Parametric bootstrap: estimates the population again from as many devices as were tested, drawn from N(mu, S), the
