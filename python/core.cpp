@@ -701,7 +701,7 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
                    .allowed = fmt::format("0 to {} mm", most_mm)});
   }
   bool const is_coupled = !is_fitted_as_springs && !laws::no_coupled_form(law_id, parameters);
-  if (in_plane && !is_coupled && !law.info.traits.odd)
+  if (in_plane && !is_coupled && !laws::springs_follow(law_id))
     throw Error({.where = "law " + law_id,
                  .found = "its force depends on the side, so springs around a circle cannot follow it",
                  .allowed = "a law of equal force on both sides"});

@@ -9,6 +9,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -92,7 +93,7 @@ Coupling coupling_under(Motion const& motion, LawSource const& source) {
   for (auto const& [name, values] : source.devices)
     springs = springs || coupling_of(source.law, values) == Coupling::springs;
   if (!springs) return Coupling::coupled;
-  return motion.y_mm_s2.empty() ? Coupling::separate : Coupling::springs;
+  return motion.y_mm_s2.empty() || !laws::springs_follow(source.law) ? Coupling::separate : Coupling::springs;
 }
 
 Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const& motion)
