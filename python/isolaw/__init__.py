@@ -542,8 +542,8 @@ class Building:
     @property
     def coverage(self):
         """Share of the draws between the bounds, by quantity: dicts of inside (the share) and lower and upper (the ends
-        of its 95 % interval), arrays of shape (laws,)."""
-        laws = [law["coverage"]["of"] for law in self.results["laws"]]
+        of its 95 % interval), arrays of shape (laws,). Empty if no bearing is drawn."""
+        laws = [(law["coverage"] or {"of": {}})["of"] for law in self.results["laws"]]
         return {
             quantity: {key: _np.array([law[quantity][key] for law in laws]) for key in ("inside", "lower", "upper")}
             for quantity in laws[0]

@@ -99,8 +99,10 @@ std::vector<FileKey> make_keys() {
                    }},
                   table});
   keys.back().decides = false;
-  real("draws", "buildings to draw; each draws a device of its own for every bearing marked draw",
-       settings(&Settings::draws), {.least = 1, .most = 1e6});
+  real("draws",
+       "buildings to draw; each draws a device of its own for every bearing marked draw; 0: only the nominal building "
+       "and the bound analyses",
+       settings(&Settings::draws), {.least = 0, .most = 1e6});
   real("populations", "re-estimated lots, which show how uncertain a few tests leave the lot; 0: none",
        settings(&Settings::populations), {.least = 0, .most = 1e4});
   real("draws_of_each", "buildings to draw from each of these lots", settings(&Settings::draws_of_each),
@@ -563,6 +565,9 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (in_place.motions.empty() && root.find(motion_info.name) == nullptr)
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
+  // Without a bearing that is drawn all draws would be the nominal building.
+  if (std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())
+    file.settings.draws = file.settings.populations = 0;
   return file;
 }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
@@ -14,7 +17,7 @@ namespace isolaw::building {
 inline constexpr std::size_t most_of_history = 2000;
 struct NominalHistory {
   double step_s = 0.0;
-  std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
+  std::vector<double> x_mm = {}, y_mm = {}, shear_x_kN = {}, shear_y_kN = {};
 };
 
 // Force-displacement loops of every bearing by implicit integration, in at most most_of_loops samples. The motion is
@@ -25,9 +28,39 @@ struct BearingLoops {
   std::size_t motion = 0;
   bool drawn = false;
   double step_s = 0.0;
-  std::vector<double> x_mm, y_mm, rotation_rad;             // motion of the base's centre of mass
-  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
+  std::vector<double> x_mm = {}, y_mm = {}, rotation_rad = {};        // motion of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN = {}, force_y_kN = {};  // [bearing][sample]
 };
+
+// The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
+// it: the integrator that is used for the draws, and equivalent linear analysis.
+struct Checked {
+  std::string outcome;
+  Coupling coupling = Coupling::coupled;
+  double step_s = 0.0;
+  // Empty if the analysis stopped. `missed_mm` is the step error of isolator_mm, by richardson(), and the last number the
+  // error of isolator_mm by the integrator of the draws.
+  std::optional<double> isolator_mm = {}, balance = {}, missed_mm = {}, draws_error_percent = {};
+  // Equivalent linear analysis: displacement of the centre. Empty if equivalent_linear() has no result.
+  std::optional<double> equivalent_mm = {}, equivalent_error_percent = {}, equivalent_period_s = {},
+                        equivalent_damping = {};
+  std::vector<Finding> doubts = {};  // about the accuracy of the analysis
+};
+
+// What the answers show of the nominal building under one motion.
+struct NominalResult {
+  Checked checked = {};
+  NominalHistory history = {};
+  std::vector<std::vector<double>> spectra_g = {};  // [diaphragm][period], divided by the number of motions
+  double farthest_mm = 0.0;                         // largest displacement of a bearing, up to where the run ended
+};
+
+// A study keeps these results in its store, as texts that give back the same numbers, so that a change of the limits
+// integrates nothing. The functions `..._of` throw nlohmann::json::exception or Error for any other text.
+std::string kept_text(NominalResult const& result);
+std::string kept_text(BearingLoops const& loops);
+NominalResult nominal_result_of(std::string_view text);
+BearingLoops loops_of(std::string_view text);
 
 // Keeps every n-th sample; the last sample may be left out.
 NominalHistory thinned(History const& history, double step_s);

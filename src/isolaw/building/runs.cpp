@@ -203,9 +203,10 @@ StoreKind const& building_store() {
                                .input = "BUILDING.toml",
                                .once_more = "compute it again",
                                .advice = "--fresh, which starts over a study of an older isolaw"},
-                              2, R"sql(
+                              3, R"sql(
 CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL);
 CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, hash TEXT, PRIMARY KEY (law, motion, place)) WITHOUT ROWID;
+CREATE TABLE nominal (law INTEGER, place INTEGER, content TEXT, hash TEXT, PRIMARY KEY (law, place)) WITHOUT ROWID;
 )sql");
   return kind;
 }
@@ -280,6 +281,24 @@ void RunStore::each(std::size_t law, std::size_t motion,
                    .advice = "--fresh, which computes them again"});
     take(row.place, row.measured);
   }
+}
+
+std::string RunStore::kept(std::size_t law, std::size_t place) const {
+  Statement select(db_, "SELECT content, hash FROM nominal WHERE law = ? AND place = ?");
+  select.bind(law, place);
+  std::string content, hash;
+  if (select.row()) select.read(content, hash);
+  if (!content.empty() && hash != sha256(content))
+    throw Error({.where = file_.string(),
+                 .found = fmt::format("what is kept of the nominal building of law {} {}", law + 1, has_changed),
+                 .allowed = "results as isolaw building stored them",
+                 .advice = "--fresh, which computes them again"});
+  return content;
+}
+
+void RunStore::keep(std::size_t law, std::size_t place, std::string const& text) const {
+  Statement insert(db_, "INSERT OR IGNORE INTO nominal VALUES (?, ?, ?, ?)");
+  insert.bind(law, place, std::string_view(text), std::string_view(sha256(text))).insert();
 }
 
 std::vector<StudyProperty> properties_of(Study const& study) {
