@@ -538,9 +538,8 @@ using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
 // Reads how the caller gives a ground motion: as a tuple (step in s, accelerations along x in m/s2[, along y]) or as a
 // text for building::read_motion.
-building::Motion motion_of(py::handle const& given, std::size_t place) {
-  if (py::isinstance<py::str>(given))
-    return building::read_motion(given.cast<std::string>(), {.how = "its values: (step in s, x in m/s2)"});
+building::Motion motion_of(py::handle const& given, std::size_t place, Values const& stated) {
+  if (py::isinstance<py::str>(given)) return building::read_motions({given.cast<std::string>()}, stated).front();
   auto const values = given.cast<py::tuple>();
   constexpr double mm_in_m = 1e3;
   auto const component = [&](std::size_t i) {
@@ -557,7 +556,9 @@ building::Motion motion_of(py::handle const& given, std::size_t place) {
 BuildingPtr studied(py::object const& file, py::object const& from, py::list const& motions, py::dict const& given,
                     BuildingWork options, py::object const& progress) {
   building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
-  for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size()));
+  auto const stated = given_of(building::stated_table(), given);
+  if (motions.empty()) building::read_motions({}, stated);  // refuses what is stated of no motions
+  for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size(), stated));
   auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
                                              : building::read_building(file.cast<std::filesystem::path>(), in_place);
   auto const is_campaign = py::isinstance<Campaign>(from);
@@ -639,6 +640,10 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
     rename(campaign::acceptance_table(), complaint.where);
     rename(data::reading_table(), complaint.where);
     rename(building::settings_table(), complaint.where);
+    rename(building::stated_table(), complaint.where);
+    for (auto const& row : building::stated_table())
+      if (auto const at = complaint.advice.find("--" + row.option()); at != std::string::npos)
+        complaint.advice.replace(at, complaint.advice.find(' ', complaint.advice.find(' ', at) + 1) - at, row.python());
     if (complaint.where == "--part") {
       complaint.where = "part";
       complaint.advice = "part=(1, 4) to part=(4, 4), for four machines";
@@ -696,7 +701,7 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
                    .allowed = fmt::format("0 to {} mm", most_mm)});
   }
   bool const is_coupled = !is_fitted_as_springs && !laws::no_coupled_form(law_id, parameters);
-  if (in_plane && !is_coupled && !law.info.traits.odd)
+  if (in_plane && !is_coupled && !laws::springs_follow(law_id))
     throw Error({.where = "law " + law_id,
                  .found = "its force depends on the side, so springs around a circle cannot follow it",
                  .allowed = "a law of equal force on both sides"});
@@ -817,10 +822,12 @@ void add_records(py::module_& m) {
 void add_tables(py::module_& m) {
   m.def("catalogue_json", &catalogue_json);
   m.def("options_json", [] {
+    auto of_building = described(building::settings_table());
+    of_building.update(described(building::stated_table()));
     return Json{{"settings", described(campaign::setting_table())},
                 {"reading", described(data::reading_table())},
                 {"acceptance", described(campaign::acceptance_table())},
-                {"building", described(building::settings_table())}}
+                {"building", std::move(of_building)}}
         .dump();
   });
 }

@@ -547,9 +547,9 @@ class Building:
         """Share of the draws whose value lies between those of the two bound analyses: a dict by quantity.
 
         Each value is a dict of inside (the share), lower and upper (the ends of its 95 % interval): arrays of shape
-        (laws,).
+        (laws,). The dict is empty if no bearing is drawn.
         """
-        laws = [law["coverage"]["of"] for law in self.results["laws"]]
+        laws = [(law["coverage"] or {"of": {}})["of"] for law in self.results["laws"]]
         return {
             quantity: {key: _np.array([law[quantity][key] for law in laws]) for key in ("inside", "lower", "upper")}
             for quantity in laws[0]
@@ -602,7 +602,8 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     This is the command ``isolaw building``. building: a building file (``isolaw building --template`` writes one), or
     its tables as a dict. campaign: a Campaign with analysis, or the directory of one. motions: if given, they replace
     the building's motions; a list of files ("x.AT2"), of pairs of files, or of tuples (step in s, accelerations along x
-    in m/s2[, along y]). laws, draws, seed, lower, upper and the other keys of ``[building]`` replace those of the file.
+    in m/s2[, along y]). motion_dt and motion_unit state the step in s and the unit of acceleration of motions whose
+    files do not. laws, draws, seed, lower, upper and the other keys of ``[building]`` replace those of the file.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
     same call continues an interrupted study; fresh starts over in it. progress: called as progress(done, total) with
     numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.

@@ -264,6 +264,8 @@ def building(
     upper: float | None = None,
     step_s: float | None = None,
     rest_s: float | None = None,
+    motion_dt: float | None = None,
+    motion_unit: str | None = None,
     # the end of what it wrote
     jobs: int = 0,
     out: _Path | None = None,

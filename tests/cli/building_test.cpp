@@ -80,7 +80,15 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_EQ(refused.code, 1) << refused;
   EXPECT_TRUE(refused.out.starts_with("No: with Bilinear the building does not keep its limit on corner displacement."))
       << refused;
-  EXPECT_TRUE(contains(refused.out, "NOT KEPT")) << refused;
+  EXPECT_TRUE(contains(refused.out, "NOT KEPT: nominal")) << refused;
+  Words const alone{"building", "case/narrow.toml", "--from", "lot", "--out", "A", "--nominal"};
+  auto const refused_alone = isolaw(alone);
+  EXPECT_EQ(refused_alone.code, 1) << refused_alone;
+  EXPECT_TRUE(
+      contains(refused_alone.err,
+               "No: with Bilinear the building does not keep its limit on corner displacement; this is the "
+               "nominal building alone, and neither the bound analyses nor the scatter of the lot were looked at."))
+      << refused_alone;
   ASSERT_EQ(isolaw(command).code, 0);
   EXPECT_TRUE(contains(output.out, "energy error at most"));
   auto const json = this->json("B/building.json");
@@ -479,7 +487,7 @@ TEST_F(Building, takes_the_springs_that_the_campaign_fitted) {
 
 TEST_F(Building, refuses) {
   expect_refused(isolaw({"building"}), {"isolaw building", "BUILDING.toml --from CAMPAIGN", "--template"});
-  write("b.toml", "[building]\ndraws = 0\n");
+  write("b.toml", "[building]\ndraws = -1\n");
   expect_refused(isolaw({"building", "b.toml", "--from", "nowhere"}), {"b.toml:2", "draws", "[base]", "no motions"});
 }
 
@@ -501,6 +509,25 @@ TEST_F(Building, says_that_motions_of_the_command_line_are_not_scaled) {
       given.err,
       "1 motion of --motion is used as given, with scale 1, in place of 7 motions of case/building.toml, which had scale 0.5"))
       << given;
+}
+
+// If no bearing is drawn, there are no draws to show, and none are computed.
+TEST_F(Building, without_draws_shows_none) {
+  campaign();
+  example_without_limits();
+  auto text = read_file(directory() / "case/building.toml");
+  text.replace(text.find("laws = []"), 9, "laws = [\"bilinear\"]");
+  text.replace(text.find("is = \"draw\""), 11, "is = \"lot\"");
+  write("case/building.toml", text);
+  auto const o = isolaw({"building", "case/building.toml", "--from", "lot", "--out", "B", "--figures", "none"});
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.out, "No bearing is drawn from the lot")) << o;
+  for (auto const* draws : {"95 %", "kept by", "fractiles", "lot motion", "nan"})
+    EXPECT_FALSE(contains(o.out, draws)) << o;
+  EXPECT_EQ(stored_rows(path("B/building.sqlite"), "runs"), 7 * 44);
+  auto const json = this->json("B/building.json");
+  EXPECT_TRUE(json["draws"].is_null() && json["laws"][0]["coverage"].is_null());
+  EXPECT_FALSE(contains(read("B/tables/building.tex"), "Draws"));
 }
 
 // If standard error is not a terminal, a study prints a line of progress only every 30 s. This study ends before the
@@ -621,7 +648,7 @@ TEST_F(WrongBuilding, files_are_refused_each_by_one_complaint) {
       {"lower missing", {"lower = 0.9\n", ""}, "b.toml:1", "[building] has no lower"},
       {"lower above one", {"lower = 0.9", "lower = 1.2"}, "b.toml:3", "lower: 1.2"},
       {"decimal comma", {"lower = 0.9", "lower = 0,9"}, "b.toml:3", "','"},
-      {"draws none", {draws, "draws = 0"}, "b.toml:2", "draws: 0"},
+      {"draws negative", {draws, "draws = -1"}, "b.toml:2", "draws: -1"},
       {"draws broken", {draws, "draws = 2.5"}, "b.toml:2", "2.5 is not a whole number"},
       {"draws of many populations", with(draws, "populations = 10000\ndraws_of_each = 10000"), "b.toml:1",
        "100000002 buildings"},
@@ -736,7 +763,9 @@ TEST_F(WrongBuilding, values_that_may_be_meant_are_computed_with_a_finding) {
     EXPECT_TRUE(contains(Json::parse(o.out)["findings"].dump(), "\"" + row.finding + "\"")) << o;
     auto const nominal = isolaw({"building", "b.toml", "--from", "lot", "--nominal", "--out", "N"});
     EXPECT_EQ(nominal.code, 0) << nominal;
-    EXPECT_TRUE(contains(nominal.err, "warning: ")) << nominal;
+    // A note is worth knowing and no warning.
+    EXPECT_TRUE(contains(nominal.err, std::string(row.finding) == "ground-padded" ? "note: the motion" : "warning: "))
+        << nominal;
   }
 }
 

@@ -322,6 +322,19 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
   write("ground.csv", ground_motion());
   auto const unused = exported("bilinear", "a", "opensees", {"--motion", "ground.csv"});
   EXPECT_TRUE(contains(unused.err, "warning: --motion is not used: the file has the law itself")) << unused;
+  // A file that states neither step nor unit is read as the options state it, as by isolaw building.
+  std::string column;
+  std::istringstream rows(ground_motion());
+  for (std::string row; std::getline(rows, row);)
+    if (auto const comma = row.find(','); std::isdigit(row.front()) != 0) column += row.substr(comma + 1) + "\n";
+  write("one.txt", column);
+  expect_refused(exported("bilinear", "a", "opensees", {"--motion", "one.txt"}),
+                 {"one.txt", "try: --motion-dt SECONDS and --motion-unit UNIT"});
+  Words const stated{"--motion-dt", "0.01", "--motion-unit", "m/s2"};
+  EXPECT_EQ(exported("bilinear", "a", "opensees", Words{"--motion", "one.txt"} + stated).code, 0);
+  expect_refused(exported("bilinear", "a", "opensees", stated), {"--motion-dt: is given alone"});
+  expect_refused(exported("bilinear", "a", "opensees", {"--motion", "ground.csv,ground.csv"}),
+                 {"--motion", "two components", "along one"});
   expect_refused(exported("bilinear", "a", "json", {"--out", "none/such.json"}),
                  {"none/such.json", "cannot be written"});
   expect_refused(isolaw({"export", "nothing", "--law", "bilinear", "--device", "a", "--to", "json"}), {"nothing"});

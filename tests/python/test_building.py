@@ -90,7 +90,7 @@ class Study(InFolder):
             with self.assertRaisesRegex(isolaw.Error, said):
                 isolaw.building(plan, self.lot, motions, **more)
 
-        refused("building: draws: 0", draws=0)
+        refused("building: draws: -1", draws=-1)
         refused("no law 'bilinaer'|bilinaer", laws="bilinaer")
         refused("unknown key 'colour'", plan=PLAN | {"base": SLAB | {"colour": 1}})
         refused("mass_Mg.*a number above 0", plan=PLAN | {"base": SLAB | {"mass_Mg": -1.0}})
@@ -101,6 +101,13 @@ class Study(InFolder):
         refused("motions: neither a file", motions=[0.02])
         refused("no motions", motions=None)
         refused("jobs: -1", jobs=-1)
+        column = self.path / "one.txt"
+        column.write_text("".join(f"{value:.6f}\n" for value in ground(1)))
+        refused("one.txt: .*try: motion_dt and motion_unit", motions=[column])
+        refused("motion_dt: is given alone", motions=None, motion_dt=0.02)
+        stated = isolaw.building(PLAN, self.lot, [column], draws=2, motion_dt=0.02, motion_unit="m/s2")
+        same = isolaw.building(PLAN, self.lot, [(0.02, np.round(ground(1), 6))], draws=2)
+        np.testing.assert_array_equal(stated.peaks(), same.peaks())
         with self.assertRaises(TypeError):
             isolaw.building(PLAN, self.lot, [(0.02, ground(1))], colour=1)
         building = isolaw.building(PLAN, self.lot, [(0.02, ground(1))])

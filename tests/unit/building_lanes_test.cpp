@@ -68,11 +68,11 @@ TEST(BuildingLanes, an_interrupted_run_ends_within_the_run) {
   sets.push_back(num::InstructionSet::scalar);
   for (auto const set : sets) {
     asked = 0;
-    EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::coupled, set), Interrupted);
+    EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::coupled, set), InterruptedRun);
     EXPECT_EQ(asked, 3u) << num::name(set);
   }
   asked = 0;
-  EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::springs), Interrupted);
+  EXPECT_THROW(respond(model, "bilinear", values, motion, options, Coupling::springs), InterruptedRun);
   EXPECT_EQ(asked, 2u);
 }
 

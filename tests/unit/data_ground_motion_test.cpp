@@ -25,6 +25,8 @@ std::string columns(std::string const& header, int samples = 20, double step = 0
   return text;
 }
 
+StatedMotion const keys{.how_step = "step", .how_unit = "unit", .where = " of the keys"};
+
 std::string complaint(std::string const& bytes, StatedMotion const& stated = {}) {
   try {
     read_ground_motion_text(bytes, "g.txt", stated);
@@ -166,11 +168,11 @@ TEST(GroundMotion, columns_are_read_by_the_units_of_their_header) {
   std::string one = "acceleration [g]\n";
   for (int i = 0; i < 20; ++i) one += fmt::format("{:.4f}\n", 0.1 * std::cos(i));
   EXPECT_EQ(read_ground_motion_text(one, "g.csv", {.step_s = 0.02}).step_s, 0.02);
-  EXPECT_TRUE(contains(complaint(one, {.how = "the keys"}), "no column of time")) << complaint(one);
-  EXPECT_TRUE(contains(complaint(one, {.how = "the keys"}), "try: the keys")) << complaint(one);
+  EXPECT_TRUE(contains(complaint(one, keys), "no column of time")) << complaint(one);
+  EXPECT_TRUE(contains(complaint(one, keys), "try: step of the keys")) << complaint(one);
 }
 
-// A file without a header is refused until its step and its unit are stated.
+// A file without a header is refused until its unit is stated, and its step unless its first column is time.
 TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
   std::string one, two, three;
   for (int i = 0; i < 20; ++i) {
@@ -178,15 +180,25 @@ TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
     two += fmt::format("{:.3f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i));
     three += fmt::format("{:.3f} {:.4f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i), 0.1);
   }
-  StatedMotion const both{.step_s = 0.02, .unit = "m/s2", .how = "the keys"};
+  StatedMotion both = keys;
+  both.step_s = 0.02, both.unit = "m/s2";
   for (auto const& text : {one, two, "time,acceleration\n" + two, "acceleration\n" + one}) {
     auto const motion = read_ground_motion_text(text, "g.txt", both);
     EXPECT_EQ(motion.acceleration_mm_s2.size(), 20u);
     EXPECT_NEAR(motion.acceleration_mm_s2[1], 54.0, 1e-9);
     EXPECT_NEAR(motion.step_s, 0.02, 1e-12);
-    EXPECT_TRUE(contains(complaint(text, {.how = "the keys"}), "try: the keys")) << complaint(text);
+    bool const timed = text.find(two) != std::string::npos;
+    EXPECT_TRUE(contains(complaint(text, keys), timed ? "try: unit of the keys" : "try: step and unit of the keys"))
+        << complaint(text, keys);
   }
-  EXPECT_TRUE(contains(complaint(one, {.unit = "m/s2", .how = "the keys"}), "no column of time; "));
+  auto const timed = read_ground_motion_text(two, "g.txt", {.unit = "m/s2"});
+  EXPECT_NEAR(timed.step_s, 0.02, 1e-12);
+  EXPECT_NEAR(timed.acceleration_mm_s2[1], 54.0, 1e-9);
+  // Two columns of accelerations hold no time.
+  std::string unlike;
+  for (int i = 0; i < 20; ++i) unlike += fmt::format("{:.4f} {:.4f}\n", 0.1 * std::cos(i), 0.1 * std::sin(i));
+  EXPECT_TRUE(contains(complaint(unlike, {.unit = "m/s2"}), "2 columns that may be the acceleration"));
+  EXPECT_TRUE(contains(complaint(one, {.unit = "m/s2"}), "no column of time; "));
   EXPECT_TRUE(contains(complaint(two, {.step_s = 0.01, .unit = "g"}), "samples every 0.02 s, and a step of 0.01 s"));
   EXPECT_TRUE(contains(complaint(three, both), "3 columns that may be the acceleration"));
   EXPECT_TRUE(contains(complaint(columns("time [s],a [g]"), {.unit = "m/s2"}), "it is not the stated 'm/s2'"));

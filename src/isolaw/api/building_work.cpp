@@ -120,7 +120,7 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
       studied.answers = building::answer(studied.study, *store, options.interrupted);
       require_results(*studied.answers);
       studied.measured = measured_of_draws(studied.study, *store, studied.layout.count());
-    } catch (building::Interrupted const&) {
+    } catch (building::InterruptedRun const&) {
       studied.complete = false;
     }
   store.reset();

@@ -331,6 +331,7 @@ void add_export(Commands& commands) {
       "--motion", a.motions,
       "ground motions under which a re-fitted material is compared with the law: AT2 files, or columns with units "
       "(default: --ground-motion, or artificial motions)");
+  for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");

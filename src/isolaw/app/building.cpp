@@ -87,58 +87,132 @@ void say_motions(building::BuildingFile const& file, std::filesystem::path const
           : fmt::format(", which had scales from {:g} to {:g}; a [[motion]] in the file scales a motion", least, most));
 }
 
+// A number of a table, right-aligned; "-" if there is none.
+std::string cell(std::optional<double> value, int width = 9, int digits = 4) {
+  return value && std::isfinite(*value) ? fmt::format(" {:>{}.{}g}", *value, width, digits)
+                                        : fmt::format(" {:>{}}", "-", width);
+}
+std::string decimals_cell(double value, int width, int decimals) {
+  return std::isfinite(value) ? fmt::format(" {:>{}.{}f}", value, width, decimals) : fmt::format(" {:>{}}", "-", width);
+}
+
+std::string signed_cell(std::optional<double> value, int decimals) {
+  return value && std::isfinite(*value) ? fmt::format(" {:+.{}f}", *value, decimals) : " -";
+}
+
+std::string kept_text(building::Judged const& judged) {
+  switch (judged.keeps) {
+    case building::Keeps::yes:
+      return "kept";
+    case building::Keeps::open:
+      return "draws too few to tell";
+    case building::Keeps::no:
+      break;
+  }
+  return fmt::format("NOT KEPT: {}",
+                     judged.broken_by.ends_with("failed")
+                         ? fmt::format("no numbers ({})", judged.broken_by.substr(0, judged.broken_by.find(' ')))
+                         : std::string(judged.broken_by));
+}
+
+// The first cells of a limit's row: its name, and the allowed response.
+std::string limit_text(building::Judged const& judged, UnitSystem const& units) {
+  auto const& quantity = building::quantity(judged.quantity);
+  auto const shown = shown_unit(quantity.unit, units);
+  auto const title = fmt::format("{}{}", judged.limit == building::tested_mm ? "tested " : "", quantity.title);
+  return fmt::format("{:<32}{}",
+                     shown.unit.empty() || shown.unit == "-" ? title : title + " [" + std::string(shown.unit) + "]",
+                     cell(shown.factor * judged.allowed));
+}
+
 // A table of the limits, with one line each: the allowed value, the values of the nominal building and of the bounds,
-// the 95 % fractile of the draws, and the share of the draws that keep the limit.
+// the 95 % fractile of the draws, the share of the draws that keep the limit, and whether it is kept. The table has no
+// columns for bounds or draws that were not analysed.
 std::string limits_text(building::LawAnswer const& law, UnitSystem const& units) {
-  auto text =
-      fmt::format("{:<32} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "allowed", "nominal", "bounds", "95 %", "kept by");
+  if (law.judged.empty()) return {};
+  bool const bounds = law.judged.front().bound.has_value(), draws = law.judged.front().p95.has_value();
+  auto text = fmt::format("{:<32} {:>9} {:>9}{}{}\n", "", "allowed", "nominal", bounds ? "    bounds" : "",
+                          draws ? "      95 %   kept by" : "");
   for (auto const& each : law.judged) {
-    auto const& quantity = building::quantity(each.quantity);
-    auto const shown = shown_unit(quantity.unit, units);
-    auto const title = fmt::format("{}{}", each.limit == building::tested_mm ? "tested " : "", quantity.title);
-    text += fmt::format("{:<32}",
-                        shown.unit.empty() || shown.unit == "-" ? title : title + " [" + std::string(shown.unit) + "]");
-    for (double const value : {each.allowed, each.nominal, each.bound})
-      text += fmt::format(" {:>9.4g}", shown.factor * value);
-    text += each.p95 ? fmt::format(" {:>9.4g} {:>8.1f}%", shown.factor * *each.p95, 100.0 * *each.kept) : std::string();
-    text += fmt::format("  {}\n", each.keeps == building::Keeps::yes  ? "kept"
-                                  : each.keeps == building::Keeps::no ? "NOT KEPT"
-                                                                      : "draws too few to tell");
+    auto const factor = shown_unit(building::quantity(each.quantity).unit, units).factor;
+    text += limit_text(each, units) + cell(factor * each.nominal);
+    if (bounds) text += cell(factor * *each.bound);
+    if (draws) text += cell(factor * *each.p95) + fmt::format(" {:>8.1f}%", 100.0 * *each.kept);
+    text += fmt::format("  {}\n", kept_text(each));
   }
   return text;
+}
+
+// A table of the limits with one column for each law: the largest of the responses that the limit judges, and whether
+// the limit is kept.
+std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSystem const& units) {
+  constexpr int width = 36;
+  auto text = fmt::format("{:<32} {:>9}", "", "allowed");
+  for (auto const& law : laws) text += fmt::format("  {:<{}}", law.law, width);
+  text = std::string(text.substr(0, text.find_last_not_of(' ') + 1)) + "\n";
+  for (std::size_t i = 0; i < laws.front().judged.size(); ++i) {
+    auto line = limit_text(laws.front().judged[i], units);
+    for (auto const& law : laws) {
+      // The laws may come from different tests, and a law may have no tested displacement.
+      auto const found = std::ranges::find(law.judged, laws.front().judged[i].limit, &building::Judged::limit);
+      if (found == law.judged.end()) {
+        line += fmt::format("  {:<{}}", "", width);
+        continue;
+      }
+      double most = found->nominal;
+      for (auto const& other : {found->bound, found->p95})
+        if (other && !(*other <= most)) most = *other;
+      auto const factor = shown_unit(building::quantity(found->quantity).unit, units).factor;
+      line += fmt::format("  {:<{}}", cell(factor * most, 0).substr(1) + " " + kept_text(*found), width);
+    }
+    text += std::string(line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";
+  }
+  return text;
+}
+
+// The table of the limits for the first law with a result. If there are several laws, a table of all laws follows.
+std::string all_limits_text(building::Study const& study, building::Answers const& answers) {
+  auto const& units = study.units();
+  auto const law = std::ranges::find_if(answers.laws, building::has_result);
+  if (law == answers.laws.end() || law->judged.empty()) return {};
+  auto text = limits_text(*law, units);
+  if (answers.laws.size() > 1) text += "\n" + limits_by_law(answers.laws, units);
+  if (study.file.motions.size() < building::motions_for_a_mean) text += "These are the largest of the motions.\n";
+  return text + "\n";
 }
 
 void print_answers(building::Study const& study, building::Answers const& answers) {
   auto const& units = study.units();
   auto const length = shown_unit("mm", units);
-  auto text = wording::paragraph(answers.verdict, units) + "\n\n";
-  if (auto const law = std::ranges::find_if(answers.laws, building::has_result); law != answers.laws.end())
-    text +=
-        limits_text(*law, units) +
-        (study.file.motions.size() < building::motions_for_a_mean ? "These are the largest of the motions.\n\n" : "\n");
+  auto text = wording::paragraph(answers.verdict, units) + "\n\n" + all_limits_text(study, answers);
   text += wording::paragraph(answers.about_bounds, units) + "\n\n";
-  text += fmt::format("{}, {}, weight {:.0f} {}; means over the motions, fractiles over {}\n",
-                      counted(study.file.motions.size(), "motion"), counted(study.file.bearings.size(), "bearing"),
-                      units.from_kN(answers.weight_kN), units.force.symbol, counted(study.file.settings.draws, "draw"));
+  bool const drawn = std::ranges::any_of(answers.laws, [](auto const& law) { return law.draws > 0; });
+  text +=
+      fmt::format("{}, {}, weight {:.0f} {}; means over the motions{}\n", counted(study.file.motions.size(), "motion"),
+                  counted(study.file.bearings.size(), "bearing"), units.from_kN(answers.weight_kN), units.force.symbol,
+                  drawn ? ", fractiles over " + counted(study.file.settings.draws, "draw") : std::string());
+  if (drawn) text += "lot and motion: standard deviations of ln(response), so 0.24 is a scatter of about 24 %\n";
   auto const quantities = building::quantities();
-  for (auto const& warning : render::building_warnings(answers, units)) text += fmt::format("warning: {}\n", warning);
+  for (auto const& line : render::building_lines(answers, units)) text += line + "\n";
   for (auto const& law : answers.laws) {
     if (!building::has_result(law)) {
       text += fmt::format("\n{}: no result. {}\n", law.law, wording::capitalised(building::why_without_result(law)));
       continue;
     }
-    text += fmt::format("\n{}\n{:<24}", law.law, "");
-    for (auto const* head : {"lower", "nominal", "upper", "16 %", "50 %", "84 %", "95 %"})
-      text += fmt::format(" {:>9}", head);
-    text += fmt::format(" {:>6} {:>6}\n", "lot", "motion");
+    text += fmt::format("\n{}\n{:<24} {:>9} {:>9} {:>9}", law.law, "", "lower", "nominal", "upper");
+    if (drawn) text += "      16 %      50 %      84 %      95 %    lot motion";
+    text += '\n';
     for (std::size_t q = 0; q < quantities.size(); ++q) {
       auto const& d = law.distributions[q];
       auto const factor = shown_unit(quantities[q].unit, units).factor;
+      auto const add = [&](double v) { text += cell(std::abs(v) < 1e-9 ? 0.0 : factor * v); };
       text += fmt::format("{:<24}", name_in(quantities[q].key, units));
-      for (double const v :
-           {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += fmt::format(" {:>9.4g}", std::abs(v) < 1e-9 ? 0.0 : factor * v);
-      text += fmt::format(" {:>6.3f} {:>6.3f}\n", d.lot_std_ln, d.motion_std_ln);
+      for (double const v : {d.lower, d.nominal, d.upper}) add(v);
+      if (drawn) {
+        for (double const v : d.fractiles) add(v);
+        text += decimals_cell(d.lot_std_ln, 6, 3) + decimals_cell(d.motion_std_ln, 6, 3);
+      }
+      text += '\n';
     }
     text += fmt::format("energy error at most {:.1e}; {} runs failed\n", law.worst_balance, law.failed);
     for (std::size_t m = 0; m < law.checked.size(); ++m) {
@@ -148,10 +222,11 @@ void print_answers(building::Study const& study, building::Answers const& answer
                             printable(study.file.motions[m].name), c.outcome);
         continue;
       }
+      auto const missed = c.missed_mm ? fmt::format("{:.{}f}", length.factor * *c.missed_mm, length.decimals(3)) : "-";
       text += fmt::format(
-          "{}: implicit {:.{}f} {} (misses {:.{}f}), energy error {:.1e}, draws' path {:+.2f} %, equivalent linear {:+.0f} %: {}\n",
-          printable(study.file.motions[m].name), length.factor * c.isolator_mm, length.decimals(2), length.unit,
-          length.factor * c.missed_mm, length.decimals(3), c.balance, c.draws_error_percent, c.equivalent_error_percent,
+          "{}: implicit {:.{}f} {} (misses {}), energy error {:.1e}, draws' path{} %, equivalent linear{} %: {}\n",
+          printable(study.file.motions[m].name), length.factor * *c.isolator_mm, length.decimals(2), length.unit,
+          missed, *c.balance, signed_cell(c.draws_error_percent, 2), signed_cell(c.equivalent_error_percent, 0),
           c.outcome);
     }
   }
@@ -165,11 +240,18 @@ void print_arrangement(building::Study const& study, building::Answers const& an
     std::vector<std::string> names;
     std::vector<double> stiffness;
     double const at = answers.laws[l].distributions.front().nominal;
-    double const period_s = answers.laws[l].checked.front().equivalent_period_s;
+    auto const period_s = answers.laws[l].checked.front().equivalent_period_s;
+    if (!std::isfinite(at) || !period_s) {
+      print(
+          fmt::format("\n{}: no arrangement, since the nominal building has no finite displacement or no positive "
+                      "effective stiffness\n",
+                      law.law));
+      continue;
+    }
     for (auto const& [name, values] : law.devices) {
       names.push_back(name);
       stiffness.push_back(
-          building::effective(law.law, values, at, period_s, building::coupling_of(law.law, values)).stiffness_kN_mm);
+          building::effective(law.law, values, at, *period_s, building::coupling_of(law.law, values)).stiffness_kN_mm);
     }
     std::vector<building::Point> places;
     for (auto const& b : study.file.bearings) places.push_back(b.at);
@@ -192,12 +274,14 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
   building::Layout const layout{floors, study.file.bearings.size()};
   std::vector<Finding> doubts;
   for (auto const& law : study.laws) doubts.insert(doubts.end(), law.doubts.begin(), law.doubts.end());
-  for (auto const& sentence : wording::sentences(doubts, wording::with_building, study.units()))
-    say("warning: From the calibration: {}\n", sentence);
+  for (auto const& line : wording::lines(doubts, wording::with_building, study.units(), render::from_calibration))
+    say("{}\n", line);
   auto warnings = building::study_doubts(study);
   print("law,motion,outcome,isolator_mm,base_acceleration_g,roof_acceleration_g,energy_error,file\n");
   bool all = true;
-  for (auto const& law : study.laws)
+  std::vector<std::vector<std::vector<double>>> measured;
+  for (auto const& law : study.laws) {
+    measured.emplace_back();
     for (std::size_t m = 0; m < study.file.motions.size(); ++m) {
       auto const& motion = study.file.motions[m];
       auto const run = building::nominal_run(study, law, motion);
@@ -213,14 +297,16 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
       // An analysis that stopped early reached values that are no response of the building.
       print(fmt::format("{},{},{},{},{}\n", law.law, printable(motion.name), building::name(run.outcome),
                         completed ? numbers : ",,,", file));
+      measured.back().push_back(completed ? run.measured : std::vector<double>());
       if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.why));
       if (completed)
         std::ranges::move(building::run_doubts(run, law.law, motion.name, law.tested_mm), std::back_inserter(warnings));
     }
-  for (auto const& sentence : wording::sentences(warnings, wording::with_building, study.units()))
-    say("warning: {}\n", printable(sentence));
-  say("{}\n", shown(folder));
-  return all ? exit_done : exit_with_refusals;
+  }
+  for (auto const& line : wording::lines(warnings, wording::with_building, study.units())) say("{}\n", line);
+  auto const answers = building::answer_of_nominal(study, measured);
+  say("{}\n{}{}\n", wording::paragraph(answers.verdict, study.units()), all_limits_text(study, answers), shown(folder));
+  return all && answers.holds != false ? exit_done : exit_with_refusals;
 }
 
 std::string full_name(std::filesystem::path const& path) {

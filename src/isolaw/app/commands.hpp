@@ -107,10 +107,11 @@ struct ExportArguments {
   std::string law, device, to;
   Values acceptance;  // options that change the bounds
   std::optional<std::string> units, name;
-  std::optional<std::filesystem::path> out;    // empty: standard output
-  std::vector<std::filesystem::path> motions;  // ground motions under which a re-fit is compared with the law
-  Values model, seed;                          // model: options of programs::model_table(); seed: for the draws
-  bool anyway = false;                         // export despite objections
+  std::optional<std::filesystem::path> out;  // empty: standard output
+  std::vector<std::string> motions;          // ground motions under which a re-fit is compared with the law
+  Values stated;                             // options of building::stated_table(), about the motions
+  Values model, seed;                        // model: options of programs::model_table(); seed: for the draws
+  bool anyway = false;                       // export despite objections
 };
 int export_law(ExportArguments const& arguments);
 

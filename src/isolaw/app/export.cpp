@@ -56,8 +56,12 @@ int export_law(ExportArguments const& a) {
     subject.model = programs::make_model(options, contents, summary, a.law, a.device, settings.seed);
   }
   std::vector<Finding> about_motions;
-  for (auto const& file : a.motions) {
-    auto motion = building::read_motion(file);
+  for (auto& motion : building::read_motions(a.motions, a.stated)) {
+    if (!motion.y_mm_s2.empty())
+      throw Error({.where = "--motion",
+                   .found = "two components of " + printable(motion.name),
+                   .allowed = "motions along one direction: the law is compared along one",
+                   .advice = "a --motion for each component"});
     std::ranges::move(building::motion_doubts(motion), std::back_inserter(about_motions));
     subject.motions.push_back({.file = std::move(motion.name),
                                .step_s = motion.step_s,
@@ -65,18 +69,15 @@ int export_law(ExportArguments const& a) {
                                .recognised = {}});
   }
   auto const exported = programs::write_export(subject, target, units, a.anyway);
-  for (auto const& warning : wording::sentences(subject.doubts.findings, wording::with_law, units))
-    say("warning: {}\n", printable(warning));
+  for (auto const& line : wording::lines(subject.doubts.findings, wording::with_law, units)) say("{}\n", line);
   for (auto const& sentence : subject.beyond) say("warning: {}\n", printable(sentence));
   if (subject.model)
     for (auto const& caution : programs::model_cautions(subject, units)) say("warning: {}\n", printable(caution));
   for (auto const& caution : exported.cautions) say("warning: {}\n", printable(caution));
   std::ranges::copy(exported.responses, std::back_inserter(about_motions));
-  for (auto const& finding : about_motions)
-    say("{}: {}\n", wording::row(finding.kind).severity == wording::Severity::note ? "note" : "warning",
-        printable(wording::sentence(finding, units)));
+  for (auto const& line : wording::lines(about_motions, wording::anywhere, units)) say("{}\n", line);
   for (auto const& objection : exported.let_through) say("{}\n", printable(study::let_through(objection)));
-  auto inputs = a.motions;
+  std::vector<std::filesystem::path> inputs(a.motions.begin(), a.motions.end());
   for (auto const* key : {"layout", "ground-motion", "ground-motion-y"})
     if (auto const given = a.model.find(key); given != a.model.end()) inputs.emplace_back(text_of(given->second));
   if (!a.out) {

@@ -50,10 +50,14 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   for (auto const& row : campaign::acceptance_table()) add(row, is_in(which, "acceptance"));
   for (auto const& row : data::reading_table())
     add(row, is_in(which, "reading") || (!row.of_test && is_in(which, "motion")));
-  for (auto const& row : building::settings_table()) {
-    known.push_back(row.python());
-    if (is_in(which, "building") && !is_in(but, known.back())) lines.push_back(keyword(row, true));
-  }
+  auto const add_in_place = [&](auto const& rows) {
+    for (auto const& row : rows) {
+      known.push_back(row.python());
+      if (is_in(which, "building") && !is_in(but, known.back())) lines.push_back(keyword(row, true));
+    }
+  };
+  add_in_place(building::settings_table());
+  add_in_place(building::stated_table());
   std::vector<Complaint> complaints;
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)

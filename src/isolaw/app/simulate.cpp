@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 
 #include "isolaw/api/campaign_directory.hpp"
@@ -25,6 +26,7 @@
 #include "isolaw/fit/as_springs.hpp"
 #include "isolaw/fit/in_plane.hpp"
 #include "isolaw/fit/objective.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/study/build_summary.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/wording/table.hpp"
@@ -124,8 +126,7 @@ std::vector<std::string> facts(Chosen const& chosen) {
         fmt::format("fitted to {}", reach),
         fmt::format("changed by --set {}: how well this law fits or predicts is not known", joined(chosen.changes))};
   std::vector<std::string> lines{fmt::format("fitted to {}", reach), wording::remark(chosen.doubts.prediction)};
-  for (auto const& warning : wording::sentences(chosen.doubts.findings, wording::with_law))
-    lines.push_back("warning: " + warning);
+  std::ranges::move(wording::lines(chosen.doubts.findings, wording::with_law), std::back_inserter(lines));
   if (chosen.doubts.objection) lines.push_back(study::let_through(wording::remark(*chosen.doubts.objection)));
   return lines;
 }
@@ -272,10 +273,12 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
   if (size == 0.0) return {};
   double const cycle = fastest > 0.0 ? 2.0 * std::numbers::pi * size / fastest : 1.0;
   std::vector<std::string> lines;
-  if (two.how == laws::Bidirectional::springs && !law.law->info.traits.odd)
-    lines.push_back(fmt::format(
-        "warning: {} is not symmetric, so its springs also give a force across the motion, which depends on the axes",
-        law.law->info.id));
+  if (two.how == laws::Bidirectional::springs && !laws::springs_follow(law.law->info.id))
+    std::ranges::move(
+        wording::lines(
+            {{.kind = FindingKind::unequal_sides, .law = std::string(law.law->info.id), .words = {{"how", "springs"}}}},
+            wording::with_law),
+        std::back_inserter(lines));
   if (two.how == laws::Bidirectional::springs && as_given)
     lines.push_back(fmt::format(
         "springs round the knee: along one direction, at {:.4g} mm, their work differs by {:+.2f} % from the work of the law",

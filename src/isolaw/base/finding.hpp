@@ -36,8 +36,8 @@ enum class FindingKind {
   role_behind, role_no_beta, converged_front, converged_beta, converged_untested, converged_prediction,
   converged_no_prediction, converged_determined,
   // [building]
-  building_holds, building_holds_with, building_reach, building_scatter, building_most_moved, building_bounds_cover, covering_factors, building_bounds_cover_with, building_law_or_lot, building_no_draws,
-  displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, building_runs_failed,
+  building_holds, building_holds_with, building_law_failed, building_reach, building_scatter, building_most_moved, building_bounds_cover, covering_factors, building_bounds_cover_with, building_law_or_lot, building_no_draws,
+  displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, unequal_sides, building_runs_failed,
   draws_collapsed, draws_too_few, motions_too_few,
   ground_zero_removed, ground_padded, ground_too_strong, ground_off_zero, ground_keeps_moving, period_implausible, energy_error_large, draws_off_reference, rotation_large,
   // [exports] What the re-fit of a law changes in a building (programs/response.hpp).

@@ -12,18 +12,25 @@
 #include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/building/plausibility.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/wording/words.hpp"
 
 namespace isolaw::building {
 namespace {
 
 bool has_draws(Study const& study) {
-  return std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
+  return study.file.settings.draws > 0 &&
+         std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
+// The largest response that any fractile of the draws reaches.
 double largest_of_motions(Distribution const& distribution) {
-  double most = distribution.fractiles[3];
-  for (auto const& motion : distribution.by_motion) most = std::max(most, motion[3]);
+  double most = 0.0;
+  auto const take = [&](std::array<double, 4> const& fractiles) {
+    for (double const value : fractiles) most = value > most ? value : most;
+  };
+  take(distribution.fractiles);
+  for (auto const& motion : distribution.by_motion) take(motion);
   return most;
 }
 
@@ -50,13 +57,47 @@ std::string_view holds(LawAnswer const& law) {
   return !limited ? "unlimited" : keeps == Keeps::yes && !tested ? "untested" : name(keeps);
 }
 
+std::optional<bool> holds_at_all(LawAnswer const& law) {
+  auto const answer = holds(law);
+  return answer == name(Keeps::yes) || answer == name(Keeps::no) ? std::optional(answer == name(Keeps::yes))
+                                                                 : std::nullopt;
+}
+
 Finding holding(FindingKind kind, LawAnswer const& law) {
   auto const answer = holds(law);
-  return {.kind = kind,
-          .law = law.law,
-          .numbers = {{"draws", static_cast<double>(law.draws)}},
-          .words = {{"holds", std::string(answer)},
-                    {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
+  Finding finding{.kind = kind,
+                  .law = law.law,
+                  .numbers = {{"draws", static_cast<double>(law.draws)}},
+                  .words = {{"holds", std::string(answer)},
+                            {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
+  std::optional<std::size_t> wanted;
+  for (auto const& each : law.judged) wanted = std::max(wanted, each.draws_wanted);
+  if (answer == name(Keeps::open) && wanted) finding.numbers.push_back({"wanted", static_cast<double>(*wanted)});
+  return finding;
+}
+
+// Adds a finding if the law gave no finite numbers in the nominal building, a bound analysis or a draw. Such an
+// analysis counts as outside of every limit. The reader must learn that the law failed, and not the building.
+void add_failing(LawAnswer const& law, std::vector<Finding>& verdict) {
+  auto const& moves = law.distributions.front();
+  bool const nominal = std::isnan(moves.nominal), bounds = std::isnan(moves.lower) || std::isnan(moves.upper);
+  if (!nominal && !bounds && law.collapsed == 0) return;
+  Finding failing{.kind = FindingKind::building_law_failed,
+                  .law = law.law,
+                  .words = {{"where", nominal && bounds ? "both"
+                                      : nominal         ? "nominal"
+                                      : bounds          ? "bounds"
+                                                        : ""},
+                            {"also", nominal || bounds ? "too" : "alone"}}};
+  if (law.collapsed > 0)
+    failing.numbers = {{"collapsed", static_cast<double>(law.collapsed)}, {"draws", static_cast<double>(law.draws)}};
+  verdict.push_back(std::move(failing));
+}
+
+// Adds numbers that are finite. A sentence leaves out its part about a number that it does not find.
+void add_finite(Finding& finding, std::initializer_list<FindingNumber> numbers) {
+  for (auto const& number : numbers)
+    if (std::isfinite(number.value)) finding.numbers.push_back(number);
 }
 
 std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
@@ -64,26 +105,30 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   if (found == answers.laws.end()) return {};
   auto const& law = *found;
   std::vector<Finding> verdict{holding(FindingKind::building_holds, law)};
-  for (auto const& other : answers.laws)
-    if (&other != &law && has_result(other) && holds(other) != holds(law))
+  add_failing(law, verdict);
+  for (auto const& other : answers.laws) {
+    if (&other == &law) continue;
+    if (has_result(other) && holds(other) != holds(law))
       verdict.push_back(holding(FindingKind::building_holds_with, other));
+    add_failing(other, verdict);
+  }
 
   auto const& moves = law.distributions.front();
   double const tested = study.laws[static_cast<std::size_t>(found - answers.laws.begin())].tested_mm;
-  Finding reach{.kind = FindingKind::building_reach,
-                .law = law.law,
-                .numbers = {{"nominal_mm", law.reach.nominal}, {"bound_mm", law.reach.bound}}};
-  if (has_draws(study)) {
-    reach.numbers.push_back({"p95_mm", *law.reach.p95});
-    reach.numbers.push_back({"draws", static_cast<double>(law.draws)});
-  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Finding reach{.kind = FindingKind::building_reach, .law = law.law};
+  add_finite(reach, {{"nominal_mm", law.reach.nominal},
+                     {"bound_mm", law.reach.bound.value_or(none)},
+                     {"p95_mm", law.reach.p95.value_or(none)},
+                     {"draws", static_cast<double>(law.draws)}});
   if (tested > 0.0) {
     reach.numbers.push_back({"tested_mm", tested});
-    bool const beyond = std::max({law.reach.nominal, law.reach.bound, law.reach.p95.value_or(0.0)}) > tested;
+    bool const beyond = std::ranges::any_of(
+        reach.numbers, [&](FindingNumber const& n) { return n.name.ends_with("_mm") && n.value > tested; });
     reach.words = {{"tested", beyond ? "beyond" : "within"}};
   }
-  verdict.push_back(std::move(reach));
-  if (has_draws(study))
+  if (std::isfinite(law.reach.nominal)) verdict.push_back(std::move(reach));
+  if (has_draws(study) && std::isfinite(moves.lot_std_ln))
     verdict.push_back({.kind = FindingKind::building_scatter,
                        .numbers = {{"lot_std_ln", moves.lot_std_ln}, {"motion_std_ln", moves.motion_std_ln}},
                        .words = {{"motions", study.file.motions.size() > 1 ? "several" : ""}}});
@@ -99,7 +144,8 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
                                    {"most_mm", *most},
                                    {"least_mm", *least},
                                    {"alike", alike}},
-                       .words = {{"bearings", law.bearing_mm.size() == 1 ? "one"
+                       .words = {{"over", has_draws(study) ? "draws" : "motions"},
+                                 {"bearings", law.bearing_mm.size() == 1 ? "one"
                                               : all_alike                ? "alike"
                                                                          : "unlike"},
                                  {"place", fmt::format("({:g}, {:g}) m", at.x_mm / 1e3, at.y_mm / 1e3)}}});
@@ -113,26 +159,38 @@ std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
   auto const& first = *found;
   if (!has_draws(study)) return {{.kind = FindingKind::building_no_draws}};
   auto const& c = first.coverage.front();
+  auto const numbers_of = [](LawAnswer const& law, double inside) {
+    return std::vector<FindingNumber>{{"inside", inside},
+                                      {"draws", static_cast<double>(law.draws)},
+                                      {"collapsed", static_cast<double>(law.collapsed)}};
+  };
+  // The answer opens with the law that it is about. This is the first law, unless its bounds cover its own draws but
+  // not those of another law; then it is the other law.
+  bool const own = c.inside < wanted_share || answers.bounds_are_enough != false;
   Finding cover{.kind = FindingKind::building_bounds_cover,
                 .law = first.law,
-                .numbers = {{"inside", c.inside},
-                            {"interval_low", c.interval_low},
-                            {"interval_high", c.interval_high},
-                            {"draws", static_cast<double>(first.draws)}},
-                .words = {{"answer", !answers.bounds_are_enough   ? "No answer yet"
+                .numbers = numbers_of(first, c.inside),
+                .words = {{"answer", !own                         ? "of another law"
+                                     : !answers.bounds_are_enough ? "No answer yet"
                                      : *answers.bounds_are_enough ? "Yes"
                                                                   : "No"},
                           {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : ""}}};
+  cover.numbers.push_back({"interval_low", c.interval_low});
+  cover.numbers.push_back({"interval_high", c.interval_high});
   auto const factors = covering_factors(c);
   cover.numbers.insert(cover.numbers.end(), factors.numbers.begin(), factors.numbers.end());
   cover.words.insert(cover.words.end(), factors.words.begin(), factors.words.end());
-  std::vector<Finding> said{std::move(cover)};
+  std::vector<Finding> said;
+  if (own) said.push_back(cover);
   for (auto const& law : answers.laws)
     if (law.by_first_bounds && *law.by_first_bounds < wanted_share)
       said.push_back({.kind = FindingKind::building_bounds_cover_with,
                       .law = law.law,
-                      .numbers = {{"inside", *law.by_first_bounds}}});
-  if (answers.law_std_ln) {
+                      .other_laws = {first.law},
+                      .numbers = numbers_of(law, *law.by_first_bounds),
+                      .words = {{"answer", said.empty() ? "No" : "of another law"}}});
+  if (!own) said.push_back(std::move(cover));
+  if (answers.law_std_ln && std::isfinite(first.distributions.front().lot_std_ln)) {
     double const lot = first.distributions.front().lot_std_ln;
     bool const law_matters_more = *answers.law_std_ln > lot;
     said.push_back({.kind = FindingKind::building_law_or_lot,
@@ -158,7 +216,8 @@ std::string_view form_sentence(LawAnswer const& law) {
     case Coupling::coupled:
       return "in its coupled form";
     case Coupling::separate:
-      return "once along each axis, the motions being along x alone";
+      return laws::springs_follow(law.law) ? "once along each axis, the motions being along x alone"
+                                           : "once along each axis, its force not being equal on both sides";
     case Coupling::springs:
       break;
   }
@@ -196,19 +255,21 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
     return std::ranges::count(study.file.bearings, stands, &BearingPlace::stands);
   };
   sentences.push_back(fmt::format(
-      "Of {} bearings {} are draws of the lot, {} its law, {} tested devices, {} and {} its law times the lower and the upper factor.",
-      study.file.bearings.size(), count(Stands::draw), count(Stands::lot), count(Stands::device), count(Stands::lower),
-      count(Stands::upper)));
+      "Of {} bearings {} {}, {} its law, {} tested devices, {} and {} its law times the lower and the upper factor.",
+      study.file.bearings.size(), count(Stands::draw),
+      s.draws > 0 ? "are draws of the lot" : "have the median parameters of the lot's population", count(Stands::lot),
+      count(Stands::device), count(Stands::lower), count(Stands::upper)));
   sentences.push_back(fmt::format(
       "The bound analyses take every bearing at its nominal values, forces times {:.2f} and {:.2f}: stiffness and strength alike.",
       s.lower, s.upper));
   sentences.push_back(fmt::format("A building's response is its mean over {}, each scaled as the building file says.",
                                   counted(study.file.motions.size(), "motion")));
-  sentences.push_back(
-      s.populations > 1
-          ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
-                        s.populations, s.draws_of_each)
-          : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
+  if (has_draws(study))
+    sentences.push_back(
+        s.populations > 1
+            ? fmt::format("The population is as uncertain as the tests leave it: {} populations of {} draws.",
+                          s.populations, s.draws_of_each)
+            : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
   for (auto const& law : answers.laws)
     sentences.push_back(fmt::format("{} goes into the plane {}.", laws::called(law.law), form_sentence(law)));
   sentences.push_back(fmt::format(
@@ -223,13 +284,13 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
 
 using Kept = std::vector<std::vector<std::vector<double>>>;  // [motion][quantity][case]
 
-// Reads the runs of one law. Puts each bearing's means over the runs of draws, and the largest error of the energy
-// balance, into `out`.
+// Reads the runs of one law. Puts each bearing's means, and the largest error of the energy balance, into `out`.
 Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, CasePlaces const& places,
                Layout const& layout, double weight_kN, LawAnswer& out) {
   out.bearing_mm.assign(layout.bearings, 0.0);
   out.bearing_energy_share.assign(layout.bearings, 0.0);
-  double runs_of_draws = 0.0;
+  auto const counted_kind = places.draws > 0 ? CaseKind::draw : CaseKind::nominal;
+  std::size_t runs_of_kind = 0;
   auto const rows = quantities();
   Kept kept(motions, {rows.size(), std::vector<double>(places.cases.size(), std::nan(""))});
   for (std::size_t motion = 0; motion < motions; ++motion)
@@ -240,15 +301,18 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
       if (!finite) return;
       for (std::size_t q = 0; q < rows.size(); ++q) kept[motion][q][place] = rows[q].of(layout, measured, weight_kN);
       out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
-      if (places.cases[place].kind != CaseKind::draw) return;
-      runs_of_draws += 1.0;
+      if (places.cases[place].kind != counted_kind) return;
+      ++runs_of_kind;
       for (std::size_t b = 0; b < layout.bearings; ++b) {
         out.bearing_mm[b] += measured[layout.displacement(b)];
         out.bearing_energy_share[b] += ratio(measured[layout.energy(b)], measure_of(measured, Measure::hysteretic));
       }
     });
+  auto const finite = static_cast<double>(runs_of_kind);
+  bool const enough =
+      finite >= least_finite_share * static_cast<double>(motions * std::max(places.draws, std::size_t{1}));
   for (auto* const means : {&out.bearing_mm, &out.bearing_energy_share})
-    for (double& value : *means) value = runs_of_draws > 0.0 ? value / runs_of_draws : std::nan("");
+    for (double& value : *means) value = enough ? value / finite : std::nan("");
   return kept;
 }
 
@@ -258,15 +322,11 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
     auto const responses = responses_of(kept, q);
-    auto const part = [&](std::size_t from, std::size_t count) {
-      auto const begin = responses.mean.begin() + static_cast<std::ptrdiff_t>(from);
-      return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count));
-    };
-    auto const draws = part(places.first_draw, places.draws);
+    auto const draws = part_of(responses.mean, places.first_draw, places.draws);
     auto const& d = out.distributions.emplace_back(distribution_of(responses, places, settings));
-    if (quantities()[q].uncovered.empty())
-      out.coverage.push_back(
-          covered(quantities()[q], draws, d, settings, part(places.first_factor, 2 * grid_half + 1)));
+    if (!draws.empty() && quantities()[q].uncovered.empty())
+      out.coverage.push_back(covered(quantities()[q], draws, d, settings,
+                                     part_of(responses.mean, places.first_factor, 2 * grid_half + 1)));
     if (q == 0)
       out.collapsed =
           static_cast<std::size_t>(std::ranges::count_if(draws, [](double v) { return !std::isfinite(v); }));
@@ -278,74 +338,107 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
   }
 }
 
-void judge(LawAnswer& out, Kept const& kept, CasePlaces const& places, Study const& study, double tested) {
+// Compares the responses with the limits. Without `places`, `kept` holds the nominal building alone.
+void judge(LawAnswer& out, Kept const& kept, CasePlaces const* places, Study const& study, double tested) {
   auto const against = [&](std::string_view limit, std::string_view of, double allowed) {
     auto const row = static_cast<std::size_t>(&quantity(of) - quantities().data());
-    return judged(limit, of, allowed, responses_of(kept, row), places, has_draws(study));
-  };
-  auto const add = [&](std::string_view limit, std::string_view of, double allowed) {
-    out.judged.push_back(against(limit, of, allowed));
+    return judged(limit, of, allowed, responses_of(kept, row), places, places != nullptr && has_draws(study));
   };
   out.reach = against({}, quantities().front().key, std::numeric_limits<double>::infinity());
   for (auto const& limit : limit_rows)
-    if (auto const& allowed = study.file.limits.*limit.value) add(limit.key, limit.quantity, *allowed);
-  if (tested > 0.0) add(tested_mm, quantities().front().key, tested);
+    if (auto const& allowed = study.file.limits.*limit.value)
+      out.judged.push_back(against(limit.key, limit.quantity, *allowed));
+  if (tested > 0.0) out.judged.push_back(against(tested_mm, quantities().front().key, tested));
 }
 
-// Integrates the nominal building implicitly under every motion. Compares the results with those of two other methods,
-// the integrator of the draws and the equivalent linear analysis.
-void add_nominal_building(LawAnswer& out, Study const& study, LawSource const& source, Model const& model,
-                          Kept const& kept, std::function<bool()> const& interrupted) {
+// Integrates the nominal building implicitly under a motion. Compares the results with those of two other methods, the
+// integrator of the draws, which gave `of_draws_mm`, and the equivalent linear analysis.
+NominalResult nominal_result(Study const& study, LawSource const& source, Model const& model, std::size_t motion_number,
+                             double of_draws_mm, std::function<bool()> const& interrupted) {
+  auto const& motion = study.file.motions[motion_number];
+  Devices const devices(source, study.file, motion);
+  auto const nominal = devices.of({});
+  auto options = options_of(study, model, devices, motion);
+  options.histories = true;
+  options.interrupted = interrupted;
+  NominalResult result;
+  auto& checked = result.checked;
+  checked.coupling = devices.coupling();
+  auto const run = integrate(model, devices.bearings(nominal), motion, options);
+  result.history = thinned(run.history, run.step_s);
+  add_spectra(result.spectra_g, run, 1.0 / static_cast<double>(study.file.motions.size()));
+  result.farthest_mm = run.of(Measure::isolator);
+  checked.step_s = run.step_s;
+  if (run.outcome != Outcome::completed) {
+    // The values that an analysis reached before it stopped are no response of the building.
+    checked.outcome = run.why;
+    for (auto& spectrum : result.spectra_g) std::ranges::fill(spectrum, std::nan(""));
+    return result;
+  }
+  checked.outcome = name(run.outcome);
+  checked.isolator_mm = run.of(Measure::isolator);
+  checked.balance = run.of(Measure::balance);
+  options.histories = false;
+  options.longest_step_s = 0.5 * steps_of(motion, options.longest_step_s, 0.0).dt;
+  if (auto const fine = integrate(model, devices.bearings(nominal), motion, options);
+      fine.outcome == Outcome::completed)
+    checked.missed_mm = richardson(run, fine)[static_cast<std::size_t>(Measure::isolator)];
+  checked.draws_error_percent = 100.0 * (of_draws_mm / *checked.isolator_mm - 1.0);
+  if (auto const linear = equivalent_linear(devices, motion, nominal, model.structure().mass()(0, 0))) {
+    checked.equivalent_mm = linear->displacement_mm;
+    checked.equivalent_period_s = linear->period_s;
+    checked.equivalent_damping = linear->damping;
+    checked.equivalent_error_percent = 100.0 * (linear->displacement_mm / run.of(Measure::centre) - 1.0);
+  }
+  // The verdict and its warnings already say how far the draws go beyond the tests. The 0.0 for the tested displacement
+  // therefore leaves out the doubt about this.
+  checked.doubts = run_doubts(run, source.law, motion.name, 0.0);
+  if (std::abs(*checked.draws_error_percent) > largest_difference_percent)
+    checked.doubts.push_back(
+        {.kind = FindingKind::draws_off_reference,
+         .law = source.law,
+         .numbers = {{"percent", *checked.draws_error_percent}, {"limit_percent", largest_difference_percent}},
+         .words = {{"motion", motion.name}}});
+  return result;
+}
+
+// Takes the results for the nominal building from the store. Computes those that the store lacks, and stores them.
+void add_nominal_building(LawAnswer& out, Study const& study, RunStore const& store, std::size_t law,
+                          Model const& model, Kept const& kept, std::function<bool()> const& interrupted) {
   auto const& motions = study.file.motions;
+  auto const& source = study.laws[law];
   out.fitted_as_springs = !source.springs.empty();
   double farthest = -1.0;
   std::size_t strongest = 0;
-  auto const options_under = [&](Devices const& devices, std::size_t motion) {
-    auto options = options_of(study, model, devices, motions[motion]);
+  for (std::size_t motion = 0; motion < motions.size(); ++motion) {
+    auto text = store.kept(law, motion);
+    if (text.empty()) {
+      text = kept_text(nominal_result(study, source, model, motion, kept[motion][0][0], interrupted));
+      store.keep(law, motion, text);
+    }
+    auto result = nominal_result_of(text);
+    auto const coupling = result.checked.coupling;
+    if (out.checked.empty() || coupling == Coupling::springs) out.coupling = coupling;
+    out.mixed = out.mixed || (!out.checked.empty() && coupling != out.checked.back().coupling);
+    out.floor_spectra_g.resize(std::max(out.floor_spectra_g.size(), result.spectra_g.size()),
+                               std::vector<double>(spectrum_periods_s().size(), 0.0));
+    for (std::size_t floor = 0; floor < result.spectra_g.size(); ++floor)
+      for (std::size_t i = 0; i < result.spectra_g[floor].size(); ++i)
+        out.floor_spectra_g[floor][i] += result.spectra_g[floor][i];
+    if (result.farthest_mm > farthest) farthest = result.farthest_mm, strongest = motion;
+    out.checked.push_back(std::move(result.checked));
+    out.histories.push_back(std::move(result.history));
+  }
+  auto text = store.kept(law, motions.size());
+  if (text.empty()) {
+    Devices const devices(source, study.file, motions[strongest]);
+    auto options = options_of(study, model, devices, motions[strongest]);
     options.histories = true;
     options.interrupted = interrupted;
-    return options;
-  };
-  for (std::size_t motion = 0; motion < motions.size(); ++motion) {
-    Devices const devices(source, study.file, motions[motion]);
-    auto const nominal = devices.of({});
-    auto const options = options_under(devices, motion);
-    if (out.checked.empty() || devices.coupling() == Coupling::springs) out.coupling = devices.coupling();
-    out.mixed = out.mixed || (!out.checked.empty() && devices.coupling() != out.checked.back().coupling);
-    auto& checked = out.checked.emplace_back();
-    checked.coupling = devices.coupling();
-    auto half = options;
-    half.histories = false;
-    half.longest_step_s = 0.5 * steps_of(motions[motion], options.longest_step_s, 0.0).dt;
-    auto const run = integrate(model, devices.bearings(nominal), motions[motion], options);
-    auto const fine = integrate(model, devices.bearings(nominal), motions[motion], half);
-    out.histories.push_back(thinned(run.history, run.step_s));
-    add_spectra(out.floor_spectra_g, run, 1.0 / static_cast<double>(motions.size()));
-    if (run.of(Measure::isolator) > farthest) farthest = run.of(Measure::isolator), strongest = motion;
-    checked.outcome = run.outcome == Outcome::completed ? std::string(name(run.outcome)) : run.why;
-    checked.isolator_mm = run.of(Measure::isolator);
-    checked.balance = run.of(Measure::balance);
-    checked.step_s = run.step_s;
-    checked.missed_mm = richardson(run, fine)[static_cast<std::size_t>(Measure::isolator)];
-    checked.draws_error_percent = 100.0 * (kept[motion][0][0] / checked.isolator_mm - 1.0);
-    auto const linear = equivalent_linear(devices, motions[motion], nominal, model.structure().mass()(0, 0));
-    checked.equivalent_mm = linear.displacement_mm;
-    checked.equivalent_period_s = linear.period_s;
-    checked.equivalent_damping = linear.damping;
-    checked.equivalent_error_percent = 100.0 * (linear.displacement_mm / run.of(Measure::centre) - 1.0);
-    if (run.outcome != Outcome::completed) continue;
-    // The verdict and its warnings already say how far the draws go beyond the tests. The 0.0 for the tested
-    // displacement therefore leaves out the doubt about this.
-    std::ranges::move(run_doubts(run, source.law, motions[motion].name, 0.0), std::back_inserter(checked.doubts));
-    if (std::abs(checked.draws_error_percent) > largest_difference_percent)
-      checked.doubts.push_back(
-          {.kind = FindingKind::draws_off_reference,
-           .law = source.law,
-           .numbers = {{"percent", checked.draws_error_percent}, {"limit_percent", largest_difference_percent}},
-           .words = {{"motion", motions[motion].name}}});
+    text = kept_text(loops_of(model, devices, study, strongest, has_draws(study), options));
+    store.keep(law, motions.size(), text);
   }
-  Devices const devices(source, study.file, motions[strongest]);
-  out.loops = loops_of(model, devices, study, strongest, has_draws(study), options_under(devices, strongest));
+  out.loops = loops_of(text);
 }
 
 void add_warnings(Answers& answers, Study const& study) {
@@ -363,7 +456,6 @@ void add_warnings(Answers& answers, Study const& study) {
                                   .numbers = {{"most_mm", most}, {"tested_mm", tested}},
                                   .words = {{"of", "draws"}}});
     if (has_draws(study) && has_result(law)) warn_of_coverage(law, answers.warnings);
-    if (law.coupling == Coupling::springs && !law.fitted_as_springs) warn(FindingKind::springs_as_given, law.law);
     if (law.worst_balance > largest_energy_error_of_runs) {
       warn(FindingKind::energy_error_large, law.law,
            {{"error", law.worst_balance}, {"limit", largest_energy_error_of_runs}});
@@ -372,11 +464,18 @@ void add_warnings(Answers& answers, Study const& study) {
     if (law.failed > 0) warn(FindingKind::building_runs_failed, law.law, {{"failed", static_cast<double>(law.failed)}});
     if (law.collapsed > 0)
       warn(FindingKind::draws_collapsed, law.law,
-           {{"collapsed", static_cast<double>(law.collapsed)}, {"draws", static_cast<double>(law.draws)}});
+           {{"collapsed", static_cast<double>(law.collapsed)},
+            {"draws", static_cast<double>(law.draws)},
+            {"finite", least_finite_share}});
   }
-  if (has_draws(study) && !answers.laws.empty() && !answers.bounds_are_enough)
-    warn(FindingKind::draws_too_few, {},
-         {{"draws", static_cast<double>(answers.laws.front().draws)}, {"wanted", wanted_share}});
+  auto const first = std::ranges::find_if(answers.laws, has_result);
+  if (has_draws(study) && first != answers.laws.end() && !answers.bounds_are_enough) {
+    auto const draws = static_cast<double>(first->draws);
+    warn(FindingKind::draws_too_few, {}, {{"draws", draws}, {"wanted", wanted_share}});
+    auto const inside = static_cast<std::size_t>(std::lround(first->coverage.front().inside * draws));
+    if (auto const enough = draws_that_tell(inside, first->draws))
+      answers.warnings.back().numbers.push_back({"enough", static_cast<double>(*enough)});
+  }
   if (auto const motions = study.file.motions.size(); motions < motions_for_a_mean)
     warn(FindingKind::motions_too_few, {},
          {{"motions", static_cast<double>(motions)}, {"wanted", static_cast<double>(motions_for_a_mean)}});
@@ -407,7 +506,8 @@ std::string why_without_result(LawAnswer const& law) {
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted) {
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const& settings = study.file.settings;
-  CasePlaces const places(settings);
+  CasePlaces places(settings);
+  if (!has_draws(study)) places.draws = 0;  // a building file without draws has none; a study made by hand may have
   Answers answers;
   answers.weight_kN = model.structure().weight_kN();
   for (double const w : model.structure().frequency_rad_s())
@@ -423,8 +523,8 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
     auto const kept = take_runs(store, law, study.file.motions.size(), places, model.layout(), answers.weight_kN, out);
     auto const first = std::ranges::find_if(answers.laws, has_result);
     add_distributions(out, kept, places, settings, first == answers.laws.end() || &*first == &out ? nullptr : &*first);
-    judge(out, kept, places, study, source.tested_mm);
-    add_nominal_building(out, study, source, model, kept, interrupted);
+    judge(out, kept, &places, study, source.tested_mm);
+    add_nominal_building(out, study, store, law, model, kept, interrupted);
     for (auto const& doubt : out.doubts)
       if (std::ranges::find(answers.calibration, doubt) == answers.calibration.end())
         answers.calibration.push_back(doubt);
@@ -432,17 +532,40 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
   if (answers.laws.size() > 1) {
     std::vector<double> medians;
     for (auto const& law : answers.laws) medians.push_back(law.distributions.front().fractiles[1]);
-    answers.law_std_ln = spread_ln(medians);
+    if (double const spread = spread_ln(medians); std::isfinite(spread)) answers.law_std_ln = spread;
   }
   answers.bounds_are_enough = bounds_are_enough(study, answers);
   answers.verdict = verdict_of(study, answers);
-  if (auto const first = std::ranges::find_if(answers.laws, has_result); first != answers.laws.end()) {
-    auto const answer = holds(*first);
-    if (answer == name(Keeps::yes) || answer == name(Keeps::no)) answers.holds = answer == name(Keeps::yes);
-  }
+  if (auto const first = std::ranges::find_if(answers.laws, has_result); first != answers.laws.end())
+    answers.holds = holds_at_all(*first);
   answers.about_bounds = about_bounds(study, answers);
   add_warnings(answers, study);
   answers.assumed = assumed_of(study, answers);
+  return answers;
+}
+
+Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vector<double>>> const& measured) {
+  Model const model(Structure(study.file.frame), study.file.plan());
+  auto const rows = quantities();
+  Answers answers;
+  answers.laws.reserve(study.laws.size());
+  for (std::size_t law = 0; law < study.laws.size(); ++law) {
+    Kept kept;
+    auto& out = answers.laws.emplace_back();
+    for (auto const& run : measured[law]) {
+      ++out.runs, out.failed += run.empty();
+      auto& values = kept.emplace_back();
+      for (auto const& row : rows)
+        values.push_back({run.empty() ? std::nan("") : row.of(model.layout(), run, model.structure().weight_kN())});
+    }
+    out.law = study.laws[law].law;
+    judge(out, kept, nullptr, study, study.laws[law].tested_mm);
+    auto const kind = law == 0 ? FindingKind::building_holds : FindingKind::building_holds_with;
+    if (law > 0 && holds(out) == holds(answers.laws.front())) continue;
+    answers.verdict.push_back(holding(kind, out));
+    answers.verdict.back().words.push_back({"alone", "yes"});
+  }
+  answers.holds = holds_at_all(answers.laws.front());
   return answers;
 }
 

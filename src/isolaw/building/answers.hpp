@@ -20,30 +20,17 @@
 
 namespace isolaw::building {
 
-// The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
-// it: the integrator that is used for the draws, and equivalent linear analysis.
-struct Checked {
-  std::string outcome;
-  Coupling coupling = Coupling::coupled;
-  double isolator_mm = 0.0, balance = 0.0, step_s = 0.0;
-  double missed_mm = 0.0;                                      // step error of isolator_mm, by richardson()
-  double draws_error_percent = 0.0;                            // error of isolator_mm by the integrator of the draws
-  double equivalent_mm = 0.0, equivalent_error_percent = 0.0;  // equivalent linear analysis: displacement of the centre
-  double equivalent_period_s = 0.0, equivalent_damping = 0.0;
-  std::vector<Finding> doubts = {};  // about the accuracy of the analysis
-};
-
 struct LawAnswer {
   std::string law;
-  Coupling coupling = Coupling::coupled;  // springs if it differs between motions
-  bool mixed = false;                     // true if it differs: Coupling::separate under motions along x alone
-  bool fitted_as_springs = false;         // true if the springs' parameters were fitted as springs around the circle
-  std::size_t draws = 0;
+  Coupling coupling = Coupling::coupled;    // springs if it differs between motions
+  bool mixed = false;                       // true if it differs: Coupling::separate under motions along x alone
+  bool fitted_as_springs = false;           // true if the springs' parameters were fitted as springs around the circle
+  std::size_t draws = 0;                    // 0: no bearing is drawn
   std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
   std::size_t collapsed = 0;                // draws with such a run; they count as outside of all bounds
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
-  std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty
+  std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty; none without draws
   Judged reach = {};                        // displacement of a bearing as it counts for design; has no limit
   std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
@@ -52,7 +39,8 @@ struct LawAnswer {
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // [motion]
-  // [bearing] means over draws and motions of the largest displacement, and of the share of the work on all bearings.
+  // [bearing] means over draws and motions of the largest displacement, and of the share of the work on all bearings;
+  // without draws of the nominal building. NaN if fewer than least_finite_share of these runs have numbers.
   std::vector<double> bearing_mm, bearing_energy_share;
   BearingLoops loops = {};
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
@@ -82,7 +70,10 @@ struct Answers {
   std::vector<std::string> assumed;       // the assumptions, a sentence each
   std::vector<Point> corners;             // of the slab, where displacements are measured
 };
-// Integrates the nominal building of each law. Throws Interrupted once `interrupted` returns true.
+// Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});
+// Judges the nominal buildings alone: fills in `verdict`, `holds`, and `judged` of each law. `measured` holds the
+// measures of their runs, [law][motion][measure]; a run that was not completed has none.
+Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vector<double>>> const& measured);
 
 }  // namespace isolaw::building

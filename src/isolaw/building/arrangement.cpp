@@ -17,7 +17,7 @@ struct Sums {
   Sums with(double stiffness, Point const& at) const {
     return {k + stiffness, x + stiffness * at.x_mm, y + stiffness * at.y_mm};
   }
-  double eccentricity() const { return std::hypot(x, y) / k; }
+  double square() const { return (x * x + y * y) / (k * k); }  // the eccentricity squared
 };
 
 class Search {
@@ -26,7 +26,8 @@ class Search {
     for (auto const& p : places) places_.push_back({p.x_mm - centre.x_mm, p.y_mm - centre.y_mm});
     best_.device.resize(stiffness.size());
     std::iota(best_.device.begin(), best_.device.end(), std::size_t{0});
-    best_.in_order_mm = best_.eccentricity_mm = sums(best_.device).eccentricity();
+    best_square_ = sums(best_.device).square();
+    best_.in_order_mm = std::sqrt(best_square_);
   }
 
   Arrangement operator()() {
@@ -41,6 +42,7 @@ class Search {
       for (std::uint64_t start = 0; start < starts; ++start) exchange(shuffled(first, start));
     }
     best_.device.resize(places_.size());
+    best_.eccentricity_mm = std::sqrt(best_square_);
     return best_;
   }
 
@@ -51,15 +53,15 @@ class Search {
     return sum;
   }
 
-  void take_if_better(std::vector<std::size_t> const& device, double eccentricity) {
-    if (!(eccentricity < best_.eccentricity_mm)) return;
+  void take_if_better(std::vector<std::size_t> const& device, double square) {
+    if (!(square < best_square_)) return;
     best_.device = device;
-    best_.eccentricity_mm = eccentricity;
+    best_square_ = square;
   }
 
   // Tries all arrangements of the remaining devices on the places from `place` on.
   void try_all(std::vector<std::size_t>& device, std::size_t place, Sums const& so_far) {
-    if (place == places_.size()) return take_if_better(device, so_far.eccentricity());
+    if (place == places_.size()) return take_if_better(device, so_far.square());
     for (std::size_t i = place; i < device.size(); ++i) {
       std::swap(device[place], device[i]);
       try_all(device, place + 1, so_far.with(stiffness_[device[place]], places_[place]));
@@ -80,22 +82,24 @@ class Search {
       better = false;
       std::size_t best_i = 0, best_j = 0;
       auto best = sum;
+      double least = sum.square();
       for (std::size_t i = 0; i < places_.size(); ++i)
         for (std::size_t j = i + 1; j < device.size(); ++j) {
           double const more = stiffness_[device[j]] - stiffness_[device[i]];
           auto now = sum.with(more, places_[i]);
           if (j < places_.size()) now = now.with(-more, places_[j]);
-          if (now.eccentricity() < best.eccentricity() * (1.0 - 1e-12))
-            best = now, best_i = i, best_j = j, better = true;
+          if (double const square = now.square(); square < least * (1.0 - 1e-12))
+            best = now, least = square, best_i = i, best_j = j, better = true;
         }
       if (better) std::swap(device[best_i], device[best_j]), sum = best;
     }
-    take_if_better(device, sums(device).eccentricity());
+    take_if_better(device, sums(device).square());
   }
 
   std::vector<Point> places_;
   std::span<double const> stiffness_;
   Arrangement best_;
+  double best_square_ = 0.0;  // the eccentricity of best_, squared
 };
 
 }  // namespace

@@ -29,8 +29,9 @@ class Bearing {
 // How a law of one direction is used in the plane (laws/plane/in_plane.hpp).
 enum class Coupling {
   coupled,  // the law's own two-dimensional form, with the same parameters
-  springs,  // a set of springs around the circle, each with the law; possible for any law
-  separate  // the law once along x and once along y, independently: exact for motions along x or y alone
+  springs,  // a set of springs around the circle, each with the law
+  separate  // the law once along x and once along y, independently: exact for motions along x or y alone, and also
+            // taken for laws whose force is not the same in both directions
 };
 // Coupling::coupled if the law has a two-dimensional form with these parameters, else Coupling::springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);

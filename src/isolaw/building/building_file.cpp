@@ -99,8 +99,10 @@ std::vector<FileKey> make_keys() {
                    }},
                   table});
   keys.back().decides = false;
-  real("draws", "number of buildings to draw; in each, every bearing marked draw is a device drawn at random",
-       settings(&Settings::draws), {.least = 1, .most = 1e6});
+  real("draws",
+       "number of buildings to draw; in each, every bearing marked draw is a device drawn at random; 0: only the "
+       "nominal building and the bound analyses",
+       settings(&Settings::draws), {.least = 0, .most = 1e6});
   real("populations",
        "number of lots estimated again at random, to see how uncertain the lot is after few tests; 0: none",
        settings(&Settings::populations), {.least = 0, .most = 1e4});
@@ -408,7 +410,7 @@ Motion read_motion(std::string const& files, data::StatedMotion const& stated) {
 }
 
 std::vector<Motion> read_motions(std::vector<std::string> const& files, isolaw::Values const& given) {
-  data::StatedMotion stated{.how = "--motion-dt SECONDS and --motion-unit UNIT"};
+  data::StatedMotion stated{.how_step = "--motion-dt SECONDS", .how_unit = "--motion-unit UNIT"};
   lay_over(stated_table(), given, stated);
   if (files.empty() && !given.empty())
     throw Error({.where = "--" + given.begin()->first, .found = "is given alone", .allowed = "with --motion FILES"});
@@ -569,6 +571,9 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (in_place.motions.empty() && root.find(motion_info.name) == nullptr)
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
+  // Without a bearing that is drawn all draws would be the nominal building.
+  if (std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())
+    file.settings.draws = file.settings.populations = 0;
   return file;
 }
 

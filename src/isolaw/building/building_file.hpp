@@ -88,7 +88,7 @@ struct PlanRow {
 struct MotionRow {
   std::string x, y;
   double scale = 1.0;
-  data::StatedMotion stated = {.how = "step_s and unit in its [[motion]]"};
+  data::StatedMotion stated = {.how_step = "step_s", .how_unit = "unit", .where = " in its [[motion]]"};
 };
 struct FileTables {
   Settings building = {};

@@ -63,13 +63,36 @@ Finding covering_factors(Coverage const& coverage) {
   return finding;
 }
 
+namespace {
+
+using Binomial = boost::math::binomial_distribution<>;
+
+// The lower end of the interval. The number of those found need not be whole.
+double lower_end(double found, double trials, double level) {
+  return found > 0.0 ? Binomial::find_lower_bound_on_p(trials, found, 0.5 * (1.0 - level)) : 0.0;
+}
+
+}  // namespace
+
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level) {
   if (trials == 0) return {0.0, 1.0};
-  using Binomial = boost::math::binomial_distribution<>;
   auto const n = static_cast<double>(trials), k = static_cast<double>(found);
-  double const tail = 0.5 * (1.0 - level);
-  return {found == 0 ? 0.0 : Binomial::find_lower_bound_on_p(n, k, tail),
-          found == trials ? 1.0 : Binomial::find_upper_bound_on_p(n, k, tail)};
+  return {lower_end(k, n, level), found == trials ? 1.0 : Binomial::find_upper_bound_on_p(n, k, 0.5 * (1.0 - level))};
+}
+
+std::optional<std::size_t> draws_that_tell(std::size_t found, std::size_t trials) {
+  constexpr std::size_t most = 100'000;
+  auto const tells = [&](std::size_t draws) {
+    auto const n = static_cast<double>(draws), share = static_cast<double>(found) / static_cast<double>(trials);
+    return lower_end(share * n, n, 0.95) >= wanted_share;
+  };
+  if (trials == 0 || !tells(most)) return {};
+  std::size_t low = 1, high = most;
+  while (low < high) {
+    auto const middle = low + (high - low) / 2;
+    tells(middle) ? high = middle : low = middle + 1;
+  }
+  return high;
 }
 
 }  // namespace isolaw::building

@@ -38,5 +38,8 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
 
 // Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
+// The least number of draws for which the interval of the share found / trials begins at wanted_share or above, if the
+// share stays as it is. nullopt if a hundred thousand are too few.
+std::optional<std::size_t> draws_that_tell(std::size_t found, std::size_t trials);
 
 }  // namespace isolaw::building

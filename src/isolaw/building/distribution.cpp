@@ -7,29 +7,33 @@
 namespace isolaw::building {
 namespace {
 
-// Interpolates linearly between the sorted values: share 0 gives the smallest value and share 1 the largest.
-double fractile(std::vector<double> const& sorted, double share) {
-  if (sorted.empty()) return std::nan("");
-  double const place = share * static_cast<double>(sorted.size() - 1);
+// Interpolates linearly between `count` values: share 0 gives the smallest value and share 1 the largest. `sorted`
+// holds the finite ones, which count as the smallest, in order. Returns NaN if the fractile lies beyond these.
+double fractile(std::vector<double> const& sorted, std::size_t count, double share) {
+  if (count == 0) return std::nan("");
+  double const place = share * static_cast<double>(count - 1);
   auto const i = static_cast<std::size_t>(place);
-  if (i + 1 >= sorted.size()) return sorted.back();
-  return sorted[i] + (place - static_cast<double>(i)) * (sorted[i + 1] - sorted[i]);
+  double const part = place - static_cast<double>(i);
+  auto const last = part > 0.0 ? i + 1 : i;
+  if (last >= sorted.size()) return std::nan("");
+  return sorted[i] + part * (sorted[last] - sorted[i]);
 }
 // Splits the variance of ln(response) over motions and draws into two parts. The motions' part is the variance over the
 // motions of the draws' mean. The lot's part is the mean over the motions of the draws' variance.
 void split_variance(Distribution& d, std::vector<std::vector<double>> const& draws_by_motion) {
   std::vector<double> means;
   double within = 0.0;
+  d.motion_std_ln = d.lot_std_ln = d.lot_share = std::nan("");
   for (auto const& draws : draws_by_motion) {
     std::vector<double> logs;
     for (double const v : draws)
       if (v > 0.0) logs.push_back(std::log(v));
-    if (logs.empty()) continue;
+    auto const finite = finite_of(draws).size();
+    if (logs.empty() || static_cast<double>(finite) < least_finite_share * static_cast<double>(draws.size())) return;
     auto const moments = num::moments(logs);
     means.push_back(moments.mean);
     within += moments.count > 1 ? moments.std * moments.std : 0.0;
   }
-  if (means.empty()) return;
   within /= static_cast<double>(means.size());
   double const between = means.size() > 1 ? std::pow(num::moments(means).std, 2) : 0.0;
   d.motion_std_ln = std::sqrt(between);
@@ -40,9 +44,11 @@ void split_variance(Distribution& d, std::vector<std::vector<double>> const& dra
 }  // namespace
 
 std::array<double, 4> fractiles(std::vector<double> values) {
+  auto const count = values.size();
+  values = finite_of(std::move(values));
   std::ranges::sort(values);
   std::array<double, 4> at_shares{};
-  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, shares[i]);
+  for (std::size_t i = 0; i < at_shares.size(); ++i) at_shares[i] = fractile(values, count, shares[i]);
   return at_shares;
 }
 
@@ -66,15 +72,18 @@ Responses responses_of(std::vector<std::vector<std::vector<double>>> const& kept
   return responses;
 }
 
-std::vector<double> finite_part(std::vector<double> const& values, std::size_t first, std::size_t count) {
-  std::vector<double> finite;
-  for (std::size_t i = first; i < first + count; ++i)
-    if (std::isfinite(values[i])) finite.push_back(values[i]);
-  return finite;
+std::vector<double> part_of(std::vector<double> const& values, std::size_t first, std::size_t count) {
+  auto const begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+std::vector<double> finite_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  return values;
 }
 
 Distribution distribution_of(Responses const& responses, CasePlaces const& places, Settings const& settings) {
-  auto const draws = finite_part(responses.mean, places.first_draw, places.draws);
+  auto const draws = part_of(responses.mean, places.first_draw, places.draws);
   Distribution d{.nominal = responses.mean[0],
                  .lower = responses.mean[1],
                  .upper = responses.mean[2],
@@ -82,10 +91,10 @@ Distribution distribution_of(Responses const& responses, CasePlaces const& place
                  .uncertain_std_ln = {},
                  .by_motion = {},
                  .nominal_by_motion = {},
-                 .histogram = histogram(draws)};
+                 .histogram = histogram(finite_of(draws))};
   std::vector<std::vector<double>> draws_by_motion;
   for (auto const& row : responses.by_motion) {
-    d.by_motion.push_back(fractiles(draws_by_motion.emplace_back(finite_part(row, places.first_draw, places.draws))));
+    d.by_motion.push_back(fractiles(draws_by_motion.emplace_back(part_of(row, places.first_draw, places.draws))));
     d.nominal_by_motion.push_back(row[0]);
   }
   split_variance(d, draws_by_motion);
@@ -93,7 +102,7 @@ Distribution distribution_of(Responses const& responses, CasePlaces const& place
     auto const each = static_cast<std::size_t>(settings.draws_of_each);
     std::vector<double> medians;
     for (std::size_t p = 0; p < static_cast<std::size_t>(settings.populations); ++p)
-      medians.push_back(num::median(finite_part(responses.mean, places.first_uncertain + p * each, each)));
+      medians.push_back(fractiles(part_of(responses.mean, places.first_uncertain + p * each, each))[1]);
     d.uncertain_std_ln = spread_ln(medians);
   }
   return d;
@@ -101,10 +110,9 @@ Distribution distribution_of(Responses const& responses, CasePlaces const& place
 
 double spread_ln(std::vector<double> const& values) {
   std::vector<double> logs;
-  for (double const v : values)
-    if (v > 0.0) logs.push_back(std::log(v));
-  auto const moments = num::moments(logs);
-  return moments.count < 2 ? 0.0 : moments.std;
+  for (double const v : values) logs.push_back(v > 0.0 ? std::log(v) : std::nan(""));
+  if (logs.size() < 2 || finite_of(logs).size() < logs.size()) return std::nan("");
+  return num::moments(logs).std;
 }
 
 // Rice's rule gives the number of bins: 2 n^(1/3) for n values.

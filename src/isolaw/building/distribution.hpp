@@ -11,8 +11,13 @@
 
 namespace isolaw::building {
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};   // the fractiles that the answers give
-std::array<double, 4> fractiles(std::vector<double> values);  // at `shares`; NaN without values
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // the fractiles that the answers give
+// The fractiles at `shares`. A draw without finite numbers counts as larger than all others, so a fractile that falls
+// on such a draw is NaN. Without values all fractiles are NaN.
+std::array<double, 4> fractiles(std::vector<double> values);
+// A standard deviation or a mean over draws is given only if at least this share of the draws has finite numbers,
+// because the draws that have none are not a random choice of all.
+inline constexpr double least_finite_share = 0.95;
 
 // Bins of equal width from the smallest value to the largest. There is one bin if all values are equal.
 struct Histogram {
@@ -24,13 +29,14 @@ Histogram histogram(std::vector<double> const& values);
 struct Distribution {
   double nominal = 0.0, lower = 0.0, upper = 0.0;  // the three analyses without draws, means over the motions
   std::array<double, 4> fractiles{};               // at `shares`, of the draws' means over the motions
-  // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance.
-  double motion_std_ln = 0.0, lot_std_ln = 0.0;
-  double lot_share = 0.0;                        // share of the lot in the variance of ln(response)
+  // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance, and
+  // the share of the lot in the variance of ln(response). All three are NaN if fewer than least_finite_share of the
+  // draws have finite numbers under some motion.
+  double motion_std_ln = 0.0, lot_std_ln = 0.0, lot_share = 0.0;
   std::optional<double> uncertain_std_ln;        // standard deviation of ln(median) over the re-estimated populations
   std::vector<std::array<double, 4>> by_motion;  // [motion] fractiles of the draws
   std::vector<double> nominal_by_motion;
-  Histogram histogram = {};  // of the draws' means over the motions
+  Histogram histogram = {};  // counts the draws' means over the motions that are finite
 };
 
 // The list that cases_of() returns, and where each kind of case begins in it.
@@ -47,10 +53,11 @@ struct Responses {
 };
 // `kept` is [motion][quantity][case], with one motion or more: a building file without motions is refused.
 Responses responses_of(std::vector<std::vector<std::vector<double>>> const& kept, std::size_t quantity);
-std::vector<double> finite_part(std::vector<double> const& values, std::size_t first, std::size_t count);
+std::vector<double> part_of(std::vector<double> const& values, std::size_t first, std::size_t count);
+std::vector<double> finite_of(std::vector<double> values);
 
 Distribution distribution_of(Responses const& responses, CasePlaces const& places, Settings const& settings);
-// Standard deviation of ln(value), over the values above 0; 0 if there are fewer than two.
+// Standard deviation of ln(value); NaN if there are fewer than two values or if a value is not above 0.
 double spread_ln(std::vector<double> const& values);
 
 }  // namespace isolaw::building

@@ -42,7 +42,7 @@ class ImplicitRun {
     double g0[2], g1[2];
     ground_.at(0, g0);
     for (std::size_t n = 0; n < steps_.count && out_.outcome == Outcome::completed; ++n) {
-      if (options_.interrupted && options_.interrupted()) throw Interrupted();
+      if (options_.interrupted && options_.interrupted()) throw InterruptedRun();
       ground_.at(n + 1, g1);
       advance(static_cast<double>(n) * steps_.dt, steps_.dt, g0, g1, 0);
       keep_history(static_cast<double>(n + 1) * steps_.dt);
@@ -404,7 +404,7 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
                  bearings[j]->commit();
                  fx = trial.force.x, fy = trial.force.y;
                });
-  if (options.interrupted && options.interrupted()) throw Interrupted();
+  if (options.interrupted && options.interrupted()) throw InterruptedRun();
   Response out;
   out.step_s = steps.dt;
   out.steps = steps.count;

@@ -36,9 +36,9 @@ struct Options {
   bool histories = false, bearing_forces = false;  // bearing_forces needs histories
   Vector pulled_to = {0.0, 0.0};                   // the base is pulled straight to this place and released
   int most_halvings = 10;                          // how often one step may be halved
-  std::function<bool()> interrupted = {};          // asked during a run; if it returns true, the run throws Interrupted
+  std::function<bool()> interrupted = {};  // asked during a run; if it returns true, the run throws InterruptedRun
 };
-struct Interrupted {};
+struct InterruptedRun {};
 
 enum class Outcome { completed, not_converged, not_finite };
 std::string_view name(Outcome outcome);

@@ -90,7 +90,7 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
       for (std::size_t i = 0; i < each; ++i) values[i * lane_width + lane] = draw[i];
     }
     kernel->run(run);
-    if (options.interrupted && options.interrupted()) throw Interrupted();
+    if (options.interrupted && options.interrupted()) throw InterruptedRun();
     for (std::size_t lane = 0; lane < lane_width && first + lane < count; ++lane)
       for (std::size_t i = 0; i < layout.count(); ++i)
         out[(first + lane) * layout.count() + i] = measured[i * lane_width + lane];

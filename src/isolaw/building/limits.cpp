@@ -24,29 +24,38 @@ std::string_view name(Keeps keeps) {
 }
 
 Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
-              CasePlaces const& places, bool has_draws) {
+              CasePlaces const* places, bool has_draws) {
   auto const values = for_design(responses);
   Judged found{.limit = limit,
                .quantity = quantity,
                .allowed = allowed,
                .nominal = values[0],
-               .bound = std::max(values[1], values[2]),
+               .bound = {},
                .p95 = {},
                .kept = {},
                .kept_low = {},
                .kept_high = {}};
-  bool const holds_without_draws = values[0] <= allowed && values[1] <= allowed && values[2] <= allowed;
-  found.keeps = holds_without_draws ? Keeps::yes : Keeps::no;
-  if (!has_draws) return found;
-  auto const draws = finite_part(values, places.first_draw, places.draws);
+  if (places)
+    found.bound = std::isnan(values[1])   ? values[1]
+                  : std::isnan(values[2]) ? values[2]
+                                          : std::max(values[1], values[2]);
+  if (!(found.nominal <= allowed))
+    found.broken_by = std::isnan(found.nominal) ? "nominal failed" : "nominal";
+  else if (found.bound && !(*found.bound <= allowed))
+    found.broken_by = std::isnan(*found.bound) ? "bounds failed" : "bounds";
+  found.keeps = found.broken_by.empty() ? Keeps::yes : Keeps::no;
+  if (!places || !has_draws) return found;
+  auto const draws = part_of(values, places->first_draw, places->draws);
   found.p95 = fractiles(draws).back();
   auto const kept =
       static_cast<std::size_t>(std::ranges::count_if(draws, [&](double value) { return value <= allowed; }));
-  auto const [low, high] = binomial_interval(kept, places.draws);
-  found.kept = static_cast<double>(kept) / static_cast<double>(places.draws);
+  auto const [low, high] = binomial_interval(kept, draws.size());
+  found.kept = static_cast<double>(kept) / static_cast<double>(draws.size());
   found.kept_low = low, found.kept_high = high;
-  if (holds_without_draws)
-    found.keeps = *found.kept < wanted_share ? Keeps::no : low >= wanted_share ? Keeps::yes : Keeps::open;
+  if (!found.broken_by.empty()) return found;
+  found.keeps = *found.kept < wanted_share ? Keeps::no : low >= wanted_share ? Keeps::yes : Keeps::open;
+  if (found.keeps == Keeps::no) found.broken_by = "draws";
+  if (found.keeps == Keeps::open) found.draws_wanted = draws_that_tell(kept, draws.size());
   return found;
 }
 

@@ -41,16 +41,22 @@ struct Judged {
   std::string_view limit;     // LimitInfo::key or tested_mm
   std::string_view quantity;  // Quantity::key
   double allowed = 0.0;
-  double nominal = 0.0;       // of the nominal building
-  double bound = 0.0;         // the larger of the two bound analyses
-  std::optional<double> p95;  // of the draws, if bearings are drawn
+  double nominal = 0.0;         // response of the nominal building
+  std::optional<double> bound;  // the larger of the two bound analyses; NaN if one of them gave no numbers
+  std::optional<double> p95;    // 95 % fractile of the draws, if bearings are drawn
   // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
   std::optional<double> kept, kept_low, kept_high;
   // No: the nominal building or a bound analysis breaks the limit, or fewer than wanted_share of the draws keep it.
   // Open: the draws are too few to tell.
   Keeps keeps = Keeps::open;
+  // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed" if
+  // this analysis gave no finite numbers. Empty if the limit is kept or open.
+  std::string_view broken_by = {};
+  std::optional<std::size_t> draws_wanted = {};  // if open: draws_that_tell()
 };
+// With `places`, `responses` holds all its cases. Without it, `responses` holds the nominal building, which is judged
+// alone.
 Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
-              CasePlaces const& places, bool has_draws);
+              CasePlaces const* places = nullptr, bool has_draws = false);
 
 }  // namespace isolaw::building

@@ -74,14 +74,14 @@ Effective effective(Devices const& devices, std::span<double const> bearings, do
 
 // Iterates to the displacement D and the period T for which a linear oscillator with the bearings' effective stiffness
 // and damping at D and T has the peak displacement D and the period T.
-EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
-                                   double mass) {
+std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
+                                                  std::vector<double> const& bearings, double mass) {
   EquivalentLinear linear;
   double amplitude_mm = 100.0;
   linear.period_s = 2.0;
   for (int i = 0; i < 60; ++i) {
     auto const all = effective(devices, bearings, amplitude_mm, linear.period_s);
-    if (!(all.stiffness_kN_mm > 0.0)) break;
+    if (!(all.stiffness_kN_mm > 0.0)) return std::nullopt;
     linear.period_s = 2.0 * pi * std::sqrt(mass / all.stiffness_kN_mm);
     linear.damping = std::min(0.6, all.damping);
     double const next = linear_peak(motion, linear.period_s, linear.damping);

@@ -1,6 +1,7 @@
 // Linear oscillators: the equivalent linear model of an isolated building, and the spectra of its floors.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,10 @@ Effective effective(Devices const& devices, std::span<double const> bearings, do
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };
-// `bearings` as above; `mass` is that of the building in kN s2/mm.
-EquivalentLinear equivalent_linear(Devices const& devices, Motion const& motion, std::vector<double> const& bearings,
-                                   double mass);
+// `bearings` as above; `mass` is that of the building in kN s2/mm. Returns nullopt if the effective stiffness is not
+// above 0 at a displacement that the iteration meets, because then there is no such oscillator.
+std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
+                                                  std::vector<double> const& bearings, double mass);
 
 // Floor spectra: the largest pseudo-acceleration in plan of linear oscillators with these periods and 5 % damping along
 // x and y, on a diaphragm of the nominal building. The spectra are means over the motions.

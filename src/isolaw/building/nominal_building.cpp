@@ -2,9 +2,93 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <string_view>
+#include <cmath>
+#include <type_traits>
+#include "isolaw/wording/finding_json.hpp"
 
 namespace isolaw::building {
+namespace {
+
+// The members of a result under their names in its text, for writing and for reading.
+void each_member(NominalResult& result, auto&& take) {
+  auto& [checked, history, spectra_g, farthest_mm] = result;
+  take("coupling", checked.coupling), take("outcome", checked.outcome), take("step_s", checked.step_s);
+  take("isolator_mm", checked.isolator_mm), take("balance", checked.balance), take("missed_mm", checked.missed_mm);
+  take("draws_error_percent", checked.draws_error_percent), take("equivalent_mm", checked.equivalent_mm);
+  take("equivalent_error_percent", checked.equivalent_error_percent);
+  take("equivalent_period_s", checked.equivalent_period_s), take("equivalent_damping", checked.equivalent_damping);
+  take("doubts", checked.doubts);
+  take("history_step_s", history.step_s), take("x_mm", history.x_mm), take("y_mm", history.y_mm);
+  take("shear_x_kN", history.shear_x_kN), take("shear_y_kN", history.shear_y_kN);
+  take("spectra_g", spectra_g), take("farthest_mm", farthest_mm);
+}
+void each_member(BearingLoops& loops, auto&& take) {
+  take("motion", loops.motion), take("drawn", loops.drawn), take("step_s", loops.step_s);
+  take("x_mm", loops.x_mm), take("y_mm", loops.y_mm), take("rotation_rad", loops.rotation_rad);
+  take("force_x_kN", loops.force_x_kN), take("force_y_kN", loops.force_y_kN);
+}
+
+template <class T>
+Json json_of(T const& value) {
+  if constexpr (std::is_same_v<T, std::optional<double>>)
+    return value ? Json(*value) : Json();
+  else if constexpr (std::is_same_v<T, Coupling>)
+    return static_cast<int>(value);
+  else if constexpr (std::is_same_v<T, std::vector<Finding>>)
+    return wording::findings_json(value);
+  else
+    return value;
+}
+
+void read(Json const& from, std::optional<double>& value) {
+  value = from.is_null() ? std::nullopt : std::optional(from.get<double>());
+}
+void read(Json const& from, double& value) {
+  value = from.is_null() ? std::nan("") : from.get<double>();
+}
+void read(Json const& from, Coupling& value) {
+  value = static_cast<Coupling>(from.get<int>());
+}
+void read(Json const& from, std::vector<Finding>& value) {
+  value = wording::findings_of(from.get<std::string>());
+}
+template <class T>
+void read(Json const& from, std::vector<T>& values) {
+  for (auto const& one : from) read(one, values.emplace_back());
+}
+template <class T>
+void read(Json const& from, T& value) {
+  value = from.get<T>();
+}
+
+template <class Result>
+std::string text_of_members(Result result) {
+  Json all;
+  each_member(result, [&](char const* name, auto const& value) { all[name] = json_of(value); });
+  return all.dump();
+}
+template <class Result>
+Result read_members(std::string_view text) {
+  Result result;
+  auto const all = Json::parse(text);
+  each_member(result, [&](char const* name, auto& value) { read(all.at(name), value); });
+  return result;
+}
+
+}  // namespace
+
+std::string kept_text(NominalResult const& result) {
+  return text_of_members(result);
+}
+std::string kept_text(BearingLoops const& loops) {
+  return text_of_members(loops);
+}
+NominalResult nominal_result_of(std::string_view text) {
+  return read_members<NominalResult>(text);
+}
+BearingLoops loops_of(std::string_view text) {
+  return read_members<BearingLoops>(text);
+}
 
 BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,
                       Options options) {

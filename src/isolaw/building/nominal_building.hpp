@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+#include "isolaw/base/finding.hpp"
 #include "isolaw/building/runs.hpp"
 
 namespace isolaw::building {
@@ -14,7 +17,7 @@ namespace isolaw::building {
 inline constexpr std::size_t most_of_history = 2000;
 struct NominalHistory {
   double step_s = 0.0;
-  std::vector<double> x_mm, y_mm, shear_x_kN, shear_y_kN;
+  std::vector<double> x_mm = {}, y_mm = {}, shear_x_kN = {}, shear_y_kN = {};
 };
 
 // Force-displacement loops of every bearing by implicit integration, in at most most_of_loops samples. The motion is
@@ -25,9 +28,41 @@ struct BearingLoops {
   std::size_t motion = 0;
   bool drawn = false;
   double step_s = 0.0;
-  std::vector<double> x_mm, y_mm, rotation_rad;             // motion of the base's centre of mass
-  std::vector<std::vector<double>> force_x_kN, force_y_kN;  // [bearing][sample]
+  std::vector<double> x_mm = {}, y_mm = {}, rotation_rad = {};        // motion of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN = {}, force_y_kN = {};  // [bearing][sample]
 };
+
+// The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
+// it: the integrator that is used for the draws, and equivalent linear analysis.
+struct Checked {
+  std::string outcome;
+  Coupling coupling = Coupling::coupled;
+  double step_s = 0.0;
+  // Empty if the analysis stopped. `missed_mm` is the error of isolator_mm due to the step, by richardson().
+  // `draws_error_percent` is the error of isolator_mm by the integrator of the draws.
+  std::optional<double> isolator_mm = {}, balance = {}, missed_mm = {}, draws_error_percent = {};
+  // Results of the equivalent linear analysis; `equivalent_mm` is the displacement of the centre. Empty if
+  // equivalent_linear() has no result.
+  std::optional<double> equivalent_mm = {}, equivalent_error_percent = {}, equivalent_period_s = {},
+                        equivalent_damping = {};
+  std::vector<Finding> doubts = {};  // about the accuracy of the analysis
+};
+
+// The results for the nominal building under one motion that the answers show.
+struct NominalResult {
+  Checked checked = {};
+  NominalHistory history = {};
+  std::vector<std::vector<double>> spectra_g = {};  // [diaphragm][period], divided by the number of motions
+  double farthest_mm = 0.0;                         // largest displacement of a bearing, up to where the run ended
+};
+
+// A study keeps these results in its store, so that nothing is integrated again if only the limits change. kept_text()
+// makes a text that gives back the same numbers. The functions `..._of` read it, and throw nlohmann::json::exception or
+// Error for any other text.
+std::string kept_text(NominalResult const& result);
+std::string kept_text(BearingLoops const& loops);
+NominalResult nominal_result_of(std::string_view text);
+BearingLoops loops_of(std::string_view text);
 
 // Keeps every n-th sample; the last sample may be left out.
 NominalHistory thinned(History const& history, double step_s);

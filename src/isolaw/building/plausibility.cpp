@@ -8,6 +8,7 @@
 
 #include "isolaw/building/linear_oscillator.hpp"
 #include "isolaw/data/channels/ground_motion.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -60,6 +61,13 @@ std::vector<Finding> study_doubts(Study const& study) {
   double mass_Mg = study.file.frame.base.mass_Mg;
   for (auto const& floor : study.file.frame.floors) mass_Mg += floor.slab.mass_Mg;
   for (auto const& law : study.laws) {
+    std::vector<Coupling> couplings;
+    for (auto const& motion : study.file.motions) couplings.push_back(coupling_under(motion, law));
+    auto const acts = [&](Coupling coupling) { return std::ranges::find(couplings, coupling) != couplings.end(); };
+    if (acts(Coupling::springs) && law.springs.empty())
+      doubts.push_back({.kind = FindingKind::springs_as_given, .law = law.law});
+    if (acts(Coupling::separate) && !laws::springs_follow(law.law))
+      doubts.push_back({.kind = FindingKind::unequal_sides, .law = law.law, .words = {{"how", "along axes"}}});
     Devices const devices(law, study.file, study.file.motions.front());
     double const amplitude_mm = law.tested_mm > 0.0 ? 0.5 * law.tested_mm : 100.0;
     constexpr double usual_s = 2.0;  // of a cycle, for laws that depend on the velocity

@@ -203,9 +203,10 @@ StoreKind const& building_store() {
                                .input = "BUILDING.toml",
                                .once_more = "compute it again",
                                .advice = "--fresh, which starts over a study of an older isolaw"},
-                              2, R"sql(
+                              3, R"sql(
 CREATE TABLE study (kind TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL);
 CREATE TABLE runs (law INTEGER, motion INTEGER, place INTEGER, measured BLOB, hash TEXT, PRIMARY KEY (law, motion, place)) WITHOUT ROWID;
+CREATE TABLE nominal (law INTEGER, place INTEGER, content TEXT, hash TEXT, PRIMARY KEY (law, place)) WITHOUT ROWID;
 )sql");
   return kind;
 }
@@ -280,6 +281,24 @@ void RunStore::each(std::size_t law, std::size_t motion,
                    .advice = "--fresh, which computes them again"});
     take(row.place, row.measured);
   }
+}
+
+std::string RunStore::kept(std::size_t law, std::size_t place) const {
+  Statement select(db_, "SELECT content, hash FROM nominal WHERE law = ? AND place = ?");
+  select.bind(law, place);
+  std::string content, hash;
+  if (select.row()) select.read(content, hash);
+  if (!content.empty() && hash != sha256(content))
+    throw Error({.where = file_.string(),
+                 .found = fmt::format("what is kept of the nominal building of law {} {}", law + 1, has_changed),
+                 .allowed = "results as isolaw building stored them",
+                 .advice = "--fresh, which computes them again"});
+  return content;
+}
+
+void RunStore::keep(std::size_t law, std::size_t place, std::string const& text) const {
+  Statement insert(db_, "INSERT OR IGNORE INTO nominal VALUES (?, ?, ?, ?)");
+  insert.bind(law, place, std::string_view(text), std::string_view(sha256(text))).insert();
 }
 
 std::vector<StudyProperty> properties_of(Study const& study) {
@@ -379,7 +398,10 @@ Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws)
     for (auto const& motion : study.file.motions) {
-      devices_.emplace_back(law, study.file, motion);
+      // Motions under which the law acts alike share their devices, and so the populations that are estimated again.
+      bool const alike =
+          &motion != study.file.motions.data() && devices_.back().coupling() == coupling_under(motion, law);
+      alike ? devices_.push_back(devices_.back()) : void(devices_.emplace_back(law, study.file, motion));
       options_.push_back(options_of(study, model_, devices_.back(), motion));
       options_.back().interrupted = interrupted;
     }
@@ -437,16 +459,22 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   };
   Runs const runs(study, stop);
   auto const& blocks = runs.blocks();
+  // The runs that are made together, as many as the lanes hold, or each by itself. Those that are finished are kept.
   std::vector<Blocks::Block> left;
   RunProgress progress;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
     if (options.part && Blocks::part_of(number, options.part->of) != options.part->number) continue;
     auto const block = blocks.at(number);
-    progress.total += block.to - block.from;
-    if (store.is_there(block))
-      progress.done += block.to - block.from;
-    else
-      left.push_back(block);
+    auto const together = runs.one_by_one(block) ? 1 : lane_width;
+    for (auto from = block.from; from < block.to; from += together) {
+      Blocks::Block const some{
+          .law = block.law, .motion = block.motion, .from = from, .to = std::min(block.to, from + together)};
+      progress.total += some.to - some.from;
+      if (store.is_there(some))
+        progress.done += some.to - some.from;
+      else
+        left.push_back(some);
+    }
   }
   std::mutex one_at_a_time;
   Rows rows(store);
@@ -456,13 +484,13 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     rows.add(std::move(finished));
     if (options.progress) options.progress(progress);
   };
-  auto const perform = [&](Blocks::Block const& block) {
-    auto const step = runs.one_by_one(block) ? 1 : block.to - block.from;
-    for (auto place = block.from; place < block.to && !stop(); place += step) try {
-        take(runs.of({.law = block.law, .motion = block.motion, .from = place, .to = place + step}));
-      } catch (Interrupted const&) {
-        // The numbers of these runs are not kept, and stop() ends all others.
-      }
+  auto const perform = [&](Blocks::Block const& some) {
+    if (stop()) return;
+    try {
+      take(runs.of(some));
+    } catch (InterruptedRun const&) {
+      // The numbers of these runs are not kept, and stop() ends all others.
+    }
   };
   try {
     campaign::for_each_in_parallel(left.size(), threads, [&](std::size_t i) { perform(left[i]); });

@@ -80,6 +80,10 @@ class RunStore {
   // Throws Error for a run whose numbers have changed since it was stored.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
+  // The text of kept_text() (nominal_building.hpp) with results for the nominal building. `place` is a motion, or the
+  // number of motions for the loops. Returns an empty text if none is kept, and throws Error for a changed one.
+  std::string kept(std::size_t law, std::size_t place) const;
+  void keep(std::size_t law, std::size_t place, std::string const& text) const;
 
  private:
   std::filesystem::path file_;
@@ -113,7 +117,7 @@ MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem:
 // Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
 class Runs {
  public:
-  // The study must outlive it. A run throws Interrupted once `interrupted` returns true.
+  // The study must outlive it. A run throws InterruptedRun once `interrupted` returns true.
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;

@@ -9,6 +9,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::building {
 namespace {
@@ -92,7 +93,7 @@ Coupling coupling_under(Motion const& motion, LawSource const& source) {
   for (auto const& [name, values] : source.devices)
     springs = springs || coupling_of(source.law, values) == Coupling::springs;
   if (!springs) return Coupling::coupled;
-  return motion.y_mm_s2.empty() ? Coupling::separate : Coupling::springs;
+  return motion.y_mm_s2.empty() || !laws::springs_follow(source.law) ? Coupling::separate : Coupling::springs;
 }
 
 Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const& motion)
@@ -117,11 +118,16 @@ Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const
       for (auto const& [name, values] : source_.devices) names.push_back(name);
       throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
     }
-  if (drawn)
+}
+
+lot::Population const& Devices::again(std::size_t population) const {
+  std::call_once(again_->once, [&] {
     for (int p = 0; p < settings_.populations; ++p)
-      uncertain_.push_back(population_again(
+      again_->populations.push_back(population_again(
           source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
           source_.limits));
+  });
+  return again_->populations.at(population);
 }
 
 std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {
@@ -153,8 +159,8 @@ std::vector<double> Devices::of(Case const& which) const {
     for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(sample.values[j]);
   };
   if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
-  if (which.kind == CaseKind::uncertain)
-    draw(uncertain_.at(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
+  if (which.kind == CaseKind::uncertain && draws > 0)
+    draw(again(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
   double factor = 1.0;
   if (which.kind == CaseKind::lower) factor = settings_.lower;
   if (which.kind == CaseKind::upper) factor = settings_.upper;

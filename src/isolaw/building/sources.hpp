@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,7 +60,8 @@ std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "po
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
 // Coupling::coupled if all parameter sets of the law have a coupled form. Otherwise springs, or separate under a motion
-// along x alone. The choice depends on this motion only, so its response is the same alone and among other motions.
+// along x alone and for a law that springs do not follow (laws::springs_follow). The choice depends on the law and on
+// this motion only, so the response to the motion is the same alone and among other motions.
 Coupling coupling_under(Motion const& motion, LawSource const& source);
 
 // The bearings of one law under one motion. A random number depends on (seed, law, population, draw, bearing) only.
@@ -73,6 +76,13 @@ class Devices {
   std::vector<double> of(Case const& which) const;  // [bearing][parameter]
 
  private:
+  // The populations that were estimated again. Copies of the object share them, and the first copy that needs them
+  // makes them.
+  struct Again {
+    std::once_flag once;
+    std::vector<lot::Population> populations;
+  };
+  lot::Population const& again(std::size_t population) const;
   std::vector<double> full(std::vector<double> const& of_population) const;
 
   Coupling coupling_;
@@ -80,7 +90,7 @@ class Devices {
   std::vector<BearingPlace> places_;
   Settings settings_;
   num::Stream stream_;
-  std::vector<lot::Population> uncertain_;
+  std::shared_ptr<Again> again_ = std::make_shared<Again>();
 };
 
 // Parametric bootstrap: estimates the population again from as many devices as were tested, drawn from N(mu, S), the

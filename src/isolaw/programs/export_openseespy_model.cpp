@@ -3,6 +3,7 @@
 
 #include "isolaw/base/words.hpp"
 #include "isolaw/building/bearing.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/model_text.hpp"
 #include "isolaw/programs/script_addition.hpp"
@@ -55,8 +56,8 @@ std::string python_isolator(ModelNumbers const& n) {
 // a motion along x alone, or a law that is not odd, one spring along each axis follows the law instead.
 building::Coupling coupling_in_model(Subject const& subject) {
   auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);
-  bool const springs_follow = subject.law->info.traits.odd && subject.model->motions.size() > 1;
-  return coupling == building::Coupling::springs && !springs_follow ? building::Coupling::separate : coupling;
+  bool const springs = laws::springs_follow(subject.law->info.id) && subject.model->motions.size() > 1;
+  return coupling == building::Coupling::springs && !springs ? building::Coupling::separate : coupling;
 }
 
 // True if the bearings are springs around a circle with the parameters that the campaign fitted to such springs. It
@@ -98,8 +99,10 @@ std::vector<Fact> law_facts(Subject const& subject) {
            coupling == building::Coupling::coupled ? "a section with the law's own form in two directions"
            : coupling == building::Coupling::springs
                ? std::string("a section of springs around the circle, with ") +
-                     (as_fitted_springs(subject)
-                          ? "parameters that were fitted to such springs"
+                     (as_fitted_springs(subject) ? "parameters that were fitted to such springs"
+                      : subject.springs
+                          ? "the parameters of the law along one direction: they round its knee and dissipate less "
+                            "than with those that were fitted to such springs, which draws do not have"
                           : "the parameters of the law along one direction: they round its knee and dissipate "
                             "less (isolaw calibrate --bidirectional springs fits them)")
                : "two springs at right angles, along the axes of its angle: they do not know of each other"}};

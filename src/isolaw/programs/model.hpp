@@ -17,7 +17,7 @@ namespace isolaw::programs {
 
 struct ModelOptions {
   std::optional<std::string> layout, mass, gyration, axial, ground_motion, ground_motion_y;
-  data::StatedMotion stated = {.how = "--ground-motion-dt SECONDS and --ground-motion-unit UNIT"};
+  data::StatedMotion stated = {.how_step = "--ground-motion-dt SECONDS", .how_unit = "--ground-motion-unit UNIT"};
   double scale = 1.0;
   int draws = 0;  // number of draws of the bearings' laws; 0 for analyses with the bounds of the law
 };

@@ -8,6 +8,8 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/laws/plane/in_plane.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -38,21 +40,6 @@ std::size_t place_of_model_form(Realisation const& realisation) {
 
 std::string range_text(double low, double high) {
   return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
-}
-
-// True if mirrored displacements do not give the mirrored force.
-bool is_one_sided(Form const& form, Subject const& subject) {
-  auto mirrored = subject.protocol.disp_mm;
-  for (double& x : mirrored) x = -x;
-  auto const force = replay_kN(form, unit_systems[0], subject.protocol.disp_mm),
-             other = replay_kN(form, unit_systems[0], mirrored);
-  double peak = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < force.size(); ++i) {
-    peak = std::max(peak, std::abs(force[i]));
-    largest = std::max(largest, std::abs(force[i] + other[i]));
-  }
-  constexpr double rounding = 1e-6;
-  return largest > rounding * peak;
 }
 
 std::string shown_name(std::string const& name) {
@@ -163,16 +150,22 @@ ModelNumbers model_numbers(Subject const& subject, Realisation const& realisatio
 }
 
 std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const& units) {
+  std::vector<std::string> cautions;
+  if (auto const id = std::string(subject.law->info.id);
+      !laws::springs_follow(id) && laws::no_coupled_form(id, subject.parameters))
+    cautions.push_back(
+        wording::sentence({.kind = FindingKind::unequal_sides, .law = id, .words = {{"how", "in a model"}}}, units));
   // Loads that lie outside the tested loads by up to this share need no caution, since laboratories hold the load of a
   // test only to about this share.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
-  if (!low || !high) return {};
+  if (!low || !high) return cautions;
   auto const [least, most] = std::ranges::minmax(subject.model->bearings, {}, &ModelBearing::load_kN);
-  if (least.load_kN >= (1.0 - held_within) * *low && most.load_kN <= (1.0 + held_within) * *high) return {};
+  if (least.load_kN >= (1.0 - held_within) * *low && most.load_kN <= (1.0 + held_within) * *high) return cautions;
   auto const text = [&](double a, double b) { return range_text(units.from_kN(a), units.from_kN(b)); };
-  return {fmt::format("the isolators carry {} {} and were tested under {}: their law is that of the tests",
-                      text(least.load_kN, most.load_kN), units.force.symbol, text(*low, *high))};
+  cautions.push_back(fmt::format("the isolators carry {} {} and were tested under {}: their law is that of the tests",
+                                 text(least.load_kN, most.load_kN), units.force.symbol, text(*low, *high)));
+  return cautions;
 }
 
 std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units) {
@@ -210,10 +203,6 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
        numbers.coupled
            ? std::string("an element that couples the two directions in plan")
            : std::string("two springs at right angles, along the axes of its angle: they do not know of each other")});
-  if (is_one_sided(form_of_model(realisation).nominal, subject))
-    facts.push_back(
-        {"  their sides",
-         "the law is not the same in both directions: what is positive in the tests is here along the axes of an isolator's angle"});
   facts.push_back(
       {"Rotations",
        "the slab and the ground hold both ends of an isolator level; its own stiffness against twist is 0"});

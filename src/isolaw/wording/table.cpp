@@ -1,5 +1,7 @@
 #include "isolaw/wording/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -104,6 +106,16 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place, UnitSystem const& units) {
   std::vector<std::string> all;
   for (auto const& group : grouped(findings, place)) all.push_back(sentence(group, units));
+  return all;
+}
+
+std::vector<std::string> lines(std::vector<Finding> const& findings, unsigned place, UnitSystem const& units,
+                               std::string_view opening) {
+  std::vector<std::string> all;
+  for (auto const& group : grouped(findings, place))
+    all.push_back(
+        printable(fmt::format("{}: {}{}", row(group.front().kind).severity == Severity::note ? "note" : "warning",
+                              opening, sentence(group, units))));
   return all;
 }
 

@@ -72,6 +72,11 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report,
                                    UnitSystem const& units = record_units);
 
+// The same sentences as lines of a terminal: "warning: ...", or "note: ..." if the finding is only a note. `opening`
+// stands before each sentence.
+std::vector<std::string> lines(std::vector<Finding> const& findings, unsigned place = in_report,
+                               UnitSystem const& units = record_units, std::string_view opening = {});
+
 // One sentence for each finding, in the order given, joined by `between`. `with_subject` is false for a place that
 // names the devices or the law already.
 std::string paragraph(std::vector<Finding> const& findings, UnitSystem const& units = record_units,

@@ -231,6 +231,14 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
+// The options or keys by which the user can state the step, the unit or both, for messages: for example "--motion-dt
+// SECONDS and --motion-unit UNIT".
+std::string to_state(StatedMotion const& stated, bool step, bool unit) {
+  if (stated.how_step.empty()) return {};
+  return fmt::format("{}{}{}{}", step ? stated.how_step : "", step && unit ? " and " : "", unit ? stated.how_unit : "",
+                     stated.where);
+}
+
 // The unit that the user states, in mm/s2. Complains if the file states another one.
 std::optional<double> stated_unit(StatedMotion const& stated, std::optional<double> of_file_mm_s2,
                                   std::string const& name, std::vector<Complaint>& complaints) {
@@ -257,7 +265,7 @@ GroundMotion read_agency(LineList const& lines, Agency header, std::string const
     complaints.push_back({.where = name,
                           .found = "no unit of the acceleration above its values",
                           .allowed = fmt::format("{} ({})", header.unit_stated, known_accelerations),
-                          .advice = std::string(stated.how)});
+                          .advice = to_state(stated, false, true)});
   std::size_t bad = 0, bad_line = 0;
   std::string first_bad;
   std::vector<std::string_view> cells;
@@ -302,17 +310,16 @@ struct MotionColumns {
   double time_s = 1.0, unit_mm_s2 = 1.0;  // the file's units, in s and in mm/s2
 };
 
-MotionColumns motion_columns(Header const& header, std::size_t count, std::string const& name,
+// `first_is_time`: the first of two columns without a header is time.
+MotionColumns motion_columns(Header const& header, std::size_t count, bool first_is_time, std::string const& name,
                              StatedMotion const& stated) {
   MotionColumns columns;
   std::vector<Complaint> complaints;
   std::vector<std::string> accelerations;
   std::vector<std::size_t> others;
   std::optional<double> of_file_mm_s2;
-  // A file may have no header. If it has two columns and the user states the time step, the first column is read as
-  // time in s. The caller then compares the step of these times with the stated one.
   auto names = header.names;
-  if (names.empty() && count == 2 && stated.step_s) names = {"time [s]", ""};
+  if (first_is_time) names = {"time [s]", ""};
   names.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     auto const unit =
@@ -331,7 +338,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
         complaints.push_back({.where = name,
                               .found = fmt::format("column {} has no unit of time", in_quotes(names[i])),
                               .allowed = known_units(Dimension::time),
-                              .advice = std::string(stated.how)});
+                              .advice = to_state(stated, true, false)});
     } else {
       others.push_back(i);
     }
@@ -346,7 +353,7 @@ MotionColumns motion_columns(Header const& header, std::size_t count, std::strin
          .found = unit_mm_s2 ? fmt::format("{} that may be the acceleration", counted(others.size(), "column"))
                              : std::string("no column with a unit of acceleration"),
          .allowed = std::string(columns_allowed) + "; " + std::string(known_accelerations),
-         .advice = std::string(unit_mm_s2 ? "" : stated.how)});
+         .advice = unit_mm_s2 ? "" : to_state(stated, !columns.time && !stated.step_s, true)});
   } else if (accelerations.size() > 1) {
     complaints.push_back({.where = name,
                           .found = "several columns of acceleration: " + joined(accelerations),
@@ -372,20 +379,42 @@ std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwis
       i, time_s[i - 1], i + 1, time_s[i], usual);
 }
 
-// The step of equally spaced times. A file may round each time, for example to three decimals.
-double step_of(std::vector<double> const& time_s, std::string const& name) {
-  double const step = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+// The index of the first time that is not equally spaced from those before it, or their number. A file may round each
+// time, for example to three decimals.
+std::size_t equally_spaced(std::vector<double> const& time_s, double step) {
   constexpr double allowed = 0.1;  // a time may be off by this fraction of a step
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    double const expected = time_s.front() + static_cast<double>(i) * step;
-    if (step > 0.0 && std::abs(time_s[i] - expected) <= allowed * step) continue;
-    throw Error({.where = name,
-                 .found = step > 0.0 ? unequal_step(time_s, std::max<std::size_t>(i, 1))
-                                     : std::string("the time does not increase"),
-                 .allowed = "equal steps",
-                 .advice = "the motion interpolated to equal steps"});
+  for (std::size_t i = 0; i < time_s.size(); ++i)
+    if (!(step > 0.0 && std::abs(time_s[i] - time_s.front() - static_cast<double>(i) * step) <= allowed * step))
+      return i;
+  return time_s.size();
+}
+double mean_step(std::vector<double> const& time_s) {
+  return (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+}
+
+double step_of(std::vector<double> const& time_s, std::string const& name) {
+  double const step = mean_step(time_s);
+  auto const equal = equally_spaced(time_s, step);
+  if (equal == time_s.size()) return step;
+  throw Error({.where = name,
+               .found = step > 0.0 ? unequal_step(time_s, std::max<std::size_t>(equal, 1))
+                                   : std::string("the time does not increase"),
+               .allowed = "equal steps",
+               .advice = "the motion interpolated to equal steps"});
+}
+
+// Whether the first column of a file without a header holds equally spaced times.
+bool begins_with_time(LineList const& lines, std::size_t first_data, Dialect const& dialect) {
+  std::vector<double> values;
+  std::vector<std::string_view> cells;
+  for (auto i = first_data; i < lines.size(); ++i) {
+    if (is_comment(lines[i]) || is_blank(lines[i], dialect.delimiter)) continue;
+    split_row(lines[i], dialect, cells);
+    auto const cell = parse_cell(cells.empty() ? std::string_view() : cells.front(), dialect.format());
+    if (cell.kind != CellKind::number) return false;
+    values.push_back(cell.value);
   }
-  return step;
+  return values.size() >= fewest_accelerations && equally_spaced(values, mean_step(values)) == values.size();
 }
 
 GroundMotion read_columns(LineList const& lines, std::string const& name, StatedMotion const& stated) {
@@ -393,7 +422,9 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, Stated
   if (!dialect) dialect = one_column_dialect(lines);
   if (!dialect) throw Error({.where = name, .found = "no rows of numbers", .allowed = std::string(columns_allowed)});
   auto const header = recognise_header(lines, *dialect);
-  auto const columns = motion_columns(header, dialect->columns, name, stated);
+  bool const first_is_time = header.names.empty() && dialect->columns == 2 &&
+                             (stated.step_s || begins_with_time(lines, header.first_data, *dialect));
+  auto const columns = motion_columns(header, dialect->columns, first_is_time, name, stated);
   GroundMotion motion{.file = name, .step_s = 0.0, .acceleration_mm_s2 = {}, .recognised = {}};
   std::vector<double> time_s;
   std::vector<std::string_view> cells;
@@ -425,7 +456,7 @@ GroundMotion read_columns(LineList const& lines, std::string const& name, Stated
     throw Error({.where = name,
                  .found = "no column of time",
                  .allowed = "a column such as 'time [s]'",
-                 .advice = std::string(stated.how)});
+                 .advice = to_state(stated, true, false)});
   if (!columns.time) motion.step_s = *stated.step_s;
   auto const at = *columns.acceleration;
   motion.recognised = fmt::format(

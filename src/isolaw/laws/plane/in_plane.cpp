@@ -100,6 +100,10 @@ std::optional<std::string> no_coupled_form(std::string_view law, std::span<doubl
   return why;
 }
 
+bool springs_follow(std::string_view law) {
+  return find_law(law).info.traits.odd;
+}
+
 bool softens_with_the_peak(std::string_view law) {
   bool found = false;
   visit_laws(plane::Softening::by_axis, [&]<class Law>() { found = found || law == Law::info.id; });
@@ -111,9 +115,7 @@ InPlane InPlane::coupled(std::string_view law, std::span<double const> parameter
     return Error({.where = fmt::format("law {}, coupled in two directions", law),
                   .found = std::move(found),
                   .allowed = with_a_form(softening),
-                  .advice = find_law(law).info.traits.odd
-                                ? "springs, which every law of equal force on both sides can be"
-                                : ""});
+                  .advice = springs_follow(law) ? "springs, which every law of equal force on both sides can be" : ""});
   };
   if (auto const why = no_coupled_form(law, parameters)) throw refuse(*why);
   std::unique_ptr<Form> form;

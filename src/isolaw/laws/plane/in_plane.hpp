@@ -49,6 +49,9 @@ class InPlane {
 
 // Says why a law with these parameters cannot have one state for both directions; nullopt if it can.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
+// Whether springs around a circle follow the law: its force is equal on both sides. Springs of another law would give a
+// force across the motion, which depends on where the circle begins.
+bool springs_follow(std::string_view law);
 bool softens_with_the_peak(std::string_view law);  // if true, plane::Softening matters
 
 }  // namespace isolaw::laws

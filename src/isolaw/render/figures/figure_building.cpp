@@ -62,16 +62,15 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
       auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
       auto const [unit, factor] = shown_unit(drawn_quantity(q).unit, units);
-      double all = 0.0;
-      for (auto const count : h.counts) all += static_cast<double>(count);
+      auto const all = static_cast<double>(law.draws);  // those without numbers lie in no bin
       for (std::size_t i = 0; i < h.counts.size(); ++i)
         table.row(factor * (h.from + (static_cast<double>(i) + 0.5) * h.width), factor * h.width,
-                  all > 0.0 ? 100.0 * static_cast<double>(h.counts[i]) / all : 0.0);
+                  100.0 * static_cast<double>(h.counts[i]) / all);
       table.end_block();
       script.place(grid, panel);
       auto const range = ranges[q].padded(0.05);
       script.line("set xrange [{}:{}]; set yrange [0:{}]", number(range.low), number(range.high),
-                  number(all > 0.0 ? 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all : 1.0));
+                  number(h.counts.empty() ? 1.0 : 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all));
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
                   axis_label(drawn_quantity(q), unit));
       script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
@@ -128,7 +127,8 @@ Figure variance_figure(building::Answers const& answers) {
 }  // namespace
 
 std::vector<Figure> building_figures(building::Answers const& answers, UnitSystem const& units) {
-  if (answers.laws.empty()) return {};
+  // Both figures are of the draws.
+  if (std::ranges::none_of(answers.laws, [](auto const& law) { return law.draws > 0; })) return {};
   return {histograms_figure(answers, units), variance_figure(answers)};
 }
 

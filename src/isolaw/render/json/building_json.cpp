@@ -40,7 +40,10 @@ class BuildingWriter {
     out_.member("assumed", answers_.assumed);
     number("weight_kN", answers_.weight_kN);
     write_values(out_.key("fixed_base_periods_s"), answers_.fixed_periods_s, rounding());
-    out_.member("draws", s.draws).member("seed", s.seed);
+    bool const drawn = std::ranges::any_of(answers_.laws, [](auto const& law) { return law.draws > 0; });
+    out_.key("draws");
+    drawn ? out_.value(s.draws) : out_.null();
+    out_.member("seed", s.seed);
     number("lower_factor", s.lower), number("upper_factor", s.upper);
     plan();
     motions();
@@ -122,6 +125,7 @@ class BuildingWriter {
           number("nominal", d.nominal_by_motion[motion++]);
           fractiles(of);
         }));
+      if (d.histogram.counts.empty()) return void(out_.null());
       out_.object([&] {
         number("from", d.histogram.from), number("width", d.histogram.width);
         out_.key("counts").array(d.histogram.counts, [&](auto count) { out_.value(count); });
@@ -130,11 +134,14 @@ class BuildingWriter {
   }
 
   void coverage(building::LawAnswer const& law) {
-    if (!law.coverage.empty()) write_results(out_, coverage_results, law.coverage.front(), digits_);
+    if (law.coverage.empty()) return void(out_.null());
+    out_.begin_object();
+    write_results(out_, coverage_results, law.coverage.front(), digits_);
     out_.key("of").object([&] {
       for (auto const& of : law.coverage)
         out_.key(of.quantity).object([&] { write_results(out_, coverage_results, of, digits_); });
     });
+    out_.end_object();
   }
 
   void histories(building::LawAnswer const& law) {
@@ -170,8 +177,8 @@ class BuildingWriter {
     if (key == "limits") return write_rows(out_, judged_results, law.judged, digits_);
     if (key == "checked") return write_rows(out_, checked_results, law.checked, digits_);
     if (key == "doubts") return doubts(law);
+    if (key == "coverage") return coverage(law);
     out_.begin_object();
-    if (key == "coverage") coverage(law);
     if (key == "floor_spectra") {
       out_.key("periods_s").line(building::spectrum_periods_s(), spectrum_digits);
       out_.key("floors_g").array(law.floor_spectra_g, [&](auto const& floor) { out_.line(floor, spectrum_digits); });
@@ -207,8 +214,15 @@ void write_building(JsonWriter& out, building::Study const& study, building::Ans
 std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units) {
   auto sentences = wording::sentences(answers.warnings, wording::with_building, units);
   for (auto const& sentence : wording::sentences(answers.calibration, wording::with_building, units))
-    sentences.push_back("From the calibration: " + sentence);
+    sentences.push_back(std::string(from_calibration) + sentence);
   return sentences;
+}
+
+std::vector<std::string> building_lines(building::Answers const& answers, UnitSystem const& units) {
+  auto lines = wording::lines(answers.warnings, wording::with_building, units);
+  std::ranges::move(wording::lines(answers.calibration, wording::with_building, units, from_calibration),
+                    std::back_inserter(lines));
+  return lines;
 }
 
 std::string building_json(building::Study const& study, building::Answers const& answers) {

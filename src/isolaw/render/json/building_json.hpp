@@ -11,7 +11,10 @@ namespace isolaw::render {
 
 // Writes the members of building.json into the open object.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
+inline constexpr std::string_view from_calibration = "From the calibration: ";
 std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units = record_units);
+// The same as lines of a terminal, each of which says first whether it is a warning or a note.
+std::vector<std::string> building_lines(building::Answers const& answers, UnitSystem const& units);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);
 

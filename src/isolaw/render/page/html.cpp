@@ -81,6 +81,7 @@ std::string building_html(building::Study const& study, building::Answers const&
   JsonWriter out;
   out.begin_object();
   write_building(out, study, answers, Digits::shown);
+  out.member("motions_for_a_mean", std::uint64_t{building::motions_for_a_mean});
   write_units(out, study.units());
   write_notation(out, {});
   out.end_object();

@@ -20,8 +20,8 @@ constexpr auto checked_columns = study::columns(
     study::checked_results, {"outcome", "isolator_mm", "energy_error", "step_s", "missed_mm", "lanes_off_percent",
                              "equivalent_mm", "equivalent_error_percent", "equivalent_period_s", "equivalent_damping"});
 
-std::string bold_head(std::string_view law) {
-  return fmt::format("\\addlinespace\n\\multicolumn{{10}}{{@{{}}l}}{{\\itshape {}}} \\\\\n", latex_text(law));
+std::string whole_row(std::string_view text, int columns) {
+  return fmt::format("\\multicolumn{{{}}}{{@{{}}l}}{{{}}} \\\\\n", columns, text);
 }
 
 }  // namespace
@@ -60,37 +60,44 @@ std::string building_checks_csv(building::Study const& study, building::Answers 
 
 std::string building_tex(building::Study const& study, building::Answers const& answers) {
   auto const& s = study.file.settings;
-  std::string text =
-      "% The isolated building: bound analyses, fractiles of the draws, parts of the spread of ln(response).\n"
-      "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
+  bool const drawn = std::ranges::any_of(answers.laws, [](auto const& law) { return law.draws > 0; });
+  int const columns = drawn ? 10 : 4;
+  std::string text = fmt::format(
+      "% The isolated building: bound analyses{}.\n",
+      drawn ? ", fractiles of the draws, parts of the spread of ln(response)" : "; no bearing is drawn from the lot");
+  text += "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
   text += fmt::format("% Means over {} motions, {} draws; forces of the bounds times {} and {}.\n",
-                      study.file.motions.size(), s.draws, s.lower, s.upper);
-  text += "\\begin{tabular}{@{}lrrrrrrrrr@{}}\n\\toprule\n";
-  text +=
-      " & \\multicolumn{3}{c}{Analyses} & \\multicolumn{4}{c}{Draws} & \\multicolumn{2}{c}{$\\sigma_{\\ln}$} \\\\\n";
-  text += "\\cmidrule(lr){2-4}\\cmidrule(lr){5-8}\\cmidrule(l){9-10}\n";
-  text +=
-      "Quantity & lower & nominal & upper & 16\\,\\% & 50\\,\\% & 84\\,\\% & 95\\,\\% & lot & motions \\\\\n\\midrule\n";
+                      study.file.motions.size(), drawn ? s.draws : 0, s.lower, s.upper);
+  text += fmt::format("\\begin{{tabular}}{{@{{}}l{:r>{}}@{{}}}}\n\\toprule\n", "", columns - 1);
+  text += " & \\multicolumn{3}{c}{Analyses}";
+  if (drawn) text += " & \\multicolumn{4}{c}{Draws} & \\multicolumn{2}{c}{$\\sigma_{\\ln}$}";
+  text += " \\\\\n\\cmidrule(lr){2-4}";
+  if (drawn) text += "\\cmidrule(lr){5-8}\\cmidrule(l){9-10}";
+  text += "\nQuantity & lower & nominal & upper";
+  if (drawn) text += " & 16\\,\\% & 50\\,\\% & 84\\,\\% & 95\\,\\% & lot & motions";
+  text += " \\\\\n\\midrule\n";
   for (auto const& law : answers.laws) {
-    text += bold_head(laws::called(law.law));
+    text += "\\addlinespace\n" + whole_row(fmt::format("\\itshape {}", latex_text(laws::called(law.law))), columns);
     for (std::size_t q = 0; q < law.distributions.size(); ++q) {
       auto const& row = building::quantities()[q];
       auto const& d = law.distributions[q];
       auto const shown = shown_unit(row.unit, study.units());
       auto const unit = latex_unit(shown.unit);
       text += latex_text(row.title) + (unit.empty() ? "" : " (" + unit + ")");
-      for (double const value :
-           {d.lower, d.nominal, d.upper, d.fractiles[0], d.fractiles[1], d.fractiles[2], d.fractiles[3]})
-        text += " & " + latex_number(shown.factor * value, 3);
-      text += " & " + latex_number(d.lot_std_ln, 2) + " & " + latex_number(d.motion_std_ln, 2) + " \\\\\n";
+      for (double const value : {d.lower, d.nominal, d.upper}) text += " & " + latex_number(shown.factor * value, 3);
+      if (drawn) {
+        for (double const value : d.fractiles) text += " & " + latex_number(shown.factor * value, 3);
+        text += " & " + latex_number(d.lot_std_ln, 2) + " & " + latex_number(d.motion_std_ln, 2);
+      }
+      text += " \\\\\n";
     }
     for (std::size_t i = 0; i < law.coverage.size(); ++i) {
       auto const& c = law.coverage[i];
-      text += fmt::format(
-          "\\multicolumn{{10}}{{@{{}}l}}{{Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}}} \\\\\n",
-          100.0 * c.inside, 100.0 * c.interval_low, 100.0 * c.interval_high,
-          latex_text(building::quantity(c.quantity).title),
-          latex_text(wording::sentence(building::covering_factors(c), study.units())));
+      text += whole_row(
+          fmt::format("Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}", 100.0 * c.inside,
+                      100.0 * c.interval_low, 100.0 * c.interval_high, latex_text(building::quantity(c.quantity).title),
+                      latex_text(wording::sentence(building::covering_factors(c), study.units()))),
+          columns);
     }
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

@@ -7,7 +7,7 @@ import { historySection } from './building/history.js';
 import { lawsSection } from './building/laws.js';
 import { planSection } from './building/plan.js';
 import { spreadSection } from './building/spread.js';
-import { grouped, laws, study } from './building/study.js';
+import { grouped, isDrawn, laws, study } from './building/study.js';
 import { varianceSection } from './building/variance.js';
 import { verdictSection } from './building/verdict.js';
 import { onChoice } from './choice.js';
@@ -24,7 +24,7 @@ document.getElementById('kind').textContent = 'Isolated building';
 document.getElementById('title').textContent = study.title || 'Building on devices of a lot';
 document.getElementById('facts').textContent = [
   count(study.plan.bearings.length, 'bearing'), count(study.motions.length, 'motion'), count(laws.length, 'law'),
-  grouped(study.draws) + ' draws',
+  isDrawn ? grouped(study.draws) + ' draws' : 'no bearing is drawn',
 ].join(' \u00b7 ');
 document.getElementById('colophon').append(
   'Made by isolaw ' + study.isolaw + ' from building.sqlite, seed ' + study.seed + '. This file needs no network',

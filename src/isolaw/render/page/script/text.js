@@ -65,6 +65,8 @@ export const unitText = (unit) =>
 export const withUnit = (value, unit, digits = 4) =>
   significant(value, digits) + (isNumber(value) && unit && unit !== '-' ? THIN + unit : '');
 
+export const shareText = (share, decimals = 1) => (isNumber(share) ? fixed(100 * share, decimals) + THIN + '%' : DASH);
+
 export const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
 
 // An error that is a share of the force, as percent.

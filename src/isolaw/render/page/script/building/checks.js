@@ -1,5 +1,5 @@
 import { tableOf } from '../tables.js';
-import { deviation, fixed, mean, significant } from '../text.js';
+import { deviation, fixed, isNumber, mean, shareText, significant } from '../text.js';
 import { laws, study } from './study.js';
 import { MM, decimalsIn } from '../units.js';
 
@@ -22,7 +22,7 @@ export const checksSection = {
       long: true,
       caption: () =>
         'Results of the implicit integrator, and how far the integrator of the draws deviates. Equivalent linear analysis with each motion\u2019s own spectrum deviates by ' +
-        deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent)), 0) + ' on average.',
+        deviation(mean(rows.map(({ checked }) => checked.equivalent_error_percent).filter(isNumber)), 0) + ' on average.',
       csv: () => ({
         columns: ['law', 'motion', 'outcome', ...NUMBERS.map(([title]) => title)],
         rows: rows.map(({ law, motion, checked }) => [law.id, motion, checked.outcome, ...NUMBERS.map(([, key]) => checked[key])]),
@@ -39,7 +39,7 @@ export const checksSection = {
             { title: 'Hand method', unit: MM, number: true, cell: ({ checked }) => fixed(checked.equivalent_mm, decimalsIn('mm', 1)) },
             { title: 'Its error', number: true, cell: ({ checked }) => deviation(checked.equivalent_error_percent, 0) },
             { title: 'Period', unit: 's', number: true, cell: ({ checked }) => fixed(checked.equivalent_period_s, 2) },
-            { title: 'Damping', number: true, cell: ({ checked }) => fixed(100 * checked.equivalent_damping, 0) + '\u202f%' },
+            { title: 'Damping', number: true, cell: ({ checked }) => shareText(checked.equivalent_damping, 0) },
             { title: 'Outcome', cell: ({ checked }) => checked.outcome },
           ],
           rows,

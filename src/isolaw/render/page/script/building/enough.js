@@ -1,7 +1,7 @@
 import { element } from '../dom.js';
 import { sentence } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { axisTitle, first, quantityOf, study } from './study.js';
+import { axisTitle, first, isDrawn, quantityOf, study } from './study.js';
 
 const KEY = 'isolator_mm';
 
@@ -14,6 +14,7 @@ export const enoughSection = {
     {
       id: 'picture',
       title: 'Largest displacement of a bearing',
+      wanted: () => isDrawn,
       caption: () => first.name + ': bars show the draws; shading marks the range between the bounds.',
       csv: () => histogramData([first], KEY),
       height: () => 320,

@@ -1,12 +1,14 @@
-import { plain } from '../text.js';
+import { isNumber, plain } from '../text.js';
 import { numberText, study } from './study.js';
 
+const NONE = { from: null, width: null, counts: [] }; // no draw has numbers
+const histogramOf = (law, key) => law.quantities[key].histogram ?? NONE;
+
 export function bars(look, law, key, axes = {}) {
-  const { from, width, counts } = law.quantities[key].histogram;
-  const all = counts.reduce((sum, n) => sum + n, 0) || 1;
+  const { from, width, counts } = histogramOf(law, key);
   const x = counts.map((_, i) => from + (i + 0.5) * width);
   return {
-    type: 'bar', name: law.name, x, y: counts.map((n) => (100 * n) / all), width: counts.map(() => width),
+    type: 'bar', name: law.name, x, y: counts.map((n) => (100 * n) / law.draws), width: counts.map(() => width),
     marker: { color: look.law(law), line: { color: look.colour('paper'), width: 0.5 } }, opacity: 0.85,
     hovertemplate: '%{x:.4g}: %{y:.1f} % of the draws<extra>' + plain(law.name) + '</extra>',
     ...axes,
@@ -19,7 +21,7 @@ export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, hi
     { value: of.lower, text: 'lower bound', colour: look.colour('poor'), dash: 'solid' },
     { value: of.nominal, text: 'nominal', colour: look.colour('ink'), dash: 'dot' },
     { value: of.upper, text: 'upper bound', colour: look.colour('poor'), dash: 'dash' },
-  ];
+  ].filter(({ value }) => isNumber(value));
   const shapes = lines.map(({ value, colour, dash }) => ({
     type: 'line', xref, yref, x0: value, x1: value, y0: low, y1: high, line: { color: colour, width: 1.8, dash },
   }));
@@ -39,14 +41,18 @@ export function bounds(look, law, key, { xref = 'x', yref = 'paper', low = 0, hi
           xref, yref, x: value, y: high, yshift: 2 + 14 * row, xanchor: anchor(value), yanchor: 'bottom', showarrow: false,
           text: text + ' ' + numberText(value), font: { size: 11.5, color: colour },
         }));
-  return { shapes: [between, ...shapes], annotations };
+  return { shapes: isNumber(of.lower) && isNumber(of.upper) ? [between, ...shapes] : shapes, annotations };
 }
 
 export function spanOf(among, key) {
-  const values = among.flatMap((law) => {
-    const { histogram, lower, upper, nominal } = law.quantities[key];
-    return [histogram.from, histogram.from + histogram.width * histogram.counts.length, lower, upper, nominal];
-  });
+  const values = among
+    .flatMap((law) => {
+      const { lower, upper, nominal } = law.quantities[key];
+      const { from, width, counts } = histogramOf(law, key);
+      return [...(counts.length > 0 ? [from, from + width * counts.length] : []), lower, upper, nominal];
+    })
+    .filter(isNumber);
+  if (values.length === 0) return [0, 1];
   const low = Math.min(...values),
     high = Math.max(...values),
     free = 0.04 * (high - low || Math.abs(high) || 1);
@@ -58,7 +64,7 @@ export function histogramData(among, key) {
   return {
     columns: ['law', 'from: ' + title + ' [' + unit + ']', 'to', 'draws'],
     rows: among.flatMap((law) => {
-      const { from, width, counts } = law.quantities[key].histogram;
+      const { from, width, counts } = histogramOf(law, key);
       return counts.map((n, i) => [law.id, from + i * width, from + (i + 1) * width, n]);
     }),
   };

@@ -1,24 +1,24 @@
 import { chosen } from '../choice.js';
 import { symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
-import { DASH, fixed, isNumber, plain } from '../text.js';
+import { DASH, fixed, isNumber, plain, shareText } from '../text.js';
 import { spanOf } from './histogram.js';
-import { axisTitle, laws, nameAndUnit, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { axisTitle, isDrawn, laws, nameAndUnit, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 export const lawsSection = {
   id: 'laws',
   title: 'Law against law',
-  controls: () => (laws.length > 1 ? [quantityChooser('quantity-of-laws')] : []),
+  controls: () => (isDrawn && laws.length > 1 ? [quantityChooser('quantity-of-laws')] : []),
   figures: [
     {
       id: 'laws',
       title: 'The same building by each law',
       width: 'half',
       depends: ['quantity'],
-      wanted: () => laws.length > 1,
+      wanted: () => isDrawn && laws.length > 1,
       caption: () =>
         'Thick line: 16 to 84\u202f% of the draws; mark: median; end of the line: 95\u202f%. Grey: between the two bound analyses.' +
-        (chosen.quantity === 'isolator_mm' ? ' Medians differ by ' + spreadText(study.law_std_ln) + ' between laws.' : ''),
+        (chosen.quantity === 'isolator_mm' && study.law_std_ln !== null ? ' Medians differ by ' + spreadText(study.law_std_ln) + ' between laws.' : ''),
       csv: () => ({
         columns: ['law', 'quantity', 'unit', 'lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'],
         rows: laws.map((law) => [law.id, ...nameAndUnit(chosen.quantity), ...['lower', 'nominal', 'upper', 'p16', 'p50', 'p84', 'p95'].map((key) => law.quantities[chosen.quantity][key])]),
@@ -30,6 +30,7 @@ export const lawsSection = {
       id: 'coverage',
       title: 'What the bounds cover',
       width: 'half',
+      wanted: () => isDrawn,
       caption: () =>
         'Share of the buildings between the bound analyses, its 95\u202f% interval, and the narrowest factors on forces that would cover ' +
         Math.round(100 * study.enough) + '\u202f% (in steps of 2\u202f%).',
@@ -43,17 +44,16 @@ export const lawsSection = {
 };
 
 const covered = () => laws.flatMap((law) => Object.entries(law.coverage.of).map(([key, of]) => ({ law, key, of })));
-const percent = (share) => fixed(100 * share, 1) + '\u202f%';
 
 function coverage() {
   return tableOf(
     [
       { title: 'Law', cell: ({ law }) => law.name },
       { title: 'Quantity', cell: ({ key }) => quantityOf(key).title },
-      { title: 'Inside', number: true, cell: ({ of }) => percent(of.inside) },
+      { title: 'Inside', number: true, cell: ({ of }) => shareText(of.inside) },
       { title: 'Interval', number: true, cell: ({ of }) => fixed(100 * of.lower, 0) + ' to ' + fixed(100 * of.upper, 0) + '\u202f%' },
-      { title: 'Below', number: true, cell: ({ of }) => percent(of.below) },
-      { title: 'Above', number: true, cell: ({ of }) => percent(of.above) },
+      { title: 'Below', number: true, cell: ({ of }) => shareText(of.below) },
+      { title: 'Above', number: true, cell: ({ of }) => shareText(of.above) },
       { title: 'Factors', number: true, cell: ({ of }) => (isNumber(of.factor_low) ? fixed(of.factor_low, 2) + ', ' + fixed(of.factor_high, 2) : DASH) },
     ],
     covered(),

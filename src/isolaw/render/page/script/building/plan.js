@@ -1,9 +1,9 @@
 import { choose, chosen } from '../choice.js';
 import { tableOf } from '../tables.js';
-import { atTheHead, mean, plain, rangeText, unitText } from '../text.js';
+import { atTheHead, isNumber, mean, plain, rangeText, shareText, unitText } from '../text.js';
 import { LEGEND } from '../plotting.js';
 import { nameOf, outline, wayOf } from './motion.js';
-import { laws, nameAndUnit, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
+import { isDrawn, laws, nameAndUnit, numberText, placeChooser, quantityOf, study, unitOf } from './study.js';
 import { KN, LOOP_HOVER, MM } from '../units.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
@@ -26,7 +26,7 @@ export const planSection = {
       title: 'Torsion',
       width: 'narrow',
       depends: ['law'],
-      caption: () => 'Means over the motions. Nominal: without draws; any excess of the draws comes from unequal devices.',
+      caption: () => 'Means over the motions.' + (isDrawn ? ' Nominal: without draws; any excess of the draws comes from unequal devices.' : ''),
       csv: () => ({
         columns: ['law', 'quantity', 'unit', 'nominal', 'p50', 'p95'],
         rows: laws.flatMap((law) => TWISTS.map((key) => [law.id, ...nameAndUnit(key), ...['nominal', 'p50', 'p95'].map((of) => law.quantities[key][of])])),
@@ -75,10 +75,10 @@ function loopData() {
 }
 
 function caption() {
-  const { displacement_mm: moved } = laws[chosen.law].bearings;
+  const moved = laws[chosen.law].bearings.displacement_mm.filter(isNumber);
   return (
-    laws[chosen.law].name + ': averaged over draws and motions, bearings move ' +
-    rangeText([Math.min(...moved), Math.max(...moved)], MM) + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
+    laws[chosen.law].name + ': averaged over ' + (isDrawn ? 'draws and ' : '') + 'motions, bearings move ' +
+    (moved.length > 0 ? rangeText([Math.min(...moved), Math.max(...moved)], MM) : 'an unknown way, since too few analyses have numbers') + ' (stronger colour: more). Cross: centre of mass; line: the slab.'
   );
 }
 
@@ -102,7 +102,7 @@ function plan(look) {
             symbol: kindOf(some[0])[1], size: 15, color: some.map(({ i }) => 0.5 + (0.5 * (moved[i] - usual)) / most), cmin: 0, cmax: 1,
             colorscale: [[0, look.colour('grid')], [1, look.colour('accent')]], line: { color: some.map(({ i }) => look.colour(i === chosen.bearing ? 'ink' : 'accent')), width: some.map(({ i }) => (i === chosen.bearing ? 3 : 1)) },
           },
-          text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' ' + MM + ', ' + numberText(100 * share[i]) + ' % of the work'),
+          text: some.map(({ is, i }) => plain(is) + '<br>' + numberText(moved[i]) + ' ' + MM + ', ' + shareText(share[i]) + ' of the work'),
           hovertemplate: '%{text}<extra></extra>',
         };
       }),
@@ -125,9 +125,13 @@ function torsion() {
   return tableOf(
     [
       { title: 'Quantity', cell: (key) => atTheHead(quantityOf(key).title) + (unitOf(quantityOf(key)) ? ' [' + unitText(quantityOf(key).unit) + ']' : '') },
-      { title: 'Nominal', number: true, cell: (key) => numberText(Math.abs(of[key].nominal) < 1e-9 ? 0 : of[key].nominal) },
-      { title: 'Median', number: true, cell: (key) => numberText(of[key].p50) },
-      { title: '95\u202f%', number: true, cell: (key) => numberText(of[key].p95) },
+      { title: 'Nominal', number: true, cell: (key) => numberText(of[key].nominal) },
+      ...(isDrawn
+        ? [
+            { title: 'Median', number: true, cell: (key) => numberText(of[key].p50) },
+            { title: '95\u202f%', number: true, cell: (key) => numberText(of[key].p95) },
+          ]
+        : []),
     ],
     TWISTS,
     'Torsion of the building',

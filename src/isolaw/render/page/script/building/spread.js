@@ -1,9 +1,9 @@
 import { chosen } from '../choice.js';
 import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
-import { atTheHead, plain, short, unitText } from '../text.js';
+import { atTheHead, plain, shareText, short, unitText } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { axisTitle, first, grouped, isCovered, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
+import { SPREAD, axisTitle, first, grouped, isCovered, isDrawn, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
 
 const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);
@@ -17,6 +17,7 @@ export const spreadSection = {
       id: 'histograms',
       title: 'Draws and bounds',
       width: 'wide',
+      wanted: () => isDrawn,
       depends: ['quantity'],
       caption: () =>
         atTheHead(quantity().meaning) + '; means over the motions of ' + grouped(study.draws) +
@@ -29,6 +30,7 @@ export const spreadSection = {
       id: 'motions',
       title: 'Under each motion',
       width: 'narrow',
+      wanted: () => isDrawn,
       depends: ['quantity'],
       caption: () => 'Marks: median of the draws; bars: 16 to 95\u202f% of them. Differences between motions do not come from the lot.',
       csv: motionData,
@@ -39,7 +41,7 @@ export const spreadSection = {
       id: 'fractiles',
       title: 'In numbers',
       depends: ['quantity'],
-      caption: () => 'Scatter: standard deviation of the natural logarithm. Bound analyses: forces of all bearings times ' + study.lower_factor + ' and ' + study.upper_factor + '.',
+      caption: () => (isDrawn ? 'Scatter: standard deviation of the natural logarithm. ' : '') + 'Bound analyses: forces of all bearings times ' + study.lower_factor + ' and ' + study.upper_factor + '.',
       csv: allData,
       build: fractiles,
     },
@@ -98,7 +100,10 @@ function motions(look) {
   };
 }
 
-const FRACTILES = [['lower', 'Lower bound'], ['nominal', 'Nominal'], ['upper', 'Upper bound'], ['p16', '16\u202f%'], ['p50', '50\u202f%'], ['p84', '84\u202f%'], ['p95', '95\u202f%']];
+const FRACTILES = [
+  ['lower', 'Lower bound'], ['nominal', 'Nominal'], ['upper', 'Upper bound'],
+  ...(isDrawn ? [['p16', '16\u202f%'], ['p50', '50\u202f%'], ['p84', '84\u202f%'], ['p95', '95\u202f%']] : []),
+];
 
 function fractiles() {
   const key = chosen.quantity;
@@ -106,10 +111,14 @@ function fractiles() {
   const columns = [
     { title: 'Law', cell: (law) => law.name },
     ...FRACTILES.map(([of, title]) => ({ title, unit: unitText(unitOf(quantity())), number: true, cell: (law) => numberText(law.quantities[key][of]) })),
-    ...(isCovered(key) ? [{ title: 'Inside', unit: 'of draws', number: true, cell: (law) => (100 * law.coverage.of[key].inside).toFixed(1) + '\u202f%' }] : []),
-    { title: 'Scatter, motions', number: true, cell: (law) => spreadText(law.quantities[key].motion_std_ln) },
-    { title: 'Scatter, lot', number: true, cell: (law) => spreadText(law.quantities[key].lot_std_ln) },
-    ...(uncertain ? [{ title: 'Scatter, tests', number: true, cell: (law) => spreadText(law.quantities[key].uncertain_std_ln) }] : []),
+    ...(isCovered(key) ? [{ title: 'Inside', unit: 'of draws', number: true, cell: (law) => shareText(law.coverage.of[key].inside) }] : []),
+    ...(isDrawn
+      ? [
+          { title: 'Scatter, motions', full: SPREAD, number: true, cell: (law) => spreadText(law.quantities[key].motion_std_ln) },
+          { title: 'Scatter, lot', full: SPREAD, number: true, cell: (law) => spreadText(law.quantities[key].lot_std_ln) },
+        ]
+      : []),
+    ...(uncertain ? [{ title: 'Scatter, tests', full: SPREAD, number: true, cell: (law) => spreadText(law.quantities[key].uncertain_std_ln) }] : []),
   ];
   return tableOf(columns, laws, 'Fractiles of ' + quantity().title);
 }
@@ -124,7 +133,7 @@ function motionData() {
 }
 
 function allData() {
-  const keys = [...FRACTILES.map(([key]) => key), 'motion_std_ln', 'lot_std_ln', 'uncertain_std_ln'];
+  const keys = [...FRACTILES.map(([key]) => key), ...(isDrawn ? ['motion_std_ln', 'lot_std_ln', 'uncertain_std_ln'] : [])];
   return {
     columns: ['law', 'quantity', 'unit', ...keys],
     rows: laws.flatMap((law) => study.quantities.map(({ key }) => [law.id, ...nameAndUnit(key), ...keys.map((of) => law.quantities[key][of])])),

@@ -1,7 +1,7 @@
 import { chosen } from '../choice.js';
 import { LEGEND } from '../plotting.js';
-import { atTheHead, plain } from '../text.js';
-import { first, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
+import { atTheHead, isNumber, plain } from '../text.js';
+import { first, isDrawn, laws, quantityChooser, quantityOf, spreadText, study } from './study.js';
 
 const parts = () => [
   { key: 'motion_std_ln', name: 'motions', colour: 'muted' },
@@ -16,26 +16,31 @@ export const varianceSection = {
   title: 'What the spread is made of',
   short: 'Variance',
   controls: () => [quantityChooser('quantity-of-variance')],
-  figures: [{ id: 'variance', title: 'Parts of the spread', depends: ['quantity'], caption, csv, height: () => 130 + 62 * laws.length, draw }],
+  figures: [{ id: 'variance', title: 'Parts of the spread', wanted: () => isDrawn, depends: ['quantity'], caption, csv, height: () => 130 + 62 * laws.length, draw }],
 };
 
 function caption() {
   const of = first.quantities[chosen.quantity];
-  const share = Math.round(100 * of.lot_share);
+  const share = Math.round(100 * of.lot_share),
+    known = isNumber(of.lot_share);
   const between = study.law_std_ln;
   return (
-    atTheHead(quantityOf(chosen.quantity).title) + ', ' + first.name + ': the lot causes ' + (share < 1 ? 'less than 1' : share) +
-    '\u202f% of the variance under single motions. ' +
+    atTheHead(quantityOf(chosen.quantity).title) + ', ' + first.name + ': ' +
+    (known
+      ? 'the lot causes ' + (share < 1 ? 'less than 1' : share) + '\u202f% of the variance under single motions. '
+      : 'too few draws have numbers to tell its parts. ') +
     (between === null ? '' : 'Medians of the displacement differ by ' + spreadText(between) + ' between laws. ') +
     'Bars: standard deviation of the natural logarithm.'
   );
 }
 
+const percentOf = (std) => (isNumber(std) ? 100 * std : null);
+
 function draw(look) {
   const of = parts();
   return {
     traces: of.map(({ key, name, colour }) => ({
-      type: 'bar', orientation: 'h', name, y: laws.map((law) => plain(law.name)), x: laws.map((law) => 100 * law.quantities[chosen.quantity][key]),
+      type: 'bar', orientation: 'h', name, y: laws.map((law) => plain(law.name)), x: laws.map((law) => percentOf(law.quantities[chosen.quantity][key])),
       text: laws.map((law) => spreadText(law.quantities[chosen.quantity][key])), textposition: 'outside', cliponaxis: false,
       marker: { color: look.colour(colour) }, hovertemplate: '%{x:.2f} %<extra>' + name + '</extra>',
     })),

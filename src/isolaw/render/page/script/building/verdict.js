@@ -1,13 +1,14 @@
 import { element, shortList } from '../dom.js';
-import { tableOf } from '../tables.js';
-import { atTheHead, fixed, sentence } from '../text.js';
+import { said, tableOf } from '../tables.js';
+import { DASH, atTheHead, isNumber, sentence, shareText } from '../text.js';
 import { motionFigures } from './motion.js';
-import { first, nameAndUnit, quantityOf, spreadText, study, valueText } from './study.js';
+import { SPREAD, first, isDrawn, laws, nameAndUnit, quantityOf, spreadText, study, valueText } from './study.js';
 
 const KEY = 'isolator_mm';
 const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
 const TESTED = 'tested_mm';
-const MOTIONS_FOR_A_MEAN = 7; // as in building/limits.hpp: the largest response of fewer motions counts
+// The largest response of fewer motions counts, and the mean over as many or more.
+const IS_MEAN = study.motions.length >= study.motions_for_a_mean;
 
 export const verdictSection = {
   id: 'verdict',
@@ -15,20 +16,22 @@ export const verdictSection = {
   short: 'Verdict',
   figures: [
     { id: 'verdict', title: '', build: band },
-    ...motionFigures,
     {
       id: 'limits',
       title: 'Limits',
-      wanted: () => first.limits.length > 0,
+      wanted: () => rows.length > 0,
       caption: () =>
-        first.name + ', ' + (study.motions.length >= MOTIONS_FOR_A_MEAN ? 'means over the motions.' : 'the largest of the motions.') +
+        (laws.length > 1 ? '' : first.name + ', ') + (IS_MEAN ? 'means over the motions.' : 'the largest of the motions.') +
         ' Bounds: the larger of the two bound analyses.',
       csv: () => ({
-        columns: ['limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps'],
-        rows: first.limits.map((row) => [row.limit, ...nameAndUnit(row.quantity), row.allowed, row.nominal, row.bound, row.p95, row.kept, row.keeps]),
+        columns: ['law', 'limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps', 'broken_by'],
+        rows: rows.map(({ law, ...row }) => [
+          law.id, row.limit, ...nameAndUnit(row.quantity), row.allowed, row.nominal, row.bound, row.p95, row.kept, row.keeps, row.broken_by,
+        ]),
       }),
       build: limits,
     },
+    ...motionFigures,
     { id: 'warnings', title: '', wanted: () => study.warnings.length > 0, build: warnings },
   ],
 };
@@ -40,11 +43,11 @@ function band() {
     'div',
     { class: 'band ' + tone },
     element('p', { class: 'headline' }, told(['building-holds', 'building-holds-with'])),
-    element('p', {}, told(['building-reach'])),
+    ...['building-law-failed', 'building-reach'].map((kind) => told([kind])).filter(Boolean).map((text) => element('p', {}, text)),
     element(
       'div',
       { class: 'numbers' },
-      ...numbers().map(([value, what]) => element('div', {}, element('b', {}, value), element('span', {}, what))),
+      ...numbers().map(([value, what, full]) => element('div', { title: full ?? null }, element('b', {}, value), element('span', {}, what))),
     ),
   );
 }
@@ -52,28 +55,43 @@ function band() {
 function numbers() {
   const of = first.quantities[KEY],
     tested = first.limits.find(({ limit }) => limit === TESTED);
-  const reached = (key, what) => [valueText(first.quantities[key].p95, quantityOf(key)), what + ', 95\u202f% of draws'];
+  const shear = first.quantities.shear_over_weight;
+  const reached = isDrawn ? [shear.p95, ', 95\u202f% of draws'] : [shear.nominal, ', nominal'];
+  const moved = tested ? [tested.nominal, tested.bound, ...(isDrawn ? [tested.p95] : [])] : [];
   return [
-    ...(tested ? [[fixed((100 * Math.max(tested.nominal, tested.bound, tested.p95 ?? 0)) / tested.allowed, 0) + '\u202f%', 'of the tested displacement, at most']] : []),
-    ...(study.motions.length >= MOTIONS_FOR_A_MEAN ? [reached('shear_over_weight', 'base shear over weight')] : []),
-    [spreadText(of.lot_std_ln), 'scatter from the lot' + (study.law_std_ln === null ? '' : '; laws ' + spreadText(study.law_std_ln))],
+    ...(tested ? [[moved.every(isNumber) ? shareText(Math.max(...moved) / tested.allowed, 0) : DASH, 'of the tested displacement, at most']] : []),
+    ...(IS_MEAN ? [[valueText(reached[0], quantityOf('shear_over_weight')), 'base shear over weight' + reached[1]]] : []),
+    ...(isDrawn ? [[spreadText(of.lot_std_ln), 'scatter from the lot' + (study.law_std_ln === null ? '' : '; laws ' + spreadText(study.law_std_ln)), SPREAD]] : []),
   ];
+}
+
+const rows = laws.flatMap((law) => law.limits.map((row) => ({ law, ...row })));
+
+// Whether a limit is kept, and if not, what breaks it.
+function verdictOf({ keeps, broken_by: by }) {
+  const cause = by === null ? '' : by.endsWith('failed') ? ': no numbers (' + by.split(' ')[0] + ')' : ': ' + by;
+  return element('span', { class: 'sure ' + WORDS[keeps][1] }, WORDS[keeps][0] + cause);
 }
 
 function limits() {
   const title = ({ limit, quantity }) => (limit === TESTED ? 'Displacement that was tested' : atTheHead(quantityOf(quantity).title));
-  const shown = ({ quantity }, value) => (value === null ? '' : valueText(value, quantityOf(quantity)));
+  const shown = ({ quantity }, value) => valueText(value, quantityOf(quantity));
   return tableOf(
     [
+      ...(laws.length > 1 ? [{ title: 'Law', cell: ({ law }, i) => said(law !== rows[i - 1]?.law, element('span', {}, law.name)) }] : []),
       { title: 'Limit', cell: title },
       { title: 'Allowed', number: true, cell: (row) => shown(row, row.allowed) },
       { title: 'Nominal', number: true, cell: (row) => shown(row, row.nominal) },
       { title: 'Bounds', number: true, cell: (row) => shown(row, row.bound) },
-      { title: '95\u202f% of draws', number: true, cell: (row) => shown(row, row.p95) },
-      { title: 'Kept by', number: true, cell: (row) => (row.kept === null ? '' : fixed(100 * row.kept, 1) + '\u202f%') },
-      { title: 'Verdict', cell: ({ keeps }) => element('span', { class: 'sure ' + WORDS[keeps][1] }, WORDS[keeps][0]) },
+      ...(isDrawn
+        ? [
+            { title: '95\u202f% of draws', number: true, cell: (row) => shown(row, row.p95) },
+            { title: 'Kept by', full: 'Share of the draws that keep the limit', number: true, cell: (row) => shareText(row.kept) },
+          ]
+        : []),
+      { title: 'Verdict', full: 'What breaks the limit: the nominal building, a bound analysis or the draws', cell: verdictOf },
     ],
-    first.limits,
+    rows,
     'Limits of the building',
     { sorts: false },
   );
