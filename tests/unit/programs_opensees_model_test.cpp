@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <sstream>
 
 #include "contains.hpp"
 #include "unit/programs_in_opensees.hpp"
@@ -282,6 +283,32 @@ TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   EXPECT_GT(peak_of(slab("out", "draw_2").at("turning")), 1e-6);
   EXPECT_TRUE(contains(read("printed"), "\nmean ")) << read("printed");
   EXPECT_TRUE(contains(read("printed"), "\nlargest ")) << read("printed");
+}
+
+// Draws have the parameters of the law along one direction. Where the campaign has fitted springs, the file must not ask
+// for such a fit.
+TEST(OpenSeesPyModel, of_draws_does_not_ask_for_springs_that_are_fitted) {
+  std::vector<double> const parameters{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
+  auto subject = subject_of("power-masing", parameters);
+  auto model = four(900.0);
+  model.motions.push_back(shaking(450.0));
+  subject.model = model;
+  auto realisation = realise(subject);
+  // The file's text without its line breaks and their signs of comments.
+  auto const text = [&] {
+    std::istringstream words(openseespy_model(subject, realisation, unit_systems[0]));
+    std::string all;
+    for (std::string word; words >> word;)
+      if (word != "#") all += word + " ";
+    return all;
+  };
+  EXPECT_TRUE(contains(text(), "--bidirectional springs fits them"));
+  subject.springs = parameters;
+  EXPECT_TRUE(contains(text(), "parameters that were fitted to such springs"));
+  subject.model->draws = {{parameters, parameters, parameters, parameters}};
+  add_draws(realisation, subject);
+  EXPECT_TRUE(contains(text(), "fitted to such springs, which draws do not have"));
+  EXPECT_FALSE(contains(text(), "--bidirectional springs fits them"));
 }
 
 // OpenSees itself exits with 0 after an error in a script; the exported script must exit with 1.

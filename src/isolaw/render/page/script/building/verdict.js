@@ -21,8 +21,7 @@ export const verdictSection = {
       title: 'Limits',
       wanted: () => rows.length > 0,
       caption: () =>
-        (laws.length > 1 ? '' : first.name + ', ') + (IS_MEAN ? 'means over the motions.' : 'the largest of the motions.') +
-        ' Bounds: the larger of the two bound analyses.',
+        (laws.length > 1 ? 'Responses: ' : first.name + ', ') + (IS_MEAN ? 'means over the motions.' : 'the largest of the motions.'),
       csv: () => ({
         columns: ['law', 'limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps', 'broken_by'],
         rows: rows.map(({ law, ...row }) => [
@@ -82,7 +81,7 @@ function limits() {
       { title: 'Limit', cell: title },
       { title: 'Allowed', number: true, cell: (row) => shown(row, row.allowed) },
       { title: 'Nominal', number: true, cell: (row) => shown(row, row.nominal) },
-      { title: 'Bounds', number: true, cell: (row) => shown(row, row.bound) },
+      { title: 'Bounds', full: 'The larger of the two bound analyses', number: true, cell: (row) => shown(row, row.bound) },
       ...(isDrawn
         ? [
             { title: '95\u202f% of draws', number: true, cell: (row) => shown(row, row.p95) },
@@ -101,7 +100,7 @@ function warnings() {
   return element(
     'div',
     { class: 'warnings' },
-    element('h3', {}, study.warnings.length === 1 ? 'A warning' : 'Warnings'),
+    element('h3', {}, study.findings.some(({ severity }) => severity === 'note') ? 'Warnings and notes' : study.warnings.length === 1 ? 'A warning' : 'Warnings'),
     ...shortList(study.warnings.map((text) => element('li', {}, sentence(text))), 4, 3),
   );
 }
