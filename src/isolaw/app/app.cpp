@@ -382,7 +382,8 @@ void add_building(Commands& commands) {
       fmt::format("units of what reports show: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--figures", a.figures, "figures for print, with data and gnuplot scripts: lot (default), or none");
   c.add_flag("--nominal", a.nominal,
-             "compute only the nominal building: its response to every motion over time, as CSV");
+             "compute only the nominal building: its response to every motion over time, as CSV, and whether it "
+             "alone keeps the limits");
   c.add_flag("--arrange", a.arrange,
              "also print where to put each tested device for the least eccentricity of stiffness");
   c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
