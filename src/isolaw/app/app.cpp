@@ -397,8 +397,9 @@ void add_building(Commands& commands) {
                fmt::format("units that reports show: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--figures", a.figures,
                "which figures for print to write, with data and gnuplot scripts: lot (default), or none");
-  c.add_flag("--nominal", a.nominal,
-             "compute only the nominal building, and write its response to every motion over time as CSV");
+  c.add_flag(
+      "--nominal", a.nominal,
+      "compute only the nominal building: whether it alone keeps the limits, and its response to every motion over time as CSV");
   c.add_flag("--arrange", a.arrange,
              "also print where to put each tested device so that the eccentricity of stiffness is smallest");
   c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");

@@ -42,7 +42,7 @@ struct StudyPart {
   isolaw::Values stated = {};  // what the user stated about the motions: options of stated_table()
 };
 
-// Cuts the runs of a study into blocks of cases of one law and motion. Threads and parts share out whole blocks.
+// Cuts the runs of a study into blocks of cases of one law and motion. Parts share out whole blocks.
 class Blocks {
  public:
   Blocks(std::size_t laws, std::size_t motions, std::size_t cases) : laws_(laws), motions_(motions), cases_(cases) {}
