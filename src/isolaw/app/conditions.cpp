@@ -4,6 +4,7 @@
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
 #include "isolaw/app/say.hpp"
+#include "isolaw/base/error.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/terminal/conditions_text.hpp"
@@ -11,6 +12,8 @@
 namespace isolaw::app {
 
 int conditions(ConditionsArguments const& arguments) {
+  if (arguments.out && std::filesystem::exists(*arguments.out) && !std::filesystem::is_directory(*arguments.out))
+    throw Error({.where = "--out", .found = shown(*arguments.out) + " is a file", .allowed = "a directory"});
   auto const lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
   auto const result = study::build_conditions(lot);
   print(arguments.json ? render::conditions_json(result) : render::conditions_text(result, arguments.details));

@@ -20,20 +20,6 @@ Limits const temperatures{.least = -100.0, .most = 200.0, .words = "degrees Cels
     positive{.least = std::numeric_limits<double>::min(), .most = largest, .words = "above 0"},
     not_negative{.least = 0.0, .most = largest, .words = "0 or more"};
 
-// Takes the entries of { days = 14, at-C = 70 }, one in each call.
-void set_aged(StatedTest& test, Json const& value) {
-  if (!value.is_object()) refuse(value, "{ days = 14, at-C = 70 }");
-  if (!test.aged) test.aged.emplace();
-  for (auto const& [key, number] : value.items()) {
-    if (key == "days")
-      test.aged->days = real_of(number, not_negative);
-    else if (key == "at-C")
-      test.aged->at_C = real_of(number, ovens);
-    else
-      throw Error({.where = {}, .found = fmt::format("{}, which is not known", key), .allowed = "days, at-C"});
-  }
-}
-
 std::vector<Option<StatedTest>> make_test_table() {
   using T = StatedTest;
   std::vector<Option<T>> table{
@@ -41,15 +27,7 @@ std::vector<Option<StatedTest>> make_test_table() {
                 {.least = 1, .most = 1'000'000, .words = "a whole number from 1"}),
       number<T>("temperature-C", "temperature of the rubber at the start", at(&T::temperature_C), temperatures),
       number<T>("load-kN", "mean vertical load, if the record has no channel for it", at(&T::load_kN), not_negative),
-      number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative),
-      {{.key = "aged",
-        .kind = Kind::assignments,
-        .help = "ageing in an oven before the test: { days = 14, at-C = 70 }"},
-       [](T const& test) {
-         return test.aged ? Json({{"days", test.aged->days}, {"at-C", test.aged->at_C}}) : Json();
-       },
-       set_aged},
-      flag<T>("fit", "the record takes part in fits beside the one of the acceptance test", at(&T::fit))};
+      number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative)};
   constexpr std::pair<std::string_view, bool> stands_for[]{{"dependence", false}, {"acceptance", true}};
   table.push_back(
       word<T>("stands-for", "which record stands for the device elsewhere", at(&T::is_acceptance), stands_for));
@@ -138,7 +116,7 @@ class ConditionsReader {
     take(table, "disp-mm", positive, to.disp_mm);
     if (to.strain_percent && to.disp_mm) table.complain("strain-percent and disp-mm", "one of them");
     table.json("cycle", [&](Json const& value) {
-      auto const text = text_of(value);
+      auto const text = value.is_number() ? fmt::format("{}", value.get<double>()) : text_of(value);
       auto const dash = text.find('-');
       auto const whole = [](std::string_view digits, int& number) {
         auto const [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -159,18 +137,14 @@ class ConditionsReader {
     table.json("rest", [&](Json const& value) {
       if (value == Json("full"))
         to.full_rest = true;
-      else if (value.is_number())
-        to.rest_h = real_of(value, positive);
+      else if (value.is_number() && value.get<double>() > 0.0)
+        to.rest_h = value.get<double>();
       else
         refuse(value, "\"full\", or hours above 0");
     });
     table.value<int>("cycles", "a whole number from 1",
                      [&](int value) { to.cycles = whole_of(value, {.least = 1, .most = 1000}); });
-    if (table.find("aged") != nullptr) {
-      StatedTest aged;
-      table.json("aged", [&](Json const& value) { set_aged(aged, value); });
-      to.aged = aged.aged;
-    }
+    to.aged = read_aged(table, file_, complaints_);
     take(table, "years", positive, to.years);
     take(table, "service-temperature-C", temperatures, to.service_temperature_C);
     if (to.years && to.aged) table.complain("aged and years", "one of them");
@@ -184,6 +158,19 @@ class ConditionsReader {
 };
 
 }  // namespace
+
+std::optional<StatedAgeing> read_aged(TomlTable& table, std::string const& file, std::vector<Complaint>& complaints) {
+  auto const* inside = table.table("aged");
+  if (inside == nullptr) return std::nullopt;
+  StatedAgeing aged;
+  TomlTable reader(*inside, file, "aged", complaints);
+  reader.value<double>("days", positive.text(), [&](double value) { aged.days = real_of(value, positive); });
+  reader.value<double>("at-C", ovens.text(), [&](double value) { aged.at_C = real_of(value, ovens); });
+  if (reader.find("days") == nullptr || reader.find("at-C") == nullptr)
+    reader.complain("days or at-C is missing", "aged = { days = 14, at-C = 70 }");
+  reader.refuse_unknown();
+  return aged;
+}
 
 std::span<Option<StatedTest> const> test_table() {
   static auto const table = make_test_table();

@@ -22,10 +22,11 @@ struct StatedTest {                                      // about one test of a 
   std::string temperature_of;                            // core, surface or chamber; empty if it is not stated
   std::optional<StatedAgeing> aged = {};
   bool is_acceptance = false;  // its record stands for the device everywhere else
-  bool fit = false;            // it takes part in fits beside that record
 };
-// The rows for these keys. A row alone judges a value.
+// The rows for these keys, but for `aged`. A row alone judges a value.
 std::span<Option<StatedTest> const> test_table();
+// Reads the table `aged`, which must state both the days and the temperature of the oven.
+std::optional<StatedAgeing> read_aged(TomlTable& table, std::string const& file, std::vector<Complaint>& complaints);
 
 struct ConditionRange {
   double low = 0.0, high = 0.0;

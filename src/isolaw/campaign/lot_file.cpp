@@ -295,18 +295,32 @@ class DeviceReader {
     auto test = test_in(table, defaults, false);
     find_columns(table, source, test);
     test.name = name_in(table);
-    if (conditions_ != nullptr)
+    if (conditions_ != nullptr) {
       for (auto const& option : test_table())
         table.json(option.option(), [&](Json const& value) { option.set(test.stated, value); });
+      test.stated.aged = read_aged(table, file_, complaints_);
+      if (!test.stated.order)
+        table.complain(source, "a test without its order", "order = 1, 2, ... as the device was tested");
+    } else if (auto const* node = condition_key_in(table)) {
+      table.complain(*node, "a key about the conditions of a test, and the file has no table [conditions]",
+                     "a table [conditions] with a reference, or none of these keys", "docs/conditions.md");
+    }
     if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
     if (test.name.empty() && !test.files.empty()) test.name = name_of_file(test.files.front());
     table.refuse_unknown();
     return test;
   }
 
-  // Puts the tests in their order, and chooses those that stand for the device elsewhere: the test with stands-for =
-  // "acceptance", else the first one at the reference temperature that is not aged, else the first one; and beside it
-  // those with fit = true.
+  // The first key of the test's table that is about conditions, or nullptr. All of them then count as known.
+  static toml::node const* condition_key_in(TomlTable& table) {
+    auto const* first = table.find("aged");
+    for (auto const& option : test_table())
+      if (auto const* node = table.find(option.option()); first == nullptr) first = node;
+    return first;
+  }
+
+  // Puts the tests in their order, and chooses the one that stands for the device elsewhere: the test with stands-for =
+  // "acceptance", else the first one at the reference temperature that is not aged, else the first one.
   void take_history(TomlTable& table, toml::table const& source, DeviceInput& device) const {
     auto& all = device.history = std::move(device.tests);
     device.tests.clear();
@@ -318,11 +332,9 @@ class DeviceReader {
     }
     std::set<int> orders;
     for (auto const& test : all)
-      if (!test.stated.order || !orders.insert(*test.stated.order).second)
-        table.complain(source,
-                       fmt::format("test '{}' has {}", printable(test.name),
-                                   test.stated.order ? "the order of another test" : "no order"),
-                       "order = 1, 2, ... in the order in which the device was tested");
+      if (test.stated.order && !orders.insert(*test.stated.order).second)
+        table.complain(source, fmt::format("test '{}' has the order of another test", printable(test.name)),
+                       "order = 1, 2, ... as the device was tested");
     std::ranges::stable_sort(all, {}, [](TestInput const& test) { return test.stated.order.value_or(0); });
     if (std::ranges::count_if(all, [](TestInput const& test) { return test.stated.is_acceptance; }) > 1)
       table.complain(source, "two tests of a device with stands-for = \"acceptance\"", "one of them");
@@ -335,11 +347,10 @@ class DeviceReader {
                    conditions_->tolerance.temperature_C;
       });
     if (acceptance == all.end()) acceptance = all.begin();
-    for (auto test = all.begin(); test != all.end(); ++test)
-      if (test == acceptance || test->stated.fit) device.tests.push_back(*test);
-    if (device.tests.size() == 1) device.tests.front().name.clear();
-    if (acceptance != all.end() && !device.info.temperature_C)
-      device.info.temperature_C = acceptance->stated.temperature_C;
+    if (acceptance == all.end()) return;  // no test: a complaint says so
+    device.tests.push_back(*acceptance);
+    device.tests.front().name.clear();
+    if (!device.info.temperature_C) device.info.temperature_C = acceptance->stated.temperature_C;
   }
 
   static void refuse_same_names(TomlTable& table, toml::node const& node, std::vector<TestInput> const& tests) {

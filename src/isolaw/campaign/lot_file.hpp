@@ -38,7 +38,7 @@ struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
   // All tests of the device in their order, if the lot file has a table [conditions]. `tests` then holds the one that
-  // stands for the device, and those that are fitted beside it.
+  // stands for the device.
   std::vector<TestInput> history = {};
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
   DeviceInfo info;

@@ -13,7 +13,7 @@ struct Ageing {  // kept in an oven before the test
 };
 
 struct Condition {
-  std::optional<double> temperature_C, frequency_Hz, load_kN, strain_percent;
+  std::optional<double> temperature_C = {}, frequency_Hz = {}, load_kN = {}, strain_percent = {};
   std::optional<Ageing> ageing = {};  // empty: not aged
 };
 

@@ -114,14 +114,24 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     return effect == Effect::ageing && ageing ? std::pair(ageing->at_C, ageing->days)
                                               : std::pair(condition_of(effect, sample.condition), 0.0);
   });
-  for (auto begin = sorted.begin(); begin != sorted.end();) {
-    auto const end = std::find_if(begin, sorted.end(), [&](Sample const& sample) {
-      return !agree_in(effect, sample.condition, begin->condition, tolerance);
+  // A test joins the level whose first test it agrees with.
+  std::vector<std::vector<Sample>> clusters;
+  for (auto const& sample : sorted) {
+    auto const same = std::ranges::find_if(clusters, [&](auto const& cluster) {
+      return agree_in(effect, sample.condition, cluster.front().condition, tolerance);
     });
-    std::span<Sample const> const tests(begin, end);
-    Level level{.ageing = effect == Effect::ageing ? begin->condition.ageing : std::nullopt,
+    if (same != clusters.end())
+      same->push_back(sample);
+    else
+      clusters.push_back({sample});
+  }
+  for (auto const& tests : clusters) {
+    Level level{.ageing = effect == Effect::ageing ? tests.front().condition.ageing : std::nullopt,
                 .tests = static_cast<int>(tests.size())};
-    for (auto const& test : tests) level.at += condition_of(effect, test.condition) / static_cast<double>(tests.size());
+    std::vector<double> at;  // of the tests of devices with a reference test
+    for (auto const& test : tests)
+      if (at_reference.contains(test.device)) at.push_back(condition_of(effect, test.condition));
+    level.at = at.empty() ? 0.0 : num::moments(at).mean;
     for (auto const& [device, values] : by_device(tests)) {
       auto const own = at_reference.find(device);
       if (own == at_reference.end()) {
@@ -142,7 +152,6 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     }
     if (level.ratios.size() != 1) level.replicate_se = level.replicate_df = std::nullopt;
     if (!level.ratios.empty()) levels_.push_back(std::move(level));
-    begin = end;
   }
 
   Level own{
@@ -166,11 +175,11 @@ double Response::abscissa(double condition) const {
   return effect_ == Effect::load ? condition * condition : condition;
 }
 
-Factor Response::at_level(Level const& level) const {
+Factor Response::of(Level const& level) const {
   Factor factor{
       .at = level.at, .ln = level.mean(), .devices = static_cast<int>(level.ratios.size()), .std = level.std()};
   if (level.reference) {
-    factor.se = 0.0, factor.df = 1.0, factor.std = 0.0;
+    factor.se = 0.0, factor.df = 1.0, factor.std = 0.0, factor.devices = 0;
     return factor;
   }
   factor.drift = drift_.value_or(0.0);
@@ -220,7 +229,7 @@ Factor Response::at(double condition) const {
   for (auto const& level : levels_)
     if (is_level(level)) near.push_back(&level);
   if (!near.empty())
-    return at_level(**std::ranges::min_element(
+    return of(**std::ranges::min_element(
         near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); }));
   Factor const none{.at = condition, .status = Status::not_covered};
   if (levels_.size() < 2) return none;
@@ -241,13 +250,13 @@ Factor Response::at(double condition) const {
 Factor Response::at(Ageing const& ageing) const {
   auto const level =
       std::ranges::find_if(levels_, [&](Level const& each) { return each.ageing && agrees(*each.ageing, ageing); });
-  return level == levels_.end() ? Factor{.status = Status::not_covered} : at_level(*level);
+  return level == levels_.end() ? Factor{.status = Status::not_covered} : of(*level);
 }
 
 Response::Extremes Response::over(double low, double high) const {
   std::vector<Factor> all;
   for (auto const& level : levels_)
-    if (level.reference || (level.at >= low && level.at <= high)) all.push_back(at_level(level));
+    if (level.reference || (level.at >= low && level.at <= high)) all.push_back(of(level));
   for (double const end : {low, high}) {
     all.push_back(at(end));
     if (all.back().status == Status::not_covered) return {.max = all.back(), .min = all.back()};

@@ -89,6 +89,7 @@ class Response {
   std::optional<double> drift() const { return drift_; }  // empty if no device has two reference tests
   std::vector<std::string> const& unpaired() const { return unpaired_; }
 
+  Factor of(Level const& level) const;
   // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between two levels it is interpolated. It
   // is extrapolated by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
   Factor at(double condition) const;
@@ -101,7 +102,6 @@ class Response {
   Extremes over(double low, double high) const;
 
  private:
-  Factor at_level(Level const& level) const;
   Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
   double abscissa(double condition) const;
 

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numeric>
+#include <set>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -54,7 +55,8 @@ conditions::CycleValues values_of(data::Cycle const& cycle) {
 struct Observed {  // a block with the history of its cycles
   conditions::Block block;
   double largest_before_percent = 0.0;
-  std::size_t row = 0;  // in ConditionsResult::tests
+  std::optional<std::size_t> row =
+      {};  // in ConditionsResult::tests; empty for a block that only belongs to the history
   std::vector<Effect> differs = {};
   bool usable = false;  // it has the reference strain and the reference cycles
 };
@@ -83,6 +85,13 @@ class Builder {
       throw Error({.where = "conditions",
                    .found = "no test can be used" + (out_.refused.empty() ? "" : ": " + out_.refused.front().reason),
                    .allowed = "records of cyclic tests"});
+    require_one_value();
+    for (auto& seen : all_) judge(seen);
+    if (std::ranges::none_of(all_, [](Observed const& seen) { return seen.usable && seen.differs.empty(); }))
+      throw Error({.where = "conditions",
+                   .found = "no test agrees with the reference in everything",
+                   .allowed = "a reference under which some devices were tested",
+                   .advice = "isolaw inspect FILE, which prints frequency, amplitude, load and cycles of a test"});
     for (auto const quantity : rules::measured_quantities()) examine(quantity);
     return std::move(out_);
   }
@@ -95,57 +104,109 @@ class Builder {
   void read(campaign::DeviceInput const& device) {
     std::vector<Observed> own;
     for (auto const& test : device.history) {
+      // A test that cannot be read may have gone to any strain, so everything after it has an unknown history.
+      double strain_percent = std::numeric_limits<double>::infinity();
+      std::string why;
       try {
-        add_blocks(device, test, own);
+        why = add_blocks(device, test, own, strain_percent);
       } catch (Error const& error) {
-        refuse(device, test, to_string(error.complaints().front()));
+        why = to_string(error.complaints().front());
       }
+      if (why.empty()) continue;
+      refuse(device, test, std::move(why));
+      own.push_back(
+          {.block = {.device = device.name, .test = test.name, .condition = {.strain_percent = strain_percent}}});
     }
     std::vector<conditions::Block> blocks;
     for (auto const& each : own) blocks.push_back(each.block);
     auto const before = conditions::largest_before(blocks);
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i].largest_before_percent = before[i];
-      judge(own[i]);
-      out_.tests[own[i].row].history = history_of(own[i], stated_.reference.first_cycle);
+      if (own[i].row) out_.tests[*own[i].row].history = history_of(own[i], stated_.reference.first_cycle);
       all_.push_back(std::move(own[i]));
     }
   }
 
-  // The strain of a block in percent of the rubber's thickness, or its amplitude in mm if the reference is one.
-  std::optional<double> strain_of(campaign::DeviceInput const& device, data::Block const& block) const {
-    if (stated_.reference.disp_mm) return block.amplitude_mm;
-    if (!device.info.rubber_thickness_mm) {
-      if (stated_.reference.strain_percent)
-        throw Error({.where = printable(device.name),
-                     .found = "the reference is a strain, and the thickness of the rubber is not known",
-                     .allowed = "rubber-thickness-mm in the device's table, or disp-mm in the reference"});
-      return block.amplitude_mm;
-    }
-    return 100.0 * block.amplitude_mm / *device.info.rubber_thickness_mm;
+  // If the reference does not state a condition, all tests must agree in it.
+  void require_one_value() const {
+    auto const& reference = stated_.reference;
+    auto const require = [&](bool is_stated, std::optional<double> conditions::Condition::*member, double percent,
+                             std::string_view key) {
+      if (is_stated) return;
+      auto const& first = out_.tests.front();
+      for (auto const& test : out_.tests)
+        if (!conditions::agrees(test.condition.*member, first.condition.*member, percent))
+          throw Error({.where = "reference in [conditions]",
+                       .found = fmt::format("{} is not stated, and the tests differ in it: {:.4g} in {} of {}, {:.4g} "
+                                            "in {} of {}",
+                                            key, (first.condition.*member).value_or(0.0), printable(first.test),
+                                            printable(first.device), (test.condition.*member).value_or(0.0),
+                                            printable(test.test), printable(test.device)),
+                       .allowed = fmt::format("{} in the reference, or tests that agree in it", key)});
+    };
+    auto const& within = stated_.tolerance;
+    require(reference.frequency_Hz.has_value(), &conditions::Condition::frequency_Hz, within.frequency_percent,
+            "frequency-Hz");
+    require(reference.load_kN.has_value(), &conditions::Condition::load_kN, within.load_percent, "load-kN");
+    require(reference.strain_percent || reference.disp_mm, &conditions::Condition::strain_percent,
+            within.strain_percent, "strain-percent or disp-mm");
   }
 
-  void add_blocks(campaign::DeviceInput const& device, campaign::TestInput const& test, std::vector<Observed>& own) {
+  // The strain of a block in percent of the rubber's thickness, or its amplitude in mm if the reference is one.
+  double strain_of(campaign::DeviceInput const& device, double amplitude_mm) const {
+    if (stated_.reference.disp_mm) return amplitude_mm;
+    if (!device.info.rubber_thickness_mm && stated_.reference.strain_percent)
+      throw Error({.where = printable(device.name),
+                   .found = "the reference is a strain, and the thickness of the rubber is not known",
+                   .allowed = "rubber-thickness-mm in the device's table, or disp-mm in the reference"});
+    return device.info.rubber_thickness_mm ? 100.0 * amplitude_mm / *device.info.rubber_thickness_mm : amplitude_mm;
+  }
+
+  // Adds the blocks of a test, or returns why the test cannot be used. `strain_percent` is the largest of the test, as
+  // soon as its record is read.
+  std::string add_blocks(campaign::DeviceInput const& device, campaign::TestInput const& test,
+                         std::vector<Observed>& own, double& strain_percent) {
     auto const record = campaign::read_history(test);
     auto const properties = data::cyclic_properties(record);
-    if (properties.is_false || (properties.blocks.empty() && !properties.refusal.empty()))
-      return refuse(device, test, wording::reasons(properties.refusal));
-    bool first = true;
+    double farthest_mm = 0.0;
+    for (double const d : record.disp_mm) farthest_mm = std::max(farthest_mm, std::abs(d - properties.centre_mm));
+    strain_percent = strain_of(device, farthest_mm);
+    if (!record.sha256.empty() && !hashes_.insert(record.sha256).second)
+      return "the same record stands for another test of the lot too";
+    if (!properties.refusal.empty()) return wording::reasons(properties.refusal);
+    if (properties.failure) return wording::reasons({*properties.failure});
+    if (!test.stated.temperature_C) return "no temperature is stated: temperature-C = 20";
+    bool const is_of_one_condition = std::ranges::none_of(
+        properties.blocks, [](data::Block const& block) { return !block.counted().empty() && !block.frequency_Hz; });
+    if (reference_.frequency_Hz && !is_of_one_condition)
+      return "its frequency is not known, or it changes from cycle to cycle, and the reference states one";
+    bool first = true, any = false;
     for (auto const& block : properties.blocks) {
       auto const counted = block.counted();
-      if (counted.empty()) continue;
-      auto const measured_load = counted.front()->N_mean_kN;
+      if (counted.empty()) {
+        if (!block.fault.empty()) refuse(device, test, fmt::format("block {}: {}", block.number, block.fault));
+        own.push_back({.block = {.device = device.name,
+                                 .test = test.name,
+                                 .condition = {.strain_percent = strain_of(device, block.amplitude_mm)}}});
+        first = false;
+        continue;
+      }
+      std::vector<double> loads;
+      for (auto const* cycle : counted)
+        if (cycle->N_mean_kN) loads.push_back(*cycle->N_mean_kN);
+      auto const measured_load = loads.empty() ? std::nullopt : std::optional(num::moments(loads).mean);
       if (measured_load && test.stated.load_kN)
-        return refuse(device, test, "load-kN is stated, and the record has a channel for the load; leave load-kN out");
+        return "load-kN is stated, and the record has a channel for the load; leave load-kN out";
       if (reference_.load_kN && !measured_load && !test.stated.load_kN)
-        return refuse(device, test, "the vertical load is neither measured nor stated: load-kN = 2000");
-      if (!test.stated.temperature_C) return refuse(device, test, "no temperature is stated: temperature-C = 20");
+        return "the vertical load is neither measured nor stated: load-kN = 2000";
+      if (reference_.load_kN && measured_load && *measured_load < -0.05 * *reference_.load_kN)
+        return fmt::format("the mean vertical load is {:.4g} kN: compression must be positive", *measured_load);
       auto const& aged = test.stated.aged;
       conditions::Condition const condition{
           .temperature_C = test.stated.temperature_C,
           .frequency_Hz = block.frequency_Hz,
           .load_kN = measured_load ? measured_load : test.stated.load_kN,
-          .strain_percent = strain_of(device, block),
+          .strain_percent = strain_of(device, block.amplitude_mm),
           .ageing = aged ? std::optional(conditions::Ageing{.days = aged->days, .at_C = aged->at_C}) : std::nullopt};
       Observed seen{.block = {.device = device.name,
                               .test = test.name,
@@ -159,14 +220,16 @@ class Builder {
                             .test = test.name,
                             .file = test.shown_file,
                             .sha256 = record.sha256,
+                            .temperature_of = test.stated.temperature_of,
                             .order = *test.stated.order,
                             .block = block.number,
                             .condition = condition,
                             .rest_h = seen.block.rest_h});
       add_values(device, seen.block, out_.tests.back());
       own.push_back(std::move(seen));
-      first = false;
+      first = false, any = true;
     }
+    return any ? std::string() : "no cycle of it counts";
   }
 
   void add_values(campaign::DeviceInput const& device, conditions::Block const& block, ConditionsTest& row) const {
@@ -206,10 +269,11 @@ class Builder {
   }
 
   void judge(Observed& seen) {
-    auto& row = out_.tests[seen.row];
+    if (!seen.row) return;
+    auto& row = out_.tests[*seen.row];
     auto const& condition = seen.block.condition;
     auto reference = reference_;
-    // A key that the reference leaves out asks only that tests agree among themselves, so it makes no difference here.
+    // All tests agree in a condition that the reference does not state (require_one_value()).
     if (!reference.frequency_Hz) reference.frequency_Hz = condition.frequency_Hz;
     if (!reference.load_kN) reference.load_kN = condition.load_kN;
     if (!reference.strain_percent) reference.strain_percent = condition.strain_percent;
@@ -228,35 +292,47 @@ class Builder {
     }
   }
 
-  // The tests that show an effect, or the reference tests. A test is left out if its reference cycle has another history
-  // than that of the device's first reference test.
-  std::vector<conditions::Sample> samples(Quantity quantity, std::optional<Effect> effect) {
-    std::vector<conditions::Sample> found;
+  // The tests that show an effect, and the reference tests of the same devices. Of each device only tests are taken
+  // whose reference cycle has one history: of the histories that a reference test has too, the one of most tests.
+  struct Compared {
+    std::vector<conditions::Sample> reference, others;
+  };
+  Compared compared(Quantity quantity, Effect effect) {
+    auto const history = [&](Observed const& seen) { return history_of(seen, stated_.reference.first_cycle); };
+    auto const shows = [&](Observed const& seen) { return seen.usable && seen.differs == std::vector{effect}; };
+    auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
+    std::map<std::string, std::map<conditions::History, int>> tests;
+    for (auto const& seen : all_)
+      if (is_reference(seen)) tests[seen.block.device][*history(seen)] += 0;
+    for (auto const& seen : all_)
+      if (shows(seen) && tests[seen.block.device].contains(*history(seen))) ++tests[seen.block.device][*history(seen)];
+    Compared found;
     for (auto const& seen : all_) {
-      if (!seen.usable || (effect ? seen.differs != std::vector{*effect} : !seen.differs.empty())) continue;
-      auto const ln = ln_at_reference(seen.block, quantity);
-      if (!ln) continue;
-      auto const word = history_of(seen, stated_.reference.first_cycle);
-      auto const own = std::ranges::find_if(all_, [&](Observed const& other) {
-        return other.usable && other.differs.empty() && other.block.device == seen.block.device;
-      });
-      if (own != all_.end() && history_of(*own, stated_.reference.first_cycle) != word) {
-        out_.tests[seen.row].role = TestRole::other_history;
+      if (!shows(seen) && !is_reference(seen)) continue;
+      auto const& of_device = tests[seen.block.device];
+      auto const most = std::ranges::max_element(of_device, {}, [](auto const& each) { return each.second; });
+      if (most == of_device.end() || most->first != *history(seen)) {
+        if (!shows(seen)) continue;
+        auto& row = out_.tests[*seen.row];
+        row.role = most == of_device.end() ? TestRole::unpaired : TestRole::other_history;
+        row.effect.reset();
         continue;
       }
-      found.push_back({.device = seen.block.device, .condition = seen.block.condition, .ln = *ln});
+      auto const ln = ln_at_reference(seen.block, quantity);
+      if (ln)
+        (shows(seen) ? found.others : found.reference)
+            .push_back({.device = seen.block.device, .condition = seen.block.condition, .ln = *ln});
     }
     return found;
   }
 
   static std::string level_text(Effect effect, conditions::Level const& level) {
-    if (level.ageing) return fmt::format("{:.4g} days at {:.4g} C", level.ageing->days, level.ageing->at_C);
+    if (level.ageing) return fmt::format("{:.6g} days at {:.6g} C", level.ageing->days, level.ageing->at_C);
     char const* unit = effect == Effect::temperature ? "C" : effect == Effect::rate ? "Hz" : "kN";
-    return fmt::format("{:.4g} {}", level.at, unit);
+    return fmt::format("{:.6g} {}", level.at, unit);
   }
 
   void examine(Quantity quantity) {
-    auto const reference = samples(quantity, std::nullopt);
     std::vector<conditions::Part> max, min;
     auto const add = [&](Effect effect, Factor const& largest, Factor const& smallest) {
       out_.design.push_back({.quantity = quantity, .effect = effect, .max = largest, .min = smallest});
@@ -265,20 +341,19 @@ class Builder {
     };
     auto const& design = stated_.design;
     for (auto const effect : of_tests) {
-      auto const others = samples(quantity, effect);
+      auto const [reference, others] = compared(quantity, effect);
       conditions::Response const response(effect, reference, others, reference_, tolerance_);
       for (auto const& level : response.levels()) {
         if (level.reference) continue;
-        LevelRow row{.quantity = quantity,
-                     .effect = effect,
-                     .level = level_text(effect, level),
-                     .factor = level.ageing ? response.at(*level.ageing) : response.at(level.at)};
+        LevelRow row{
+            .quantity = quantity, .effect = effect, .level = level_text(effect, level), .factor = response.of(level)};
         for (auto const& ratio : level.ratios) row.devices.push_back(ratio.device);
         out_.levels.push_back(std::move(row));
       }
-      if (response.drift()) out_.drift_checked = true;
-      if (quantity == Quantity::K_eff && response.levels().size() == 2 && effect != Effect::ageing)
-        out_.straightness_not_checked.push_back(effect);
+      if (quantity == Quantity::K_eff && response.levels().size() > 1) {
+        if (!response.drift()) out_.drift_not_checked.push_back(effect);
+        if (!response.line_error() && effect != Effect::ageing) out_.straightness_not_checked.push_back(effect);
+      }
       if (effect == Effect::ageing) {
         if (auto const factor = aged(response)) {
           Factor const none = as_reference();
@@ -305,17 +380,21 @@ class Builder {
     auto const& design = stated_.design;
     if (design.aged) return response.at(conditions::Ageing{.days = design.aged->days, .at_C = design.aged->at_C});
     if (!design.years) return std::nullopt;
-    Factor none{.status = conditions::Status::not_covered};
+    Factor const none{.status = conditions::Status::not_covered};
     if (!stated_.activation_energy_kJ_per_mol) return none;
-    for (auto const& level : response.levels())
-      if (level.ageing) {
-        double const life = conditions::stands_for_years(*level.ageing, *design.service_temperature_C,
-                                                         *stated_.activation_energy_kJ_per_mol);
-        out_.ageing_stands_for_years = std::max(out_.ageing_stands_for_years.value_or(0.0), life);
-        auto const factor = conditions::aged_factor(response.at(*level.ageing), *design.years, life);
-        if (factor.status < none.status) none = factor;
-      }
-    return none;
+    // The test that stands for the shortest life of at least the design's, else the one for the longest life.
+    conditions::Level const* chosen = nullptr;
+    double life = 0.0;
+    for (auto const& level : response.levels()) {
+      if (!level.ageing) continue;
+      double const years = conditions::stands_for_years(*level.ageing, *design.service_temperature_C,
+                                                        *stated_.activation_energy_kJ_per_mol);
+      bool const nearer = life < *design.years ? years > life : years >= *design.years && years < life;
+      if (chosen == nullptr || nearer) chosen = &level, life = years;
+    }
+    if (chosen == nullptr) return none;
+    out_.ageing_stands_for_years = life;
+    return conditions::aged_factor(response.of(*chosen), *design.years, life);
   }
 
   static Factor as_reference() { return {.se = 0.0, .df = 1.0}; }
@@ -372,8 +451,16 @@ class Builder {
     if (design.full_rest) add_one(Effect::scragging, conditions::scragging_factor(first));
     if (design.rest_h) {
       auto const share = conditions::recovery_after(recovered_, *design.rest_h);
-      add_one(Effect::scragging,
-              share ? conditions::scragging_factor(first, share) : Factor{.status = conditions::Status::not_covered});
+      auto factor = share ? conditions::scragging_factor(first, share) : Factor{};
+      bool const is_tested =
+          std::ranges::find(recovered_, *design.rest_h, &conditions::Recovered::rest_h) != recovered_.end();
+      // The interval would have to contain that of the recovery, which few devices show.
+      factor.se = factor.df = std::nullopt;
+      if (!share || first.empty())
+        factor.status = conditions::Status::not_covered;
+      else if (!is_tested)
+        factor.status = conditions::Status::interpolated;
+      add_one(Effect::scragging, factor);
     }
     if (!design.cycles) return;
     auto const factor = conditions::mean_factor(after);
@@ -392,6 +479,7 @@ class Builder {
   conditions::Tolerance tolerance_;
   std::vector<Observed> all_;
   std::vector<conditions::Recovered> recovered_;
+  std::set<std::string> hashes_;  // of the records read
   ConditionsResult out_;
 };
 
@@ -411,6 +499,8 @@ std::string_view name(TestRole role) {
       return "no reference cycle";
     case TestRole::other_history:
       return "another history";
+    case TestRole::unpaired:
+      return "no reference test";
   }
   return "";
 }

@@ -21,12 +21,14 @@ enum class TestRole {
   combined,       // it differs in two conditions or more, so it shows no single effect
   other_strain,   // it has another strain than the reference
   cycle_missing,  // it has no cycle with the number of the reference cycle
-  other_history,  // its cycle has another history than that of the device's reference test
+  other_history,  // no reference test of the device has a cycle with the same history
+  unpaired,       // the device has no reference test
 };
 std::string_view name(TestRole role);
 
 struct ConditionsTest {  // one block of one test
   std::string device, test, file, sha256;
+  std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
   int order = 0, block = 0;
   conditions::Condition
       condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
@@ -39,7 +41,7 @@ struct ConditionsTest {  // one block of one test
   std::optional<double> heating_K = {};  // at most, in that cycle
 };
 
-struct RefusedTest {
+struct RefusedTest {  // a test, or one block of it
   std::string device, test, reason;
 };
 
@@ -76,14 +78,16 @@ struct ConditionsResult {
   std::vector<DesignRow> design;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
-  std::optional<int> installed;                              // devices of the production lot
-  bool drift_checked = false;                                // a device has a second reference test
-  std::vector<conditions::Effect> straightness_not_checked;  // effects with too few levels for an error of the line
+  std::optional<int> installed;  // devices of the production lot
+  // Effects that were tested on devices without a second reference test, and effects with too few levels to tell how
+  // straight the line between them is.
+  std::vector<conditions::Effect> drift_not_checked, straightness_not_checked;
   std::optional<double> ageing_stands_for_years;
 };
 
 // Reads every record of the lot. A test that cannot be used is listed in `refused`. Throws Error if the lot file has no
-// table [conditions], or if no test is left.
+// table [conditions], if no test agrees with the reference, or if the tests differ in a condition that the reference
+// does not state.
 ConditionsResult build_conditions(campaign::Lot const& lot);
 
 }  // namespace isolaw::study

@@ -29,22 +29,24 @@ void write_factor(JsonWriter& out, conditions::Factor const& factor, std::option
     write_interval(out, "mean", about(About::mean));
     write_interval(out, "device", about(About::device));
     bool const some = installed && factor.devices <= *installed;
-    write_interval(out, "system", installed ? about(some ? About::system : About::prototypes) : std::nullopt);
+    write_interval(out, "system", some ? about(About::system) : std::nullopt);
+    write_interval(out, "prototypes", installed && !some ? about(About::prototypes) : std::nullopt);
   });
 }
 
+std::vector<std::string> names_of(std::vector<conditions::Effect> const& effects) {
+  std::vector<std::string> texts;
+  for (auto const effect : effects) texts.emplace_back(name(effect));
+  return texts;
+}
+
 void write_combined(JsonWriter& out, conditions::Combined const& all) {
-  auto const names = [](std::vector<conditions::Effect> const& effects) {
-    std::vector<std::string> texts;
-    for (auto const effect : effects) texts.emplace_back(name(effect));
-    return texts;
-  };
   out.object([&] {
     write_members(out, "factor", all.factor, "complete", all.complete(), "status", all.status, "share_shown",
                   all.share_shown);
     write_interval(out, "interval", all.interval);
-    out.member("not_covered", names(all.not_covered));
-    out.member("without_interval", names(all.without_interval));
+    out.member("not_covered", names_of(all.not_covered));
+    out.member("without_interval", names_of(all.without_interval));
   });
 }
 
@@ -65,7 +67,10 @@ std::string conditions_json(study::ConditionsResult const& result) {
       write_members(out, "device", test.device, "test", test.test, "reason", test.reason);
     });
     out.key("levels").objects(result.levels, [&](study::LevelRow const& row) {
-      write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "devices", row.devices);
+      bool const has_condition = row.effect == conditions::Effect::temperature ||
+                                 row.effect == conditions::Effect::rate || row.effect == conditions::Effect::load;
+      write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "at",
+                    has_condition ? std::optional(row.factor.at) : std::nullopt, "devices", row.devices);
       write_factor(out.key("factor"), row.factor, result.installed);
     });
     out.key("design").objects(result.design, [&](study::DesignRow const& row) {
@@ -81,10 +86,8 @@ std::string conditions_json(study::ConditionsResult const& result) {
     out.key("recovery").objects(result.recovery, [&](study::RecoveryRow const& row) {
       write_members(out, "rest_h", row.rest_h, "share", row.share, "devices", row.devices);
     });
-    out.member("drift_checked", result.drift_checked);
-    std::vector<std::string> unchecked;
-    for (auto const effect : result.straightness_not_checked) unchecked.emplace_back(name(effect));
-    out.member("straightness_not_checked", unchecked);
+    out.member("drift_not_checked", names_of(result.drift_not_checked));
+    out.member("straightness_not_checked", names_of(result.straightness_not_checked));
     out.member("ageing_stands_for_years", result.ageing_stands_for_years);
   });
   return out.take() + '\n';

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
+#include <utility>
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
@@ -29,7 +31,7 @@ std::string interval_text(std::optional<conditions::Interval> const& interval) {
 
 std::string status_text(Factor const& factor) {
   if (factor.status == Status::not_covered) return "NOT COVERED";
-  // The reference itself, or a history that every reference test has, needs no further word.
+  // The factor is 1, that of the reference itself.
   if (factor.devices == 0) return "reference";
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
 }
@@ -93,8 +95,8 @@ void add_bounds(std::string& text, study::ConditionsResult const& result, bool d
                factor_text(of.min), status_text(of.min));
   }
   if (!alone.empty())
-    append(text, "\nThe bounds have no interval: {} {} tested on one device, without repeated tests that differ.\n",
-           joined(alone), alone.size() == 1 ? "was" : "were");
+    append(text, "\nThe bounds have no interval, because {} {} none: a single device shows {}, or too few.\n",
+           joined(alone), alone.size() == 1 ? "has" : "have", alone.size() == 1 ? "it" : "them");
 }
 
 void add_levels(std::string& text, study::ConditionsResult const& result, bool details) {
@@ -118,7 +120,7 @@ void add_tests(std::string& text, study::ConditionsResult const& result) {
   text += "\nTests; temperature, ageing, rest and order are as stated, not measured\n";
   append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", "device", "test", "order",
          "T, C", "f, Hz", "N, kN", "strain", "cycle is", "used as", "K_eff", "damping");
-  auto const number = [](std::optional<double> const& value) { return value ? fmt::format("{:.4g}", *value) : "-"; };
+  auto const number = [](std::optional<double> const& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
   for (auto const& test : result.tests) {
     auto const& at = test.condition;
     append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", printable(test.device),
@@ -133,11 +135,11 @@ void add_tests(std::string& text, study::ConditionsResult const& result) {
 
 std::string conditions_text(study::ConditionsResult const& result, bool details) {
   std::string text;
-  std::vector<std::string> devices;
-  for (auto const& test : result.tests)
-    if (std::ranges::find(devices, test.device) == devices.end()) devices.push_back(test.device);
+  std::set<std::string> devices;
+  std::set<std::pair<std::string, std::string>> tests;
+  for (auto const& test : result.tests) devices.insert(test.device), tests.insert({test.device, test.test});
   append(text, "{}{}{} of {}\nReference: {}\n", printable(result.title), result.title.empty() ? "" : ": ",
-         counted(result.tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
+         counted(tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
   add_bounds(text, result, details);
   add_levels(text, result, details);
   if (!result.recovery.empty()) {
@@ -147,9 +149,12 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
              counted(static_cast<std::size_t>(row.devices), "device"));
   }
   text += '\n';
-  if (!result.drift_checked) text += "Drift not checked: no device has a second reference test.\n";
-  for (auto const effect : result.straightness_not_checked)
-    append(text, "Straightness not checked: {} has fewer than three levels.\n", name(effect));
+  if (!result.drift_not_checked.empty())
+    append(text, "Drift is not checked for {}: no device tested for it has a second reference test.\n",
+           joined(names_of(result.drift_not_checked)));
+  if (!result.straightness_not_checked.empty())
+    append(text, "Whether the response is straight is not checked for {}: too few levels were tested.\n",
+           joined(names_of(result.straightness_not_checked)));
   if (result.ageing_stands_for_years)
     append(text, "The ageing test stands for {:.3g} years at {:g} C.\n", *result.ageing_stands_for_years,
            result.stated.design.service_temperature_C.value_or(result.stated.reference.temperature_C));
