@@ -73,7 +73,9 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
   ASSERT_EQ(j["recovery"].size(), 3u);
   near(j["recovery"][0]["share"], 0.109861229, 1e-6);
   near(j["recovery"][2]["share"], 0.582008293, 1e-6);
-  EXPECT_TRUE(j["drift_checked"]);
+  // P4 and P5 have further reference tests, the devices of the cold chamber have none.
+  EXPECT_EQ(j["drift_not_checked"], Json({"temperature"}));
+  EXPECT_EQ(j["straightness_not_checked"], Json::array());
   near(j["tests"][0]["heating_K"], 0.169213 * std::exp(0.03 + 0.002), 1e-3);
   for (auto const& test : j["tests"])
     if (test["device"] == "P6") {
@@ -94,7 +96,7 @@ TEST_F(Conditions, without_details_leave_the_tests_out) {
   auto const o = isolaw({"conditions", "ex/lot.toml"});
   EXPECT_TRUE(contains(o.out, "1 test shows no effect; --details says why.")) << o;
   EXPECT_FALSE(contains(o.out, "combined")) << o;
-  EXPECT_TRUE(contains(o.out, "no interval: rate, load, ageing, cycles were tested on one device")) << o;
+  EXPECT_TRUE(contains(o.out, "no interval, because rate, load, ageing, cycles have none")) << o;
 }
 
 TEST_F(Conditions, that_no_test_covers_leave_the_bound_open) {
@@ -128,7 +130,10 @@ TEST_F(Conditions, are_refused_with_the_line_and_what_is_allowed) {
            Case{"rest = \"full\"", "years = 50", "years"},
            Case{"at-C = 70 } }", "at-C = 170 } }", "0 to 100"},
            Case{"order = 2", "order = 1", "the order of another test"},
-           Case{"order = 2\n", "", "no order"},
+           Case{"order = 2\n", "", "a test without its order"},
+           Case{"order = 2\n", "order = 2\naged = { days = 14 }\n", "days or at-C is missing"},
+           Case{"order = 2\n", "order = 2\naged = {}\n", "days or at-C is missing"},
+           Case{"order = 2\n", "order = 2\naged = { days = 0, at-C = 70 }\n", "above 0"},
            Case{"order = 2\n", "order = 2\ntemperature-of = \"skin\"\n", "core, surface, chamber"},
            Case{"rest-h = 24", "rest-h = -1", "0 or more"},
            Case{"[conditions]", "[conditions]\nactivation-energy-kJ-mol = 90\n",
@@ -141,6 +146,40 @@ TEST_F(Conditions, are_refused_with_the_line_and_what_is_allowed) {
   }
   auto const without = isolaw({"conditions", "ex/P1-20C.csv"});
   EXPECT_EQ(without.code, 2) << without;
+}
+
+// Without [conditions], each test with such a key has one complaint that names the table.
+TEST_F(Conditions, need_their_table) {
+  auto const o = with("[conditions]", "[no-conditions]");
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_TRUE(contains(o.err, "the file has no table [conditions]")) << o;
+}
+
+// A condition that the reference leaves out must be the same in all tests.
+TEST_F(Conditions, that_the_reference_leaves_out_must_agree) {
+  auto const o = with(" load-kN = 2000,", "");
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_TRUE(contains(o.err, "load-kN is not stated, and the tests differ in it")) << o;
+  auto const none = with("temperature-C = 20, frequency-Hz", "temperature-C = 70, frequency-Hz");
+  EXPECT_EQ(none.code, 2) << none;
+  EXPECT_TRUE(contains(none.err, "no test agrees with the reference")) << none;
+}
+
+// A test that cannot be read may have stretched the device to any strain, so its later first cycles are not those of a
+// new device. One file cannot be two tests.
+TEST_F(Conditions, of_refused_tests_count_as_history) {
+  auto const missing = with("file = \"P1-20C.csv\"", "file = \"P1-none.csv\"", {"--json"});
+  EXPECT_EQ(missing.code, 1) << missing;
+  auto const j = Json::parse(missing.out);
+  EXPECT_EQ(j["refused"].size(), 1u);
+  for (auto const& test : j["tests"])
+    if (test["device"] == "P1") {
+      EXPECT_EQ(test["history"], "disturbed") << test;
+      EXPECT_EQ(test["role"], "no reference test") << test;
+    }
+  auto const twice = with("file = \"P2-20C.csv\"", "file = \"P1-20C.csv\"");
+  EXPECT_EQ(twice.code, 1) << twice;
+  EXPECT_TRUE(contains(twice.out, "Refused: P2, 20C: the same record stands for another test")) << twice;
 }
 
 TEST_F(Conditions, name_a_test_that_cannot_be_used) {

@@ -376,6 +376,29 @@ TEST(History, of_the_cycles_of_a_device) {
   EXPECT_EQ(largest_before(blocks), (std::vector{0.0, 100.0, 100.0}));
 }
 
+TEST(Response, without_a_reference_test_covers_nothing) {
+  std::vector<Sample> const others{relative("A", 0, 1.7)};
+  Response const response(Effect::temperature, {}, others, reference, {});
+  EXPECT_EQ(response.at(0.0).status, Status::not_covered);
+  EXPECT_EQ(response.over(20.0, 20.0).max.status, Status::not_covered);
+  EXPECT_EQ(response.unpaired(), std::vector<std::string>{"A"});
+}
+
+// Tests of ageing have no order in which those that agree are neighbours.
+TEST(Response, joins_the_tests_that_agree) {
+  auto const aged = [](std::string device, double days, double at_C, double value) {
+    auto condition = condition_of({});
+    condition.ageing = Ageing{.days = days, .at_C = at_C};
+    return Sample{.device = std::move(device), .condition = condition, .ln = std::log(value)};
+  };
+  std::vector<Sample> const own{relative("A", 20, 1.0), relative("B", 20, 1.0), relative("C", 20, 1.0)},
+      others{aged("A", 14, 70, 1.1), aged("B", 28, 70, 1.3), aged("C", 14, 71, 1.2)};
+  Response const response(Effect::ageing, own, others, reference, {});
+  ASSERT_EQ(response.levels().size(), 3u);
+  EXPECT_EQ(response.at(Ageing{.days = 14.0, .at_C = 70.0}).devices, 2);
+  expect_near(response.at(Ageing{.days = 28.0, .at_C = 70.0}).lambda(), 1.3);
+}
+
 TEST(Response, of_equal_tests_is_one_and_inverts_with_its_reference) {
   std::vector<Sample> const own{relative("A", 20, 1.3), relative("B", 20, 1.1)},
       equal{relative("A", 0, 1.3), relative("B", 0, 1.1)}, others{relative("A", 0, 1.7), relative("B", 0, 1.2)};
