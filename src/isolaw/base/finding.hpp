@@ -59,7 +59,7 @@ enum class FindingKind {
   largest_speed, average_over_samples, largest_swings,
   // How the record was read. word("text") of the finding is the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
-  test_chosen, file_joined, force_flipped,
+  test_chosen, file_joined, force_flipped, half_cycles_count,
   // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, faulty_not_scored, failed_not_scored, all_samples_kept, velocity_computed, no_velocity,

@@ -539,6 +539,9 @@ std::span<Row const> rows() {
       fact(file_joined, "file-joined", stated),
       fact(force_flipped, "force-flipped", "the force is multiplied by -1, as asked for (--flip-force)"),
       fact(spikes_repaired, "spikes-repaired", "", wording::spikes_repaired),
+      fact(half_cycles_count, "half-cycles-count",
+           "each swing that belongs to no full cycle counts as a half cycle, with twice its energy, as asked for "
+           "(--half-cycles)"),
       fact(skew_removed, "skew-removed", "", wording::skew_removed),
       fact(
           friction_removed, "friction-removed",

@@ -57,6 +57,7 @@ struct TestRecord {
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
+  bool counts_half_cycles() const;  // ReadOptions::half_cycles, as the store keeps it
 };
 
 // True if a correction by hand changed the record. A factor of the force does not count: it says what the rig measures,

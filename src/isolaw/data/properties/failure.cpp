@@ -69,7 +69,7 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   std::vector<Cycle*> cycles;  // the complete ones in order
   for (auto& block : properties.blocks)
     for (auto& cycle : block.cycles)
-      if (!cycle.partial && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
+      if (!cycle.partial && !cycle.half && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
   Cycle const* fails = nullptr;
   Cycle const* before = nullptr;
   double kept = 1.0;
