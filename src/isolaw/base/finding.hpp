@@ -43,7 +43,8 @@ enum class FindingKind {
   // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
   refit_response_off, refit_response,
   // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
-  no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
+  no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_wraps,
+  signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
   // Doubts about the values in a record.

@@ -12,7 +12,7 @@
 
 namespace isolaw::data {
 
-enum class FaultKind { clipped, stuck, spike, rectified, dropout };
+enum class FaultKind { clipped, stuck, spike, rectified, dropout, wrapped };
 
 // A signal that cannot be true. signals/signal_faults.hpp finds such faults.
 struct SignalFault {
