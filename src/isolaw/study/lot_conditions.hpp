@@ -11,11 +11,11 @@
 namespace isolaw::study {
 
 // Compares temperature, frequency, vertical load and amplitude of the cycles that count, the largest amplitude before
-// them, and the number of cycles before them of at least their amplitude. Devices may differ by what the rule set says of tests of one condition; else by twice its tolerance from
-// the design, since each device may differ from the design by the tolerance; else by what the lot file or the command
-// says (campaign::Alike); else by isolaw's own tolerances (also there). The finding has the smallest,
-// the largest and the allowed difference of each condition that differs by more, and says where the tolerances come
-// from. nullopt if none does.
+// them, and the number of cycles before them of at least their amplitude. Devices may differ by what the rule set says
+// of tests of one condition; else by twice its tolerance from the design, since each device may differ from the design
+// by the tolerance; else by what the lot file or the command says (campaign::Alike); else by isolaw's own tolerances
+// (also there). The finding has the smallest, the largest and the allowed difference of each condition that differs by
+// more, and says where the tolerances come from. nullopt if none does.
 std::optional<Finding> conditions_differ(Summary const& summary);
 
 // Measured values of tests at another amplitude would make a device an outlier for a reason that is not its own, so

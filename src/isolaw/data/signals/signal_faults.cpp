@@ -64,8 +64,8 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   return {};
 }
 
-// Finds a force that leaves its range at one end and comes in at the other: it jumps by most of its range at least twice
-// while the motion goes on, and back. The force of friction jumps only where the motion turns or starts.
+// Finds a force that leaves its range at one end and comes in at the other: it jumps by most of its range at least
+// twice while the motion goes on, and back. The force of friction jumps only where the motion turns or starts.
 std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
   constexpr double least_jump = 0.8, most_step = 0.1;  // times the range of force: the jump, and the steps beside it
   constexpr double least_way = 0.005;                  // times the range of displacement, within `lag` samples
