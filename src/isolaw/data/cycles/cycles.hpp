@@ -5,9 +5,10 @@
 // after a rest, starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its
 // start. A motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the
 // record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count,
-// that is, enter the results. On request each swing of which no more than half lies in full cycles is a half cycle, in a
-// block of half cycles; it replaces the partial cycles there, and the cycles of a record that is not cyclic. The first
-// and the last sample are turns of the motion only at zero or at the centre, where tests start and end. A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
+// that is, enter the results. On request each swing of which no more than half lies in full cycles is a half cycle, in
+// a block of half cycles; it replaces the partial cycles there, and the cycles of a record that is not cyclic. The
+// first and the last sample are turns of the motion only at zero or at the centre, where tests start and end. A period
+// leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>
