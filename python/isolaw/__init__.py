@@ -122,7 +122,7 @@ def read_record(path, *, name=None, **reading):
     dt: sampling interval in s of a file without time. sheet, test: which sheet or test to read if the file has several.
     rows: ``"101:700"``, rows of numbers counted from 1. from_s, to_s: the part to read, in seconds of the file's own
     time. footer: ``"skip"`` ignores text below the rows. thousands: the mark that groups digits. date_order: ``"dmy"``
-    or ``"mdy"``.
+    or ``"mdy"``. half_cycles: True counts each swing that belongs to no full cycle as a half cycle.
     flip_force, repair, skew_ms, rig_friction_kN, rig_friction_coefficient, moving_mass_kg, force_factor: corrections,
     like the options of ``isolaw inspect``.
 

@@ -53,6 +53,7 @@ def read_record(
     sheet: str | int | None = None,
     test: str | int | None = None,
     flip_force: bool = False,
+    half_cycles: bool = False,
     repair: Literal["spikes"] | None = None,
     skew_ms: float | None = None,
     rig_friction_kN: float | None = None,

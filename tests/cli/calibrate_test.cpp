@@ -200,6 +200,7 @@ TEST_F(Calibrate, summary_has_the_documented_schema) {
                                   "damping_error_percent",
                                   "integration_shift",
                                   "parameters",
+                                  "counts",
                                   "status",
                                   "message",
                                   "runs",

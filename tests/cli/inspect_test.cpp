@@ -445,5 +445,30 @@ TEST_F(Implausible, paths_that_lead_nowhere) {
   EXPECT_TRUE(contains(o.out, "folder/loop.csv: cannot be read: Too many levels"));
 }
 
+// Three and a half cycles. The store keeps that half cycles count, so reports of the campaign list them too.
+TEST_F(Inspect, half_cycles_count_on_request) {
+  write("half.csv", csv(record({.samples = 701})));
+  auto const without = isolaw({"inspect", "half.csv"});
+  EXPECT_TRUE(contains(without.out, "not counted: partial: the record ends at 0 mm")) << without;
+  auto const with = isolaw({"inspect", "half.csv", "--half-cycles"});
+  EXPECT_EQ(with.code, 0) << with;
+  EXPECT_TRUE(contains(with.out, "  half cycle, energy doubled\n")) << with;
+  EXPECT_TRUE(contains(with.out, "each swing that belongs to no full cycle counts as a half cycle")) << with;
+  auto const one = Json::parse(isolaw({"inspect", "half.csv", "--half-cycles", "--json"}).out);
+  auto const& blocks = one.contains("devices") ? one["devices"][0]["blocks"] : one["blocks"];
+  ASSERT_EQ(blocks.size(), 3u);
+  auto const &full = blocks[0]["cycles"][2], &half = blocks[1]["cycles"][0];
+  EXPECT_EQ(full["half"], false);
+  EXPECT_EQ(half["half"], true);
+  EXPECT_NEAR(half["K_eff_kN_per_mm"].get<double>(), full["K_eff_kN_per_mm"].get<double>(), 1e-4);
+  EXPECT_NEAR(half["energy_kN_mm"].get<double>(), full["energy_kN_mm"].get<double>(), 10.0);
+  write(
+      "half.toml",
+      "[calibrate]\nlaws = ['bilinear']\nruns = 1\nreplicates = 0\n[[device]]\nfile = 'half.csv'\nhalf-cycles = true\n");
+  auto const o = isolaw({"calibrate", "half.toml", "--out", "H"});
+  EXPECT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(read("H/tables/cycles.csv"), ",650,700,yes,")) << read("H/tables/cycles.csv");
+}
+
 }  // namespace
 }  // namespace isolaw::cli_test

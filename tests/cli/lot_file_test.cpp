@@ -148,7 +148,7 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
   expect_refused(
       run("[read]\nskip = 1\n" + std::string(device)),
       {"lot.toml:2: unknown key 'skip' in [read]",
-       "channel-scale, columns, date-order, dt, flip-force, footer, force-factor, from, missing, moving-mass, repair, rig-friction, rig-friction-coefficient, rows, sheet, skew-ms, test, thousands, to, units"});
+       "channel-scale, columns, date-order, dt, flip-force, footer, force-factor, from, half-cycles, missing, moving-mass, repair, rig-friction, rig-friction-coefficient, rows, sheet, skew-ms, test, thousands, to, units"});
 }
 
 TEST_F(LotFile, wrong_type_names_the_line) {

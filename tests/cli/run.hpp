@@ -137,7 +137,8 @@ inline Words held_to(std::string const& design) {
 // would take far longer than the short searches of most tests.
 inline Words without_extras(Words words) {
   if (words.size() < 2 || (words.front() != "calibrate" && words.front() != "report")) return words;
-  static Words const flags{"--fresh", "--json", "--center", "--allow-outside", "--flip-force", "--same-device"};
+  static Words const flags{"--fresh",      "--json",        "--center",     "--allow-outside",
+                           "--flip-force", "--half-cycles", "--same-device"};
   bool const lacks_a_value = words.back().starts_with('-') && std::ranges::find(flags, words.back()) == flags.end();
   if (lacks_a_value) return words;
   Words const options = words.front() == "calibrate" ? Words{"--analysis", "--figures"} : Words{"--figures"};

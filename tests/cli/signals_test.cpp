@@ -111,7 +111,7 @@ TEST_F(Signals, cycles_that_no_device_makes_are_not_fitted) {
   };
   write("wrapped.csv", wrapped(50.0));
   auto const o = isolaw({"inspect", "wrapped.csv"});
-  EXPECT_TRUE(contains(o.out, "no device does")) << o;  // of the later cycles; the block before them counts
+  EXPECT_TRUE(contains(o.out, "the force wraps around")) << o;  // in the later cycles; the block before them counts
   auto const fitted = isolaw(Words{"calibrate", "wrapped.csv", "--out", "W"} + smallest_search);
   EXPECT_EQ(fitted.code, 0) << fitted;
   EXPECT_TRUE(contains(read("W/report.html"), "laws are not fitted to block 2")) << fitted;

@@ -137,6 +137,30 @@ TEST(Blocks, ALoopThatGivesEnergyBackTakesItsBlock) {
   EXPECT_EQ(properties.faulty[0].kind, FindingKind::cycle_gives_energy);
 }
 
+// The third cycle keeps one of its peaks and most of its energy. Only the dead cycle after it tells that it failed.
+TEST(Blocks, TheCycleInWhichTheForceGoesAfterAPeakDoesNotCount) {
+  auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
+  auto const sound = motion.properties();
+  for (std::size_t i = 520; i < motion.force_kN.size(); ++i)
+    motion.force_kN[i] = 0.01 * std::sin(0.7 * static_cast<double>(i));
+  auto const record = record_of_motion(motion);
+  auto const properties = cyclic_properties(record);
+  EXPECT_TRUE(contains(said_in(record.warnings), "the force is suddenly lost: cycle 3 of block 1 has"))
+      << said_in(record.warnings);
+  ASSERT_TRUE(properties.reported);
+  EXPECT_EQ(properties.counted().size(), 2u);
+  EXPECT_EQ(properties.reported->K_eff_kN_per_mm, sound.find(1, 2)->K_eff_kN_per_mm);
+}
+
+// A logger writes 0 where it has no value. Were these samples taken for a rough signal, the energy would be too small.
+TEST(Blocks, OneValueInPlaceOfMissingOnesIsNoRoughSignal) {
+  auto motion = Motion().sine(100.0, 0.5, 4).end().loop();
+  for (std::size_t i = 30; i < motion.force_kN.size(); i += 40) motion.force_kN[i] = 0.0;
+  auto const record = record_of_motion(motion);
+  EXPECT_TRUE(contains(said_in(record.warnings), "single-sample spikes")) << said_in(record.warnings);
+  EXPECT_FALSE(cyclic_properties(record).reported);
+}
+
 TEST(Blocks, AFailureIsNamedAndADeadCycleIsNeverReported) {
   for (double const slope : {0.0005, -0.0005}) {
     auto motion = in_stages({5.0, 10.0, 20.0, 40.0});

@@ -166,13 +166,28 @@ TEST(ScaleHints, AreFoundInNames) {
   EXPECT_EQ(force("Half force [kN]"), "half");
   EXPECT_EQ(force("Force per bearing [kN]"), "per bearing");
   EXPECT_EQ(force("Avg. force [kN]"), "avg");
+  EXPECT_EQ(force("Force of two bearings [kN]"), "two bearings");
+  EXPECT_EQ(force("Total force (2 isolators) [kN]"), "2 isolators");
+  EXPECT_EQ(force("Shear force of bearing pair [kN]"), "pair");
+  EXPECT_EQ(force("Force (scaled 1:2) [kN]"), "1:2");
+  EXPECT_EQ(disp("Scaled displacement [mm]"), "scaled");
   EXPECT_EQ(force("Forza media [kN]"), "media");
   EXPECT_EQ(force("Kraft (doppelt) [kN]"), "doppelt");
   EXPECT_EQ(disp("Double amplitude displacement [mm]"), "double");
   EXPECT_EQ(disp("Mean displacement [mm]"), "");  // of several sensors, which is what is wanted
-  for (auto const* plain :
-       {"Force [kN]", "Force 1 [kN]", "Fx [kN]", "F / kN", "Force x2 [kN]", "Shear force (Cell 3) [kN]"})
+  for (auto const* plain : {"Force [kN]", "Force 1 [kN]", "Fx [kN]", "F / kN", "Force x2 [kN]",
+                            "Shear force (Cell 3) [kN]", "Force of bearing 2 [kN]", "Force at 12:30:00 [kN]"})
     EXPECT_EQ(force(plain), "") << plain;
+}
+
+TEST_F(ColumnsTest, TwoUnitsInOneNameAreRefused) {
+  auto const text = [](std::string_view disp) { return fmt::format("{};Force [kN]\n1;2\n2;3\n3;1\n", disp); };
+  for (auto const* name : {"Displacement mm [in]", "Displacement [mm] (cm)", "Disp_cm [mm]"}) {
+    EXPECT_NE(refusal(text(name)).find("states two units"), std::string::npos) << name;
+    EXPECT_EQ(read(text(name), with("", "disp=cm")).disp_mm, (std::vector<double>{10, 20, 30})) << name;
+  }
+  for (auto const* name : {"Displacement in mm [mm]", "Displacement (LVDT 50 cm) [mm]", "Displacement m [mm]"})
+    EXPECT_EQ(read(text(name)).disp_mm, (std::vector<double>{1, 2, 3})) << name;
 }
 
 TEST_F(ColumnsTest, AFactorInTheHeaderIsUsedAndSaid) {
@@ -193,6 +208,9 @@ TEST_F(ColumnsTest, AFactorThatMayBeSomethingElseIsAskedFor) {
     told.scales = parse_scales("force=10");
     EXPECT_EQ(read(text(name), told).force_kN, (std::vector<double>{20, 30, 10})) << name;
   }
+  ReadOptions of_two;
+  of_two.corrections.force_factor = 0.5;
+  EXPECT_NO_THROW(read(text("Force of two bearings [kN]"), of_two));
   EXPECT_EQ(read("Disp [mm];Load cell force (100 kN)\nmm;kN\n1;2\n2;3\n3;1\n").force_kN,
             (std::vector<double>{2, 3, 1}));  // the row of units tells that 100 kN is the sensor's range
 }

@@ -545,5 +545,86 @@ TEST(Segment, AMillionSamplesOfAnyShape) {
   }
 }
 
+Segmentation cut_with_halves(Motion const& motion) {
+  return segment(motion.disp_mm, motion.time_s, {}, {.half_cycles = true});
+}
+
+Properties properties_with_halves(Motion const& motion) {
+  auto view = motion.view();
+  view.half_cycles = true;
+  return cyclic_properties(view);
+}
+
+// In steady cycles each half of the loop is the other one turned about the middle.
+TEST(HalfCycles, OfASteadyLoopHaveTheValuesOfItsFullCycles) {
+  auto const motion = Motion().sine(100.0, 0.5, 3.5).end().loop();
+  EXPECT_EQ(counted_per_block(motion.cut()), Counts{3});
+  auto const properties = properties_with_halves(motion);
+  ASSERT_EQ(properties.blocks.size(), 3u);
+  EXPECT_EQ(properties.blocks[0].counted().size(), 3u);
+  auto const& full = *properties.find(1, 3);
+  auto const& half = *properties.find(2, 1);
+  EXPECT_FALSE(full.half);
+  EXPECT_TRUE(half.half);
+  EXPECT_NEAR(half.K_eff_kN_per_mm, full.K_eff_kN_per_mm, 1e-3 * full.K_eff_kN_per_mm);
+  EXPECT_NEAR(half.energy_kN_mm, full.energy_kN_mm, 2e-3 * full.energy_kN_mm);
+  EXPECT_NEAR(half.damping_percent, full.damping_percent, 2e-3 * full.damping_percent);
+  EXPECT_NEAR(half.Q_d_kN, full.Q_d_kN, 1e-2 * full.Q_d_kN);
+  EXPECT_NEAR(*half.period_s, 2.0, 0.03);
+  EXPECT_EQ(properties.blocks[1].waveform, "sine");
+  EXPECT_NEAR(properties.find(3, 1)->amplitude_mm, 50.0, 0.1);  // the way from the last peak to zero
+  EXPECT_TRUE(properties.reported && !properties.reported->half);
+  // The same signal of two tests of one device: blocks are numbered on.
+  auto twice = motion.disp_mm;
+  twice.insert(twice.end(), motion.disp_mm.begin(), motion.disp_mm.end());
+  std::vector<std::size_t> const starts{0, motion.disp_mm.size()};
+  EXPECT_EQ(counted_per_block(segment(twice, {}, starts, {.half_cycles = true})), (Counts{3, 1, 1, 3, 1, 1}));
+}
+
+TEST(HalfCycles, OfASinglePushAreTwo) {
+  auto const motion = Motion().ramp(0.0, 50.0, 5.0).ramp(50.0, 0.0, 5.0).end().loop();
+  EXPECT_FALSE(motion.properties().reported);
+  auto const properties = properties_with_halves(motion);
+  ASSERT_TRUE(properties.reported);
+  auto const counted = properties.counted();
+  ASSERT_EQ(counted.size(), 2u);
+  for (auto const* cycle : counted) {
+    EXPECT_TRUE(cycle->half);
+    EXPECT_NEAR(cycle->amplitude_mm, 25.0, 1e-9);
+    EXPECT_NEAR(*cycle->period_s, 10.0, 1e-9);
+  }
+  EXPECT_NEAR(counted[0]->K_eff_kN_per_mm, motion.force_kN[500] / 50.0, 1e-9);
+  // The record must reach its start again, since its end is no turn elsewhere.
+  EXPECT_EQ(counted_per_block(cut_with_halves(Motion().ramp(0.0, 50.0, 5.0).ramp(50.0, 20.0, 3.0).end(20.0))),
+            Counts{1});
+}
+
+TEST(HalfCycles, ChangeNothingWhereEverySwingBelongsToAFullCycle) {
+  for (auto const& motion :
+       {Motion().sine(50.0, 0.5, 3).sine(100.0, 0.5, 3).end(), Motion().sine(100.0, 0.5, 4, 30.0).end(30.0)}) {
+    auto const without = motion.cut(), with = cut_with_halves(motion);
+    EXPECT_EQ(counted_per_block(with), counted_per_block(without));
+    EXPECT_TRUE(std::ranges::none_of(with.cycles, &CycleCut::half));
+  }
+}
+
+// Each swing of an irregular motion is a half cycle.
+TEST(HalfCycles, OfARecordWithoutCyclesAreAllItsSwings) {
+  Motion motion;
+  double from = 0.0;
+  for (double const to : {20.0, -45.0, 70.0, -15.0, 30.0, -80.0, 50.0, 0.0}) {
+    motion.ramp(from, to, std::abs(to - from) / 100.0);
+    from = to;
+  }
+  motion.end().loop();
+  auto const cut = cut_with_halves(motion);
+  EXPECT_FALSE(motion.cut().cyclic);
+  EXPECT_TRUE(cut.cyclic);
+  EXPECT_EQ(cut.cycles.size(), 8u);
+  EXPECT_TRUE(std::ranges::all_of(cut.cycles, &CycleCut::half));
+  auto const properties = properties_with_halves(motion);
+  EXPECT_NEAR(properties.reported->amplitude_mm, 65.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace isolaw::data::testing

@@ -506,5 +506,142 @@ TEST(Signals, energy_given_back_refuses) {
   EXPECT_NE(text_of(properties.refusal).find("gives back"), std::string::npos) << text_of(properties.refusal);
 }
 
+// --- plateaus without noise ---
+
+// Four cycles of 20 mm at 1 Hz, of a device whose force follows a path of slopes.
+struct Exact {
+  int samples = 200;
+  bool triangle = false;
+  double hold = 0.0;  // the triangle is cut off above 1 / (1 + hold) of its peak
+  std::function<double(double force, double way, double back)> step;
+};
+
+Motion exact(Exact const& of) {
+  Motion motion;
+  motion.dt_s = 1.0 / of.samples;
+  double force = 0.0, before = 0.0, back = 0.0, direction = 0.0;
+  for (int i = 0; i <= 4 * of.samples; ++i) {
+    double const phase = static_cast<double>(i % of.samples) / of.samples;
+    double const triangle = phase < 0.25 ? 4.0 * phase : phase < 0.75 ? 2.0 - 4.0 * phase : 4.0 * phase - 4.0;
+    double const x =
+        20.0 * (of.triangle ? std::clamp((1.0 + of.hold) * triangle, -1.0, 1.0) : std::sin(2.0 * pi * phase));
+    double const way = x - before;
+    if (way * direction < 0.0) back = 0.0;
+    if (way != 0.0) direction = way;
+    back += std::abs(way);
+    before = x;
+    force = of.step(force, way, back);
+    motion.add(x);
+    motion.force_kN.push_back(std::round(1e4 * force) / 1e4);
+  }
+  return motion;
+}
+
+std::vector<SignalFault> faults_of(Motion const& motion) {
+  return signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
+}
+
+// A soft device with a constant force, which unloads at once where the motion turns. A clipped channel would stay at
+// its level until the force that it cut off is gone.
+double soft_then_flat(double force, double way, double back, double lower, double upper) {
+  bool const unloads = force * way < 0.0 && back < 1.0;
+  return std::clamp(force + (unloads ? 10.0 : 1.0) * way, lower, upper);
+}
+
+TEST(Plateaus, a_force_that_turns_with_the_motion_is_not_clipped) {
+  for (int const samples : {100, 200, 500})
+    for (double const lower : {-8.0, samples == 200 ? -1e9 : -8.0}) {
+      auto const motion = exact({.samples = samples, .step = [&](double force, double way, double back) {
+                                   return soft_then_flat(force, way, back, lower, 8.0);
+                                 }});
+      auto const faults = faults_of(motion);
+      EXPECT_TRUE(faults.empty()) << samples << ", " << lower << text_of(faults);
+    }
+  auto const properties = exact({.step = [](double force, double way, double back) {
+                            return soft_then_flat(force, way, back, -8.0, 8.0);
+                          }}).properties();
+  EXPECT_NEAR(properties.reported->K_eff_kN_per_mm, 0.4, 1e-9);
+  EXPECT_NEAR(properties.reported->damping_percent, 57.7, 0.2);
+}
+
+double bilinear_step(double force, double way, double& yielding) {
+  double const before = yielding;
+  yielding = std::clamp(yielding + 4.5 * way, -4.0, 4.0);
+  return force + 0.5 * way + yielding - before;
+}
+
+TEST(Plateaus, of_a_clipped_sensor_are_found_on_one_side_or_both) {
+  for (int const samples : {50, 100, 200, 500})
+    for (double const level : {0.9, 0.7})
+      for (bool const both : {true, false}) {
+        double yielding = 0.0;
+        auto motion = exact({.samples = samples, .step = [&](double force, double way, double) {
+                               return bilinear_step(force, way, yielding);
+                             }});
+        double const top = *std::ranges::max_element(motion.force_kN);
+        for (double& F : motion.force_kN) F = std::clamp(F, both ? -level * top : -1e9, level * top);
+        EXPECT_TRUE(names(faults_of(motion), "force", FaultKind::clipped)) << samples << ", " << level << ", " << both;
+      }
+}
+
+// A gap gives no force, a digitiser repeats values, and a rig may hold a triangle at its peaks.
+TEST(Plateaus, of_a_gap_a_hold_or_a_digitiser_are_no_fault) {
+  for (int const samples : {50, 100, 200, 500}) {
+    auto gap = exact({.samples = samples, .step = [](double, double, double) { return 0.0; }});
+    for (std::size_t i = 0; i < gap.disp_mm.size(); ++i) {
+      double const x = gap.disp_mm[i], over = std::max(0.0, std::abs(x) - 8.0), most = 12.0;
+      bool const comes_back = i > 0 && std::abs(x) < std::abs(gap.disp_mm[i - 1]);
+      gap.force_kN[i] = std::round(1e4 * std::copysign(comes_back ? over * over / most : over, x)) / 1e4;
+    }
+    EXPECT_TRUE(faults_of(gap).empty()) << samples << text_of(faults_of(gap));
+    for (double const hold : {0.0, 0.1})
+      for (double const step_kN : {1e-4, 0.1, 0.5}) {
+        double yielding = 0.0;
+        auto motion =
+            exact({.samples = samples, .triangle = true, .hold = hold, .step = [&](double force, double way, double) {
+                     return bilinear_step(force, way, yielding);
+                   }});
+        for (double& F : motion.force_kN) F = step_kN * std::round(F / step_kN);
+        EXPECT_TRUE(faults_of(motion).empty())
+            << samples << ", " << hold << ", " << step_kN << text_of(faults_of(motion));
+      }
+  }
+}
+
+// A converter of 16 bits that counts on from its largest value at its smallest.
+TEST(Plateaus, a_force_that_wraps_around_is_found) {
+  for (int const samples : {50, 100, 200, 500}) {
+    double yielding = 0.0;
+    auto motion = exact({.samples = samples, .step = [&](double force, double way, double) {
+                           return bilinear_step(force, way, yielding);
+                         }});
+    EXPECT_TRUE(faults_of(motion).empty()) << text_of(faults_of(motion));
+    for (double& F : motion.force_kN)
+      if (F > 12.0) F -= 24.0;
+    auto const faults = faults_of(motion);
+    EXPECT_TRUE(names(faults, "force", FaultKind::wrapped)) << samples << text_of(faults);
+  }
+}
+
+// The logger repeats the last force, or writes 0, for 3 to 10 samples of a steep part of three cycles.
+TEST(Plateaus, of_a_dropout_that_is_held_are_found) {
+  for (int const samples : {50, 100, 200})
+    for (std::size_t const length : {3u, 5u, 10u})
+      for (bool const held : {true, false}) {
+        double yielding = 0.0;
+        auto motion = exact({.samples = samples, .step = [&](double force, double way, double) {
+                               return bilinear_step(force, way, yielding);
+                             }});
+        for (double const cycle : {1.12, 2.12, 3.12}) {
+          auto const first = static_cast<std::size_t>(samples * cycle);
+          double const value = held ? motion.force_kN[first - 1] : 0.0;
+          std::fill_n(motion.force_kN.begin() + static_cast<std::ptrdiff_t>(first), length, value);
+        }
+        auto const faults = faults_of(motion);
+        EXPECT_TRUE(names(faults, "force", FaultKind::stuck) || names(faults, "force", FaultKind::dropout))
+            << samples << ", " << length << ", " << held << text_of(faults);
+      }
+}
+
 }  // namespace
 }  // namespace isolaw::data::testing

@@ -43,7 +43,8 @@ enum class FindingKind {
   // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
   refit_response_off, refit_response,
   // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
-  no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_interrupted, signal_spike,
+  no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_wraps,
+  signal_interrupted, signal_spike,
   cycle_gives_energy, cycle_not_stiff, not_cyclic, no_complete_cycle, no_cycle_counts, samples_too_few,
   vertical_test_refused,
   // Doubts about the values in a record.
@@ -59,7 +60,7 @@ enum class FindingKind {
   largest_speed, average_over_samples, largest_swings,
   // How the record was read. word("text") of the finding is the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
-  test_chosen, file_joined, force_flipped,
+  test_chosen, file_joined, force_flipped, half_cycles_count,
   // Corrections of a record, and steps to prepare it for fitting.
   spikes_repaired, skew_removed, friction_removed, inertia_removed, force_multiplied, centred, smoothed,
   not_smoothed, scored_in_part, faulty_not_scored, failed_not_scored, all_samples_kept, velocity_computed, no_velocity,

@@ -108,7 +108,8 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
   Chosen chosen;
   if (!selection.all()) {
     auto const segmentation =
-        segment(raw.disp_mm, raw.time_s, raw.starts, {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle});
+        segment(raw.disp_mm, raw.time_s, raw.starts,
+                {.load_kN = raw.load_kN, .logged_cycle = raw.logged_cycle, .half_cycles = raw.counts_half_cycles()});
     chosen = {.scored = scored_samples(selection, segmentation, raw.size()),
               .block = block_numbers(selection, segmentation, raw.size())};
   }

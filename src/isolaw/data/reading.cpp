@@ -208,6 +208,10 @@ std::vector<Reading> make_table() {
           "for a file that holds several tests: the number of the one to read, or all to join them one after another",
           Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
+      {flag<R>("half-cycles", "count each swing that belongs to no full cycle as a half cycle, with twice its energy",
+               at(&R::half_cycles))
+           .under(Heading::reading),
+       true},
       repair(),
       skew(),
       correction("rig-friction", "subtract a friction force of the rig of this size, in kN", &C::friction_kN,

@@ -379,6 +379,7 @@ std::span<Row const> rows() {
       doubt(signal_clipped, "signal-clipped", serious, by_words, "", wording::signal_clipped),
       doubt(signal_stuck, "signal-stuck", serious, by_words, "", wording::signal_stuck),
       doubt(signal_without_sign, "signal-without-sign", serious, by_words, "", wording::signal_without_sign),
+      doubt(signal_wraps, "signal-wraps", serious, by_words, "", wording::signal_wraps),
       doubt(signal_interrupted, "signal-interrupted", serious, by_words, "", wording::signal_interrupted),
       doubt(signal_spike, "signal-spike", serious, by_words, "", wording::signal_spike),
       doubt(
@@ -543,6 +544,9 @@ std::span<Row const> rows() {
       fact(test_chosen, "test-chosen", stated),
       fact(file_joined, "file-joined", stated),
       fact(force_flipped, "force-flipped", "the force is multiplied by -1, as asked for (--flip-force)"),
+      fact(half_cycles_count, "half-cycles-count",
+           "each swing that belongs to no full cycle counts as a half cycle, with twice its energy, as asked for "
+           "(--half-cycles)"),
       fact(spikes_repaired, "spikes-repaired", "", wording::spikes_repaired),
       fact(skew_removed, "skew-removed", "", wording::skew_removed),
       fact(

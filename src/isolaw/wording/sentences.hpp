@@ -11,6 +11,7 @@ namespace isolaw::wording {
 std::string signal_clipped(Group, UnitSystem const&);
 std::string signal_stuck(Group, UnitSystem const&);
 std::string signal_without_sign(Group, UnitSystem const&);
+std::string signal_wraps(Group, UnitSystem const&);
 std::string signal_interrupted(Group, UnitSystem const&);
 std::string signal_spike(Group, UnitSystem const&);
 std::string no_complete_cycle(Group, UnitSystem const&);

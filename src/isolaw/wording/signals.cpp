@@ -111,6 +111,16 @@ std::string signal_without_sign(Group group, UnitSystem const&) {
                      each(group, places), of_no_use(group));
 }
 
+std::string signal_wraps(Group group, UnitSystem const& units) {
+  auto const jump = [&](Finding const& f) {
+    Channel const channel(f, units);
+    return fmt::format("by {} {} in one sample, while the motion goes on, at {}", number_text(channel("jump"), 4),
+                       channel.shown.unit, places(f));
+  };
+  return fmt::format("the {} wraps around at the end of its range: it jumps {}. {}", group.front().word("channel"),
+                     each(group, jump), of_no_use(group));
+}
+
 std::string signal_interrupted(Group group, UnitSystem const& units) {
   auto const gap = [&](Finding const& f) {
     Channel const channel(f, units);

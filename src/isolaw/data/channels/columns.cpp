@@ -632,9 +632,14 @@ class Resolver {
           first.place,
           fmt::format("{} of {} may be a factor of its values or the range of a sensor", in_quotes(first.text), text),
           "a unit without a number", factor_advice);
-    auto const hint = has_names() && channel != Channel::time
-                          ? scale_hint(dissect_name(header_.names[column.index]).base, dimension(channel))
-                          : std::string();
+    auto const base = has_names() ? dissect_name(header_.names[column.index]).base : std::string();
+    auto const other = options_.units.contains(channel) ? std::string() : other_unit_in(base, unit->unit);
+    if (!other.empty())
+      return refuse(first.place, fmt::format("{} states two units, {} and {}", text, other, unit->unit.symbol), allowed,
+                    unit_advice);
+    bool const is_factor_stated = channel == Channel::force && options_.corrections.force_factor;
+    auto const hint =
+        channel != Channel::time && !is_factor_stated ? scale_hint(base, dimension(channel)) : std::string();
     if (!is_scaled && !hint.empty())
       return refuse(header_place(),
                     fmt::format("{} in the name of {} leaves open whether its values are the {} of one device",

@@ -41,6 +41,7 @@ struct ReadOptions {
   bool flip_force = false;                         // multiply the force by -1 (option --flip-force)
   std::optional<std::string> sheet;  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
   std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
+  bool half_cycles = false;          // swings that belong to no full cycle count as half cycles
   Corrections corrections;           // options --skew-ms and so on
   bool checks_physics = true;        // refuse a record whose loops give out energy instead of dissipating it
 

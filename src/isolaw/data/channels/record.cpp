@@ -18,6 +18,10 @@ void keep_only(TestRange const& range, std::initializer_list<std::vector<double>
 
 }  // namespace
 
+bool TestRecord::counts_half_cycles() const {
+  return std::ranges::find(recognised, FindingKind::half_cycles_count, &Finding::kind) != recognised.end();
+}
+
 std::size_t SignalFault::longest() const {
   constexpr double most = 1e15;  // a damaged store may hold any number
   return static_cast<std::size_t>(std::min(most, std::max(1.0, finding.number("longest_samples"))));

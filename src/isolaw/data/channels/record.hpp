@@ -12,7 +12,7 @@
 
 namespace isolaw::data {
 
-enum class FaultKind { clipped, stuck, spike, rectified, dropout };
+enum class FaultKind { clipped, stuck, spike, rectified, dropout, wrapped };
 
 // Samples of a measured signal that cannot be true. signals/signal_faults.hpp finds such faults.
 struct SignalFault {
@@ -57,6 +57,7 @@ struct TestRecord {
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
+  bool counts_half_cycles() const;  // ReadOptions::half_cycles, as the store keeps it
 };
 
 // True if a correction that the user asked for changed the record. A factor of the force does not count: it says what

@@ -199,6 +199,8 @@ void store_channels(Rows& rows, Columns const& columns, std::span<std::size_t co
   }
   if (record.layout.dt_s)
     for (auto const i : places) record.time_s.push_back(time_of_row(i, record.layout));
+  if (record.layout.half_cycles && !record.force_kN.empty())
+    record.recognised.push_back({.kind = FindingKind::half_cycles_count, .words = {{"option", "--half-cycles"}}});
   if (!record.layout.flip_force || record.force_kN.empty()) return;
   for (double& value : record.force_kN) value = -value;
   record.recognised.push_back({.kind = FindingKind::force_flipped, .words = {{"option", "--flip-force"}}});

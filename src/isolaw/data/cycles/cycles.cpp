@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "isolaw/data/channels/record.hpp"
@@ -386,6 +387,73 @@ Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
   return segmentation;
 }
 
+// The swings that belong to no full cycle, in groups between which full cycles lie. See the head of cycles.hpp.
+std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<CycleCut const> full) {
+  auto const& [x, turns] = std::tie(motion.x, motion.turns);
+  std::vector<std::vector<Shape>> groups;
+  bool joins = false;
+  for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
+    auto const first = static_cast<double>(turns[k]), last = static_cast<double>(turns[k + 1]);
+    double const way = std::abs(x[turns[k + 1]] - x[turns[k]]);
+    auto const is_no_turn = [&](std::size_t i) {
+      return std::min(std::abs(x[i]), std::abs(x[i] - motion.centre)) > resting * way;
+    };
+    double in_full = 0.0;
+    for (auto cut = std::ranges::lower_bound(full, first, {}, &CycleCut::last); cut != full.end() && cut->first < last;
+         ++cut)
+      in_full += std::abs(value_at(x, std::min(cut->last, last)) - value_at(x, std::max(cut->first, first)));
+    constexpr double half = 0.5 + 1e-6;  // of the way; the cut of a cycle at the centre is interpolated
+    bool const belongs = in_full > half * way || has_gap(motion.gaps, first, last) ||
+                         (k == 0 && is_no_turn(turns[0])) || (k + 2 == turns.size() && is_no_turn(turns[k + 1]));
+    if (!belongs) {
+      auto shape = motion.shape(first, last);
+      shape.half = shape.turns_at_start = shape.turns_at_end = true;
+      shape.unevenness = 0.0;
+      shape.period *= 2.0;
+      shape.rise_and_fall = shape.period + shape.still_time;
+      if (!motion.further.load_kN.empty())
+        shape.load_kN = num::moments(motion.further.load_kN.subspan(turns[k], turns[k + 1] - turns[k] + 1)).mean;
+      if (!joins) groups.emplace_back();
+      groups.back().push_back(std::move(shape));
+    }
+    joins = !belongs;
+  }
+  return groups;
+}
+
+Segmentation with_half_cycles(Segmentation segmentation, Motion const& motion) {
+  std::vector<std::vector<CycleCut>> blocks;
+  auto const add = [&](std::vector<CycleCut> const& cuts) {
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      if (i == 0 || cuts[i].block != cuts[i - 1].block) blocks.emplace_back();
+      blocks.back().push_back(cuts[i]);
+    }
+  };
+  std::vector<CycleCut> full;
+  for (auto const& cut : segmentation.cycles)
+    if (segmentation.cyclic && !cut.partial) full.push_back(cut);
+  auto groups = half_cycles(motion, full);
+  if (groups.empty()) return segmentation;
+  auto const is_replaced = [&](CycleCut const& cut) {
+    return (cut.partial || !segmentation.cyclic) && std::ranges::any_of(groups, [&](auto const& group) {
+             return cut.first < group.back().last && group.front().first < cut.last;
+           });
+  };
+  std::erase_if(segmentation.cycles, is_replaced);
+  add(segmentation.cycles);
+  for (auto& group : groups) add(number_cycles(group, motion.time.empty() ? "samples" : "s"));
+  std::ranges::stable_sort(blocks, {}, [](auto const& block) { return block.front().first; });
+  segmentation.cycles.clear();
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (auto& cut : blocks[b]) {
+      cut.block = static_cast<int>(b) + 1;
+      segmentation.cycles.push_back(std::move(cut));
+    }
+  segmentation.cyclic = true;
+  segmentation.refusal.reset();
+  return segmentation;
+}
+
 // If the time jumps where one excursion ends and the next begins, the first is cut off before the jump and the next
 // begins after it, because the motion in between is not known.
 void part_at_gaps(Motion& motion) {
@@ -402,7 +470,9 @@ void part_at_gaps(Motion& motion) {
   }
 }
 
-Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further) {
+// Cuts a test into full cycles and parts of cycles, and sets what `motion` lacks.
+Segmentation cut_full(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further,
+                      Motion& motion) {
   auto gaps = time_gaps(disp_mm, time_s);
   auto const moving = without_gaps(time_s, gaps);
   if (!moving.empty()) time_s = moving;
@@ -412,7 +482,6 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
     return segmentation;
   }
   auto const found = reversals(disp_mm);
-  Motion motion;
   motion.x = disp_mm;
   motion.time = time_s;
   motion.further = further;
@@ -456,6 +525,12 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
   }
   segmentation.cycles = with_parts(std::move(segmentation.cycles), motion, segmentation.cyclic);
   return segmentation;
+}
+
+Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further) {
+  Motion motion;
+  auto segmentation = cut_full(disp_mm, time_s, further, motion);
+  return further.half_cycles ? with_half_cycles(std::move(segmentation), motion) : segmentation;
 }
 
 }  // namespace
@@ -524,7 +599,9 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   int blocks = 0;
   for (auto const& range : test_ranges(starts, disp_mm.size())) {
     auto test = cut_test(range.of(disp_mm), range.of(time_s),
-                         {.load_kN = range.of(further.load_kN), .logged_cycle = range.of(further.logged_cycle)});
+                         {.load_kN = range.of(further.load_kN),
+                          .logged_cycle = range.of(further.logged_cycle),
+                          .half_cycles = further.half_cycles});
     if (test.cyclic == all.cyclic ? test.band_mm > all.band_mm : test.cyclic) {
       all.band_mm = test.band_mm;
       all.centre_mm = test.centre_mm;

@@ -5,7 +5,10 @@
 // after a rest, starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its
 // start. A motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the
 // record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count,
-// that is, enter the results. A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
+// that is, enter the results. On request each swing of which no more than half lies in full cycles is a half cycle, in
+// a block of half cycles; it replaces the partial cycles there, and the cycles of a record that is not cyclic. The
+// first and the last sample are turns of the motion only at zero or at the centre, where tests start and end. A period
+// leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -27,6 +30,7 @@ struct CycleCut {
   double last = 0.0;
   bool turns_at_start = false;  // at its start the motion turns at the centre, or starts from rest
   bool turns_at_end = false;
+  bool half = false;           // a swing from one turn of the motion to the next that belongs to no full cycle
   bool one_sided = false;      // to one side only, from a turn of the motion to the next on the same side
   double still_samples = 0.0;  // samples in which the device stands still
   double still_time = 0.0;     // time in which it stands still, in s; in samples if there is no time
@@ -41,9 +45,10 @@ struct Segmentation {
   std::vector<CycleCut> cycles;    // in order, with partial cycles; also set if the record is not cyclic
 };
 
-struct FurtherChannels {                      // each may be empty
+struct FurtherChannels {                      // the channels may be empty
   std::span<double const> load_kN = {};       // vertical load; where it changes, a new block begins
   std::span<double const> logged_cycle = {};  // the logger's number of the cycle; cycles are numbered by it
+  bool half_cycles = false;                   // swings that belong to no full cycle become half cycles, which count
 };
 // If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
 // itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in

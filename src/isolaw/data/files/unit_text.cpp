@@ -107,6 +107,15 @@ constexpr std::string_view average_words[]{"avg",   "average", "averaged",   "me
                                            "medio", "mittel",  "mittelwert", "mittlere", "gemittelt",
                                            "moyen", "moyenne", "promedio",   "ortalama"};
 constexpr std::string_view per_words[]{"per", "pro", "par", "por", "je"};
+constexpr std::string_view several_words[]{"two",   "three",  "four",    "zwei",   "drei",   "vier",
+                                           "due",   "tre",    "dos",     "tres",   "cuatro", "deux",
+                                           "trois", "quatro", "quattro", "quatre", "iki",    "dois"};
+constexpr std::string_view device_words[]{"bearings",    "isolators",    "devices",    "specimens", "dampers",
+                                          "lager",       "lagern",       "isolatoren", "isolatori", "appoggi",
+                                          "dispositivi", "dispositivos", "aisladores", "apoyos",    "appuis",
+                                          "appareils",   "isolateurs",   "isoladores", "mesnet",    "izolator"};
+constexpr std::string_view pair_words[]{"pair", "paar", "coppia", "paire"};
+constexpr std::string_view scaled_words[]{"scaled", "skaliert", "scalato", "scalata", "escalado", "escalada"};
 constexpr std::string_view each_words[]{"each", "jeweils", "ognuno", "chacun", "cada"};
 
 bool is_in(Lexicon words, std::string_view word) {
@@ -118,9 +127,14 @@ bool is_power_of_ten(double value) {
   return value != 1.0 && std::abs(power - std::round(power)) < 1e-9;
 }
 
-// Finds "/2", "*10", "x10", "2 x" and the like.
+// Finds "/2", "*10", "x10", "2 x", "1:2" and the like.
 std::string factor_hint(std::string_view base) {
   auto const text = plain(base);
+  if (auto const at = text.find(':'); at != std::string::npos && at == text.rfind(':') && at > 0 &&
+                                      at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) {
+    auto const from = text.find_last_of(' ', at) + 1;
+    return text.substr(from, text.find(' ', at) - from);
+  }
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::string_view const from_here = std::string_view(text).substr(i);
     bool const begins = i == 0 || text[i - 1] == ' ';
@@ -219,11 +233,27 @@ bool is_other_quantity(std::string_view unit) {
 std::string scale_hint(std::string_view base, Dimension dimension) {
   if (auto hint = factor_hint(base); !hint.empty()) return hint;
   auto const words = name_words(base);
+  auto const is_several = [](std::string const& word) {
+    return is_in(several_words, word) || number_in<int>(word).value_or(0) > 1;
+  };
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (is_in(half_or_double, words[i])) return words[i];
+    if (is_in(half_or_double, words[i]) || is_in(scaled_words, words[i])) return words[i];
     if (dimension != Dimension::force) continue;
-    if (is_in(average_words, words[i]) || is_in(each_words, words[i])) return words[i];
-    if (is_in(per_words, words[i]) && i + 1 < words.size()) return words[i] + " " + words[i + 1];
+    if (is_in(average_words, words[i]) || is_in(each_words, words[i]) || is_in(pair_words, words[i])) return words[i];
+    if (i + 1 < words.size() &&
+        (is_in(per_words, words[i]) || (is_several(words[i]) && is_in(device_words, words[i + 1]))))
+      return words[i] + " " + words[i + 1];
+  }
+  return {};
+}
+
+std::string other_unit_in(std::string_view base, Unit const& unit) {
+  auto const words = name_words(base);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    bool const is_range = i > 0 && number_in<double>(words[i - 1]);  // "cell of 100 kN"
+    if (words[i].size() < 2 || words[i] == "in" || is_range) continue;
+    auto const other = parse_unit(words[i]);
+    if (other && other->dimension == unit.dimension && other->symbol != unit.symbol) return std::string(other->symbol);
   }
   return {};
 }

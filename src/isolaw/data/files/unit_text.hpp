@@ -30,9 +30,13 @@ std::string without_sensitivity(std::string_view name);
 // Whether the text is the unit of another quantity, which no displacement or force can have: "%", "V", "MPa", "mm/s".
 bool is_other_quantity(std::string_view unit);
 
-// The part of a column's name that makes the scale of its values doubtful, such as "/2", "x10", "half" or "per
-// bearing"; "" if there is none. `base` is the name without its unit. A word for a mean makes only forces doubtful: the
-// mean of several displacement sensors is the device's displacement.
+// The part of a column's name that makes the scale of its values doubtful, such as "/2", "x10", "half", "per bearing"
+// or "two bearings"; "" if there is none. `base` is the name without its unit. A word for a mean makes only forces
+// doubtful: the mean of several displacement sensors is the device's displacement.
 std::string scale_hint(std::string_view base, Dimension dimension);
+
+// Another unit of the same dimension in that name, as in "Displacement mm [in]"; "" if there is none. Words that may be
+// no unit do not count: "in", single letters, and a unit behind a number, which may be a sensor's range.
+std::string other_unit_in(std::string_view base, Unit const& unit);
 
 }  // namespace isolaw::data

@@ -566,8 +566,14 @@ double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz) {
   return mass_kg * omega * omega * kN_per_mm_of_N_per_m;
 }
 
+// The errors are estimated from full loops.
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth) {
-  return Assessment(view, properties).of_all(smooth);
+  if (!view.half_cycles) return Assessment(view, properties).of_all(smooth);
+  auto full = properties;
+  for (auto& block : full.blocks) std::erase_if(block.cycles, &Cycle::half);
+  std::erase_if(full.blocks, [](Block const& block) { return block.cycles.empty(); });
+  if (full.reported && full.reported->half) full.reported.reset();
+  return Assessment(view, full).of_all(smooth);
 }
 
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth) {

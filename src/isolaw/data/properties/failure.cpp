@@ -72,12 +72,14 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   std::vector<Cycle*> cycles;  // the complete ones in order
   for (auto& block : properties.blocks)
     for (auto& cycle : block.cycles)
-      if (!cycle.partial && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
+      if (!cycle.partial && !cycle.half && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
   Cycle const* fails = nullptr;
   Cycle const* before = nullptr;
   double kept = 1.0;
   std::string kept_of;
   std::vector<Cycle*> dead;
+  Cycle* dying = nullptr;  // the last counted cycle, if it lost a peak force but kept its energy
+  double kept_of_dying = 1.0;
   constexpr std::size_t most_blocks = 100;  // a cycle is compared with at most so many earlier blocks
   std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
   for (auto* each : cycles) {
@@ -96,7 +98,14 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     bool const follows = before != nullptr && before->block == cycle.block && cycle.counts();
     double const share = follows ? share_kept(*before, cycle) : 1.0;
     double const least = 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
-    bool const loses = share < least && !keeps_energy(*before, cycle, least);
+    bool const drops = share < least, loses = drops && !keeps_energy(*before, cycle, least);
+    // The force may go after a peak of a cycle, which then keeps most of its energy: the next cycle tells.
+    if (fails == nullptr && is_dead && dying != nullptr) {
+      fails = dying;
+      kept = kept_of_dying;
+      kept_of = "the peak force in the cycle before it";
+      dead.push_back(dying);
+    }
     if (is_dead || (loses && share < nearly_gone)) dead.push_back(&cycle);
     if (fails == nullptr && (is_dead || loses)) {
       fails = &cycle;
@@ -104,7 +113,11 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
       kept_of =
           loses ? "the peak force in the cycle before it" : fmt::format("the force in {}", name_of(*stronger, time_s));
     }
-    if (cycle.counts()) before = &cycle;
+    if (cycle.counts()) {
+      before = &cycle;
+      dying = drops && !loses ? &cycle : nullptr;
+      kept_of_dying = share;
+    }
   }
   if (fails == nullptr) return;
   // If the last cycle is dead, or none is, the force is lost from the cycle of the failure to the end. Otherwise the

@@ -67,7 +67,7 @@ Peaks follow(Cycle& cycle, std::span<double const> x, std::span<double const> F)
   cycle.closure_mm = end_x - start_x;
   cycle.closure_kN = end_F - start_F;
   go_to(start_x, start_F, cycle.last);
-  cycle.energy_kN_mm = energy;
+  cycle.energy_kN_mm = cycle.half ? 2.0 * energy : energy;
   return peaks;
 }
 
@@ -86,6 +86,10 @@ std::optional<double> at_level(std::span<double const> x, std::span<double const
 
 // Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
+  if (cycle.half) {  // from the chord, halfway between its turns
+    auto const halfway = at_level(x, F, cycle.first, cycle.last, (peaks.largest + peaks.least) / 2.0);
+    return halfway ? std::abs(*halfway - (peaks.F_at_largest + peaks.F_at_least) / 2.0) : 0.0;
+  }
   if (cycle.one_sided) {  // halfway between its turns, because the loop is closed at them
     double const start = value_at(x, cycle.first);
     double const tip = peaks.largest - start > start - peaks.least ? peaks.at_largest : peaks.at_least;
@@ -201,7 +205,8 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   auto cycle = properties_on(plain, view.disp_mm, view.force_kN);
   if (!view.time_s.empty()) {
     cycle.still_s = cut.still_time;
-    cycle.period_s = value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first) - cut.still_time;
+    cycle.period_s = (cut.half ? 2.0 : 1.0) *
+                     (value_at(view.time_s, cycle.last) - value_at(view.time_s, cycle.first) - cut.still_time);
     cycle.v_max_mm_s = largest_slope(cycle, view);
   }
   if (!view.load_kN.empty()) add_load(cycle, view);
@@ -212,7 +217,11 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
 // cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
-  if (cycle.one_sided)  // the way out, from the turn at which it is cut
+  if (cycle.half)  // the whole swing
+    peaks = value_at(view.disp_mm, cycle.first) < value_at(view.disp_mm, cycle.last)
+                ? PeakPositions{.largest = cycle.last, .smallest = cycle.first}
+                : PeakPositions{.largest = cycle.first, .smallest = cycle.last};
+  else if (cycle.one_sided)  // the way out, from the turn at which it is cut
     (value_at(view.disp_mm, cycle.first) < (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0 ? peaks.smallest
                                                                                       : peaks.largest) = cycle.first;
   bool const falls = peaks.largest < peaks.smallest;
@@ -343,6 +352,7 @@ bool take_out_impossible(Properties& properties, CycleView const& view) {
     auto const counted = block.counted();
     std::vector<Finding> why;
     for (auto at = counted.begin(); at != counted.end() && why.empty(); ++at) {
+      if ((*at)->half) continue;  // a curve that bends upwards lies below the chord of its way out
       why = impossible(**at, view, noise, properties.viscous.has_value());
       if (why.empty()) continue;
       taken.emplace_back(&block, (*at)->number);
@@ -386,7 +396,8 @@ Cycle const* cycle_to_report(Properties const& properties) {
 // Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
 void conclude(Properties& properties, std::optional<Finding> const& not_cut, bool none_is_sound) {
   std::vector<double> lengths;
-  for (auto const* cycle : properties.counted()) lengths.push_back(cycle->last - cycle->first - cycle->still_samples);
+  for (auto const* cycle : properties.counted())
+    lengths.push_back((cycle->half ? 2.0 : 1.0) * (cycle->last - cycle->first - cycle->still_samples));
   properties.samples_per_cycle = lengths.empty() ? std::nullopt : std::optional(num::median(lengths));
   properties.reported.reset();
   properties.is_false = !properties.faulty.empty() && (lengths.empty() || none_is_sound);
@@ -476,7 +487,8 @@ Properties properties_of(CycleView const& given, std::vector<SignalFault> const&
   auto const moving = without_gaps(view.time_s, time_gaps(view.disp_mm, view.time_s, view.starts));
   if (!moving.empty()) view.time_s = moving;
   auto const cut =
-      segment(view.disp_mm, given.time_s, view.starts, {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle});
+      segment(view.disp_mm, given.time_s, view.starts,
+              {.load_kN = view.load_kN, .logged_cycle = view.logged_cycle, .half_cycles = view.half_cycles});
   properties.centre_mm = cut.centre_mm;
   auto const done = work(view);
   for (auto const& piece : cut.cycles) {
@@ -558,7 +570,13 @@ Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::sp
 }
 
 CycleView view_of(TestRecord const& record) {
-  return {record.disp_mm, record.force_kN, record.time_s, record.load_kN, record.starts, record.logged_cycle};
+  return {record.disp_mm,
+          record.force_kN,
+          record.time_s,
+          record.load_kN,
+          record.starts,
+          record.logged_cycle,
+          record.counts_half_cycles()};
 }
 
 Properties cyclic_properties(CycleView const& view) {

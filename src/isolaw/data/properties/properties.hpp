@@ -14,7 +14,8 @@
 
 namespace isolaw::data {
 
-// A partial cycle has the values that its samples give, and never counts.
+// A partial cycle has the values that its samples give, and never counts. The loop of a half cycle is closed by the
+// chord between its ends; its energy is twice the area of this loop, and its period twice its time.
 struct Cycle : CycleCut {
   double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2
   double d_plus_mm = 0.0;     // largest and smallest displacement of a sample, and the forces there
@@ -129,6 +130,7 @@ struct CycleView {
   std::span<double const> load_kN;
   std::span<std::size_t const> starts = {};  // as in TestRecord
   std::span<double const> logged_cycle = {};
+  bool half_cycles = false;  // as in FurtherChannels
 };
 CycleView view_of(TestRecord const& record);
 

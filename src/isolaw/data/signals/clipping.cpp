@@ -175,10 +175,26 @@ class Clipping {
     return true;
   }
 
-  // Whether force leaves its plateaus much more steeply than it reaches them. In a yielding device both slopes agree.
-  bool is_cut_off(std::vector<SampleRange> const& runs) const {
+  // Whether force leaves a plateau where the motion turns, while a clipped force would stay at its level for six
+  // samples more. Had it gone on with the slope `into`, it would come back to its level with the slope `leaves`.
+  bool turns_with_motion(double sign, SampleRange const& run, double into, double leaves) const {
+    auto const x = [&](std::size_t i) { return sign * pair_.disp.x[i]; };
+    auto tip = run.first;
+    for (auto i = run.first; i <= run.last; ++i)
+      if (x(i) > x(tip)) tip = i;
+    double const expected = into * (x(tip) - x(run.first)) / leaves;
+    bool const told = expected > std::max(32.0 * pair_.disp.noise, 3.0 * pair_.disp.quantum);
+    auto const later = std::min(tip + 6, pair_.size() - 1);
+    bool const is_turn = x(run.last + 1) <= x(tip);  // the force of a viscous device falls before
+    return told && is_turn && run.last <= tip + 1 && x(tip) - x(later) < expected;
+  }
+
+  // Whether force leaves its plateaus much more steeply than it reaches them, and not where the motion turns. In a
+  // yielding device both slopes agree, or the force turns with the motion.
+  bool is_cut_off(double sign, std::vector<SampleRange> const& runs) const {
     auto const reach = std::max<std::size_t>(3, pair_.half_cycle / 24);
     std::vector<double> ratios, into;
+    std::size_t turning = 0;
     for (auto const& run : runs) {
       if (run.size() <= least_plateau || run.first < reach || run.last + reach >= pair_.size()) continue;
       auto const slope = [&](std::size_t from, std::size_t to) {
@@ -188,11 +204,13 @@ class Clipping {
       // The last step before the plateau is compared too, since a yielding device may rise to its plateau within that
       // step. Clipping never makes this step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
-      ratios.push_back(into.back() / std::max(slope(run.last, run.last + reach), 1e-12));
+      double const leaves = std::max(slope(run.last, run.last + reach), 1e-12);
+      ratios.push_back(into.back() / leaves);
+      if (turns_with_motion(sign, run, slope(run.first - reach, run.first - 1), leaves)) ++turning;
       double const clear = std::max(3.0 * pair_.force.quantum, 6.0 * pair_.force.noise);
       if (std::abs(pair_.force.x[run.first - 1] - pair_.force.x[run.first - reach]) < clear) into.back() = 0.0;
     }
-    return !ratios.empty() && num::median(into) > 0.1 * pair_.stiffness() && num::median(ratios) < 0.4;
+    return ratios.size() > 2 * turning && num::median(into) > 0.1 * pair_.stiffness() && num::median(ratios) < 0.4;
   }
 
   bool clipped_force(double sign) {
@@ -202,7 +220,7 @@ class Clipping {
     double const least = std::max({past_the_tip * pair_.disp.half_range,
                                    depth_quanta * pair_.force.quantum / pair_.stiffness(), 8.0 * pair_.disp.noise});
     bool const noisy = pair_.has_noise(pair_.force);
-    bool const cut = is_cut_off(runs);
+    bool const cut = is_cut_off(sign, runs);
     for (auto const& run : runs) {
       if (run.size() <= least_plateau) continue;
       auto const begin = pair_.disp.x.begin() + static_cast<std::ptrdiff_t>(run.first);

@@ -64,6 +64,34 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   return {};
 }
 
+// Finds a force that leaves its range at one end and comes in at the other: it jumps by most of its range at least
+// twice while the motion goes on, and back. The force of friction jumps only where the motion turns or starts.
+std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
+  constexpr double least_jump = 0.8, most_step = 0.1;  // times the range of force: the jump, and the steps beside it
+  constexpr double least_way = 0.005;                  // times the range of displacement, within `lag` samples
+  constexpr std::size_t lag = 3;
+  auto const &x = pair.disp.x, &F = pair.force.x;
+  double const range = 2.0 * pair.force.half_range, way = 2.0 * least_way * pair.disp.half_range;
+  std::vector<std::size_t> samples;
+  std::size_t up = 0, down = 0;
+  double largest = 0.0;
+  for (std::size_t i = lag; i + lag + 1 < pair.size(); ++i) {
+    double const jump = F[i + 1] - F[i], before = x[i] - x[i - lag], after = x[i + 1 + lag] - x[i + 1];
+    if (!(std::abs(jump) > least_jump * range)) continue;
+    ++(jump > 0.0 ? up : down);
+    if (before * after > 0.0 && std::min(std::abs(before), std::abs(after)) > way &&
+        std::max(std::abs(F[i] - F[i - 1]), std::abs(F[i + 2] - F[i + 1])) < most_step * range) {
+      samples.push_back(i + 1);
+      largest = std::max(largest, std::abs(jump));
+    }
+  }
+  if (samples.size() < 2 || std::min(up, down) == 0) return {};
+  auto finding = finding_at(FindingKind::signal_wraps, "force", "kN", samples, pair.time);
+  finding.numbers.push_back({"jump_kN", largest});
+  return {
+      {.kind = FaultKind::wrapped, .channel = "force", .samples = std::move(samples), .finding = std::move(finding)}};
+}
+
 // Counts the samples of a fault from the start of the record, after a stage was searched by itself.
 void shift(SignalFault& fault, std::size_t by) {
   for (auto& sample : fault.samples) sample += by;
@@ -81,7 +109,8 @@ bool is_known(SignalFault const& fault, std::vector<SignalFault> const& known, T
 }  // namespace
 
 std::string_view said_of(FaultKind kind) {
-  constexpr std::string_view names[]{"clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"};
+  constexpr std::string_view names[]{"clipped",          "stuck",       "disturbed by spikes",
+                                     "without its sign", "interrupted", "wrapped around"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -97,6 +126,8 @@ std::optional<FaultKind> fault_kind(FindingKind kind) {
       return FaultKind::rectified;
     case FindingKind::signal_interrupted:
       return FaultKind::dropout;
+    case FindingKind::signal_wraps:
+      return FaultKind::wrapped;
     default:
       return std::nullopt;
   }
@@ -228,6 +259,7 @@ std::vector<SignalFault> faults_within(std::span<double const> disp_mm, std::spa
         found, [&](SignalFault const& fault) { return fault.channel == channel && fault.kind == FaultKind::clipped; });
   };
   add(rectified_channels(pair));
+  add(wrapped_force(pair));
   add(clipped_channels(pair));
   add(stuck_channels(pair, is_clipped("displacement"), is_clipped("force")));
   add(dropout_faults("displacement", "mm", gone_disp, time_s));

@@ -21,7 +21,7 @@
 namespace isolaw::data {
 
 std::string_view said_of(
-    FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted"
+    FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted", ...
 
 // The kind of fault that a finding is about; nullopt for any other finding.
 std::optional<FaultKind> fault_kind(FindingKind kind);

@@ -41,7 +41,8 @@ constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "closure_mm",
                                                    "closure_kN",
                                                    "first",
-                                                   "last"});
+                                                   "last",
+                                                   "half"});
 
 void cycle_row(CsvTable& table, UnitSystem const& units, DeviceResult const& device, data::Block const& block,
                data::Cycle const& c) {

@@ -97,6 +97,7 @@ void print_block(std::string& text, UnitSystem const& units, DeviceResult const&
         number(c.damping(), 2), number_text(force.factor * c.Q_d_kN), in(stiff, c.K_d_kN_per_mm, stiffness));
     if (loads) add(text, " {:>9}", in(force, c.N_mean_kN, force.decimals(1)));
     if (block.sweep_Hz && c.period_s && !c.partial) add(text, "  {:.3g} Hz", 1.0 / *c.period_s);
+    if (c.half) text += "  half cycle, energy doubled";
     if (device.properties.is_reported(c)) text += "  reported";
     if (!c.counts()) add(text, "  not counted: {}", c.not_counted);
     text += '\n';

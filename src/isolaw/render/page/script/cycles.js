@@ -32,7 +32,7 @@ export function blockFacts(block) {
 export const blockText = (block) => 'block ' + blockFacts(block);
 
 export const cycleText = (block, cycle) =>
-  'block ' + block.number + ', ' + (cycle.counts ? 'cycle ' + cycle.number : 'not counted: ' + cycle.reason);
+  'block ' + block.number + ', ' + (cycle.counts ? (cycle.half ? 'half cycle ' : 'cycle ') + cycle.number : 'not counted: ' + cycle.reason);
 
 export const isReported = (device, block, cycle) =>
   device.reported !== null &&

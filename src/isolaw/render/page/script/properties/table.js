@@ -58,7 +58,7 @@ function cycleTable() {
           said(first, element('span', {}, blockFacts(block))),
           cycle.counts ? null : element('small', {}, 'not counted: ' + cycle.reason),
         ),
-        cycle.counts ? String(cycle.number) : DASH,
+        cycle.counts ? cycle.number + (cycle.half ? ' (half)' : '') : DASH,
         ...shown.map((column) => column.text(cycle)),
       ],
     };
