@@ -513,8 +513,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// The law gave no numbers in most draws. They count as outside, and the answer itself must say that the law is behind it.
-// What could be computed only from the few others is left out.
+// The law gave no numbers in most draws. They count as outside, and the answer itself must say that the law is behind
+// it. What could be computed only from the few others is left out.
 TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
   auto study = usual_study(0.01, 80);
   study.file.limits.bearing_mm = 1e4;

@@ -285,8 +285,8 @@ TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   EXPECT_TRUE(contains(read("printed"), "\nlargest ")) << read("printed");
 }
 
-// Draws have the parameters of the law along one direction. Where the campaign has fitted springs, the file must not ask
-// for such a fit.
+// Draws have the parameters of the law along one direction. Where the campaign has fitted springs, the file must not
+// ask for such a fit.
 TEST(OpenSeesPyModel, of_draws_does_not_ask_for_springs_that_are_fitted) {
   std::vector<double> const parameters{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
   auto subject = subject_of("power-masing", parameters);

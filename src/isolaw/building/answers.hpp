@@ -72,8 +72,8 @@ struct Answers {
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});
-// Judges the nominal buildings alone: verdict, holds, and of each law `judged`. `measured` holds the measures of their runs,
-// [law][motion][measure]; those of a run that was not completed are empty.
+// Judges the nominal buildings alone: sets verdict, holds, and `judged` of each law. `measured` holds the measures of
+// their runs, [law][motion][measure]; those of a run that was not completed are empty.
 Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vector<double>>> const& measured);
 
 }  // namespace isolaw::building

@@ -7,8 +7,8 @@
 namespace isolaw::building {
 namespace {
 
-// Interpolates linearly between the sorted values: share 0 gives the smallest of `count` values and share 1 the largest.
-// `sorted` holds the smallest of them; NaN if the fractile lies beyond these.
+// Interpolates linearly between the sorted values: share 0 gives the smallest of `count` values and share 1 the
+// largest. `sorted` holds the smallest of them; NaN if the fractile lies beyond these.
 double fractile(std::vector<double> const& sorted, std::size_t count, double share) {
   if (count == 0) return std::nan("");
   double const place = share * static_cast<double>(count - 1);

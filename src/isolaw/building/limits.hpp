@@ -53,7 +53,8 @@ struct Judged {
   std::string_view broken_by = {};
   std::optional<std::size_t> draws_wanted = {};  // if open: draws_that_tell()
 };
-// `responses` holds the nominal building, or all cases of `places`. Without `places` the nominal building is judged alone.
+// `responses` holds the nominal building, or all cases of `places`. Without `places` the nominal building is judged
+// alone.
 Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
               CasePlaces const* places = nullptr, bool has_draws = false);
 

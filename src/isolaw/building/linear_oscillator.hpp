@@ -24,8 +24,8 @@ Effective effective(Devices const& devices, std::span<double const> bearings, do
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };
-// `bearings` as above; `mass` is that of the building in kN s2/mm. nullopt if the effective stiffness is not above 0 at a
-// displacement that the iteration meets: then there is no such oscillator.
+// `bearings` as above; `mass` is that of the building in kN s2/mm. nullopt if the effective stiffness is not above 0 at
+// a displacement that the iteration meets: then there is no such oscillator.
 std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
                                                   std::vector<double> const& bearings, double mass);
 

@@ -47,7 +47,7 @@ struct Checked {
   std::vector<Finding> doubts = {};  // about the accuracy of the analysis
 };
 
-// What the answers show of the nominal building under one motion.
+// The part of a study's answers that is about the nominal building under one motion.
 struct NominalResult {
   Checked checked = {};
   NominalHistory history = {};

@@ -80,8 +80,8 @@ class RunStore {
   // Throws Error for a run whose numbers have changed since it was stored.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
-  // What was computed of the nominal building besides its runs (kept_text() in nominal_building.hpp). `place` is a motion,
-  // or the number of motions for the loops. Returns an empty text if none is kept, and throws Error for a changed one.
+  // Results of the nominal building besides its runs (kept_text() in nominal_building.hpp). `place` is a motion, or the
+  // number of motions for the loops. kept() returns an empty text if none is kept, and throws Error for a changed one.
   std::string kept(std::size_t law, std::size_t place) const;
   void keep(std::size_t law, std::size_t place, std::string const& text) const;
 

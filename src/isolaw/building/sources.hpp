@@ -60,8 +60,8 @@ std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "po
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
 // Coupling::coupled if all parameter sets of the law have a coupled form. Otherwise springs, or separate under a motion
-// along x alone and for a law that springs do not follow (laws::springs_follow). A motion therefore gives the same response
-// alone and beside others.
+// along x alone and for a law that springs do not follow (laws::springs_follow). A motion therefore gives the same
+// response alone and beside others.
 Coupling coupling_under(Motion const& motion, LawSource const& source);
 
 // The bearings of one law under one motion. A random number depends on (seed, law, population, draw, bearing) only.

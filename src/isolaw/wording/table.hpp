@@ -71,8 +71,8 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report,
                                    UnitSystem const& units = record_units);
 
-// The same sentences as lines of a terminal: "warning: ...", or "note: ..." for what is only worth knowing. `opening` stands
-// before each sentence.
+// The same sentences as lines of a terminal: "warning: ...", or "note: ..." for a finding that is only worth knowing.
+// `opening` stands before each sentence.
 std::vector<std::string> lines(std::vector<Finding> const& findings, unsigned place = in_report,
                                UnitSystem const& units = record_units, std::string_view opening = {});
 

@@ -229,7 +229,7 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
-// What to state, such as "--motion-dt SECONDS and --motion-unit UNIT".
+// The advice on what to state, such as "--motion-dt SECONDS and --motion-unit UNIT".
 std::string to_state(StatedMotion const& stated, bool step, bool unit) {
   if (stated.how_step.empty()) return {};
   return fmt::format("{}{}{}{}", step ? stated.how_step : "", step && unit ? " and " : "", unit ? stated.how_unit : "",

@@ -54,8 +54,8 @@ std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::str
 }
 
 // Throws one Error with all problems: values, unequal time steps, not exactly one column of acceleration, missing
-// samples. A file without a header may be rows of time in s and acceleration, if the unit is stated, or of one number, if
-// the step is stated too. Of two columns without a header the first is the time if its steps are equal.
+// samples. A file without a header may be rows of time in s and acceleration, if the unit is stated, or of one number,
+// if the step is stated too. The first of two columns without a header is the time if its steps are equal.
 // A file of an agency may hold several components. `component`, from 1, chooses one of them; in a file's name it stands
 // behind a #, as in FILE.V2#2.
 GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated = {});
