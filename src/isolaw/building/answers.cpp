@@ -370,7 +370,7 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
   result.farthest_mm = run.of(Measure::isolator);
   checked.step_s = run.step_s;
   if (run.outcome != Outcome::completed) {
-    // What an analysis reached before it stopped is no response of the building.
+    // The values that an analysis reached before it stopped are no response of the building.
     checked.outcome = run.why;
     for (auto& spectrum : result.spectra_g) std::ranges::fill(spectrum, std::nan(""));
     return result;
