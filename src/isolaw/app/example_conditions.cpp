@@ -79,7 +79,8 @@ std::string condition_record(ConditionDevice const& device, ConditionTest const&
     double const n = test.keeps_softening ? cycle : std::min(cycle, settled);
     return 1.0 + recovered * (softening(n) / softening(settled) - 1.0);
   };
-  std::string text = "Time [s],Displacement [mm],Force [kN],Vertical load [kN]\n";
+  auto text = fmt::format("# Computed: test {} of {}\nTime [s],Displacement [mm],Force [kN],Vertical load [kN]\n",
+                          test.name, device.name);
   double z = 0.0, before = 0.0;
   for (int i = 0; i <= per_cycle * test.cycles; ++i) {
     double const d = stretch_mm * std::sin(2.0 * std::numbers::pi * i / per_cycle);

@@ -154,6 +154,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     if (!level.ratios.empty()) levels_.push_back(std::move(level));
   }
 
+  if (at_reference.empty()) return;
   Level own{
       .at = condition_of(effect, reference_condition), .reference = true, .tests = static_cast<int>(reference.size())};
   for (auto const& [device, values] : at_reference) own.ratios.push_back({.device = device, .ln = 0.0});
