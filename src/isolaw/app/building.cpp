@@ -161,7 +161,7 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
       }
       double most = found->nominal;
       for (auto const& other : {found->bound, found->p95})
-        if (other && !(*other <= most)) most = *other;
+        if (other && !std::isnan(most) && !(*other <= most)) most = *other;
       auto const factor = shown_unit(building::quantity(found->quantity).unit, units).factor;
       line += fmt::format("  {:<{}}", cell(factor * most, 0).substr(1) + " " + kept_text(*found), width);
     }

@@ -23,15 +23,24 @@ bool has_draws(Study const& study) {
          std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
-// The largest response that any fractile of the draws reaches.
-double largest_of_motions(Distribution const& distribution) {
-  double most = 0.0;
-  auto const take = [&](std::array<double, 4> const& fractiles) {
-    for (double const value : fractiles) most = value > most ? value : most;
-  };
-  take(distribution.fractiles);
-  for (auto const& motion : distribution.by_motion) take(motion);
-  return most;
+// The displacement of a bearing that 95 % of the draws keep below, under the strongest motion or as a mean over the
+// motions. If no draw has numbers, or there are none, it is that of the nominal building under the strongest motion.
+Finding farthest(LawAnswer const& law, Study const& study, double tested_mm) {
+  auto const& moves = law.distributions.front();
+  constexpr std::size_t p95 = 3;
+  double most = std::isfinite(moves.fractiles[p95]) ? moves.fractiles[p95] : 0.0;
+  for (auto const& motion : moves.by_motion) most = motion[p95] > most ? motion[p95] : most;
+  FindingWord of{"of", "draws"};
+  if (!(most > 0.0))
+    for (std::size_t i = 0; i < moves.nominal_by_motion.size(); ++i)
+      if (moves.nominal_by_motion[i] > most) {
+        most = moves.nominal_by_motion[i];
+        of = {"motion", study.file.motions[i].name};
+      }
+  return {.kind = FindingKind::displacement_beyond_tests,
+          .law = law.law,
+          .numbers = {{"most_mm", most}, {"tested_mm", tested_mm}},
+          .words = {std::move(of)}};
 }
 
 std::string titles_of(std::vector<Judged> const& judged, Keeps keeps) {
@@ -70,9 +79,15 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
                   .numbers = {{"draws", static_cast<double>(law.draws)}},
                   .words = {{"holds", std::string(answer)},
                             {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
-  std::optional<std::size_t> wanted;
-  for (auto const& each : law.judged) wanted = std::max(wanted, each.draws_wanted);
-  if (answer == name(Keeps::open) && wanted) finding.numbers.push_back({"wanted", static_cast<double>(*wanted)});
+  if (answer != name(Keeps::open)) return finding;
+  // The number of draws is said only if it is known for every limit that is open.
+  std::size_t wanted = 0;
+  for (auto const& each : law.judged) {
+    if (each.limit == tested_mm || each.keeps != Keeps::open) continue;
+    if (!each.draws_wanted) return finding;
+    wanted = std::max(wanted, *each.draws_wanted);
+  }
+  finding.numbers.push_back({"wanted", static_cast<double>(wanted)});
   return finding;
 }
 
@@ -449,12 +464,9 @@ void add_warnings(Answers& answers, Study const& study) {
   for (std::size_t i = 0; i < answers.laws.size(); ++i) {
     auto const& law = answers.laws[i];
     for (auto const& checked : law.checked) std::ranges::copy(checked.doubts, std::back_inserter(answers.warnings));
-    double const tested = study.laws[i].tested_mm, most = largest_of_motions(law.distributions.front());
-    if (tested > 0.0 && most > tested)
-      answers.warnings.push_back({.kind = FindingKind::displacement_beyond_tests,
-                                  .law = law.law,
-                                  .numbers = {{"most_mm", most}, {"tested_mm", tested}},
-                                  .words = {{"of", "draws"}}});
+    double const tested = study.laws[i].tested_mm;
+    if (auto far = farthest(law, study, tested); tested > 0.0 && far.number("most_mm") > tested)
+      answers.warnings.push_back(std::move(far));
     if (has_draws(study) && has_result(law)) warn_of_coverage(law, answers.warnings);
     if (law.worst_balance > largest_energy_error_of_runs) {
       warn(FindingKind::energy_error_large, law.law,
@@ -560,12 +572,24 @@ Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vecto
     }
     out.law = study.laws[law].law;
     judge(out, kept, nullptr, study, study.laws[law].tested_mm);
-    auto const kind = law == 0 ? FindingKind::building_holds : FindingKind::building_holds_with;
-    if (law > 0 && holds(out) == holds(answers.laws.front())) continue;
-    answers.verdict.push_back(holding(kind, out));
-    answers.verdict.back().words.push_back({"alone", "yes"});
   }
-  answers.holds = holds_at_all(answers.laws.front());
+  auto const whole = [](LawAnswer const& law) { return law.failed == 0; };
+  auto first = std::ranges::find_if(answers.laws, whole);
+  if (first == answers.laws.end()) first = answers.laws.begin();
+  auto const say = [&](FindingKind kind, LawAnswer const& law) {
+    answers.verdict.push_back(holding(kind, law));
+    answers.verdict.back().words.push_back({"alone", "yes"});
+  };
+  say(FindingKind::building_holds, *first);
+  for (auto const& law : answers.laws) {
+    if (!whole(law))
+      answers.verdict.push_back({.kind = FindingKind::building_law_failed,
+                                 .law = law.law,
+                                 .words = {{"where", "nominal"}, {"also", "alone"}}});
+    else if (holds(law) != holds(*first))
+      say(FindingKind::building_holds_with, law);
+  }
+  answers.holds = holds_at_all(*first);
   return answers;
 }
 

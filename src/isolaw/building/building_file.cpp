@@ -571,9 +571,11 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (in_place.motions.empty() && root.find(motion_info.name) == nullptr)
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
-  // Without a bearing that is drawn all draws would be the nominal building.
-  if (std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())
-    file.settings.draws = file.settings.populations = 0;
+  // Without a bearing that is drawn all draws would be the nominal building. Without draws a population has no median.
+  auto& settings = file.settings;
+  if (settings.draws == 0 ||
+      std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())
+    settings.draws = settings.populations = 0;
   return file;
 }
 

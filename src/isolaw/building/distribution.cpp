@@ -58,7 +58,7 @@ CasePlaces::CasePlaces(Settings const& settings) : cases(cases_of(settings)) {
   };
   first_draw = first(CaseKind::draw);
   draws = static_cast<std::size_t>(settings.draws);
-  first_uncertain = first_draw + draws;
+  first_uncertain = first(CaseKind::uncertain);
   first_factor = first(CaseKind::factor);
 }
 

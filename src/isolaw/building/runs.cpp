@@ -164,6 +164,11 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
+// The same for a text that is kept for a law at a place of the table `nominal`.
+std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
+  return sha256(fmt::format("{};{};{}", law, place, text));
+}
+
 std::string number_of(RunStore::Row const& run) {
   return fmt::format("run {} of law {} under motion {}", run.place + 1, run.law + 1, run.motion + 1);
 }
@@ -222,6 +227,15 @@ CheckedRuns check_runs(Path const& file) {
       select.read(row.law, row.motion, row.place, row.measured, hash);
       ++checked.runs;
       if (hash != hash_of(row)) checked.faults.push_back(fmt::format("{} {}", number_of(row), has_changed));
+    }
+    Statement kept(db, "SELECT law, place, content, hash FROM nominal ORDER BY law, place");
+    while (kept.row()) {
+      std::size_t law = 0, place = 0;
+      std::string content, hash;
+      kept.read(law, place, content, hash);
+      if (hash != hash_of_kept(law, place, content))
+        checked.faults.push_back(
+            fmt::format("what is kept of the nominal building of law {} {}", law + 1, has_changed));
     }
     return checked;
   });
@@ -288,7 +302,7 @@ std::string RunStore::kept(std::size_t law, std::size_t place) const {
   select.bind(law, place);
   std::string content, hash;
   if (select.row()) select.read(content, hash);
-  if (!content.empty() && hash != sha256(content))
+  if (!content.empty() && hash != hash_of_kept(law, place, content))
     throw Error({.where = file_.string(),
                  .found = fmt::format("what is kept of the nominal building of law {} {}", law + 1, has_changed),
                  .allowed = "results as isolaw building stored them",
@@ -297,8 +311,9 @@ std::string RunStore::kept(std::size_t law, std::size_t place) const {
 }
 
 void RunStore::keep(std::size_t law, std::size_t place, std::string const& text) const {
-  Statement insert(db_, "INSERT OR IGNORE INTO nominal VALUES (?, ?, ?, ?)");
-  insert.bind(law, place, std::string_view(text), std::string_view(sha256(text))).insert();
+  Statement insert(db_, "INSERT OR REPLACE INTO nominal VALUES (?, ?, ?, ?)");
+  auto const hash = hash_of_kept(law, place, text);
+  insert.bind(law, place, std::string_view(text), std::string_view(hash)).insert();
 }
 
 std::vector<StudyProperty> properties_of(Study const& study) {

@@ -51,9 +51,11 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
     for (auto const& law : answers.laws) {
       auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
-      for (double const v :
-           {d.lower, d.nominal, d.upper, h.from, h.from + h.width * static_cast<double>(h.counts.size())})
-        ranges[q].add(shown_unit(drawn_quantity(q).unit, units).factor * v);
+      auto const factor = shown_unit(drawn_quantity(q).unit, units).factor;
+      for (double const v : {d.lower, d.nominal, d.upper}) ranges[q].add(factor * v);
+      if (h.counts.empty()) continue;
+      ranges[q].add(factor * h.from);
+      ranges[q].add(factor * (h.from + h.width * static_cast<double>(h.counts.size())));
     }
   std::size_t panel = 0;
   for (std::size_t l = 0; l < answers.laws.size(); ++l)
