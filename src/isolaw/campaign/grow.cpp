@@ -61,7 +61,8 @@ std::string obstacle(Device const& there, Device const& now) {
   if (!same_record(there, now)) return fmt::format("{}: its file has changed", now.name);
   bool const same = there.raw.disp_mm == now.raw.disp_mm && there.raw.force_kN == now.raw.force_kN &&
                     there.raw.time_s == now.raw.time_s && there.raw.load_kN == now.raw.load_kN &&
-                    there.raw.logged_cycle == now.raw.logged_cycle;
+                    there.raw.logged_cycle == now.raw.logged_cycle &&
+                    there.raw.counts_half_cycles() == now.raw.counts_half_cycles();
   return same ? "" : fmt::format("{}: its file is read in another way", now.name);
 }
 

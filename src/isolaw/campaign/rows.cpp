@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -477,6 +479,13 @@ Contents read_contents(Connection const& db) {
   contents.device_analyses = std::move(analyses.devices);
   contents.lot_analyses = std::move(analyses.lots);
   contents.left_out = std::move(analyses.left_out);
+  // A store of an earlier build may have laws of the lot that were made with copies of records. They count as missing.
+  std::set<std::string, std::less<>> stale;
+  for (auto const& lot : contents.lot_analyses)
+    if (std::ranges::any_of(lot.devices, [&](std::size_t device) { return !contents.devices[device].counts(); }))
+      stale.insert(lot.law);
+  std::erase_if(contents.lot_analyses, [&](auto const& lot) { return stale.contains(lot.law); });
+  std::erase_if(contents.left_out, [&](auto const& left_out) { return stale.contains(left_out.law); });
   return contents;
 }
 

@@ -68,12 +68,16 @@ std::optional<double> share_open(LawResult const& law) {
   return examined > 0 ? std::optional(static_cast<double>(open) / examined) : std::nullopt;
 }
 
+// The number of devices to which laws can be fitted, each record once.
+std::size_t counting_devices(Summary const& summary) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      summary.devices, [](DeviceResult const& device) { return device.status == "ok" && device.counts(); }));
+}
+
 bool identified_on_every_device(Summary const& summary, LawResult const& law) {
   auto fits = law.counting();
   auto const identified = std::ranges::count_if(fits, [](auto const& fit) { return fit_status(fit) == "ok"; });
-  return identified == std::ranges::count_if(summary.devices, [](DeviceResult const& device) {
-           return device.status == "ok" && device.counts();
-         });
+  return static_cast<std::size_t>(identified) == counting_devices(summary);
 }
 
 std::optional<Finding> ruled_out(Summary const& summary, LawResult const& law) {
@@ -213,7 +217,7 @@ Standing standing_of(Summary const& summary, std::size_t index) {
                     .error = {},
                     .parameters = searched_parameters(law),
                     .reason = ruled_out(summary, law)};
-  bool const is_lot = law.loo_objective && device_names(summary).size() >= devices_of_a_lot;
+  bool const is_lot = law.loo_objective && counting_devices(summary) >= devices_of_a_lot;
   standing.error = is_lot ? standing.new_device : standing.fits;
   if (standing.error && standing.predicts) standing.error = 0.5 * (*standing.error + *standing.predicts);
   if (!standing.error && standing.predicts) standing.error = standing.predicts;
@@ -252,7 +256,7 @@ bool predicts_blocks(Summary const& summary) {
 
 std::vector<Finding> what_would_decide(Summary const& summary, bool predicts, bool open) {
   constexpr std::size_t few = 5;
-  auto const devices = device_names(summary).size();
+  auto const devices = counting_devices(summary);
   std::vector<Finding> steps;
   auto const add = [&](FindingKind kind) { steps.push_back({.kind = kind}); };
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::surer_finish);

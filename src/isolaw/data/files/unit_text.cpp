@@ -130,10 +130,12 @@ bool is_power_of_ten(double value) {
 // Finds "/2", "*10", "x10", "2 x", "1:2" and the like.
 std::string factor_hint(std::string_view base) {
   auto const text = plain(base);
-  if (auto const at = text.find(':'); at != std::string::npos && at == text.rfind(':') && at > 0 &&
-                                      at + 1 < text.size() && is_digit(text[at - 1]) && is_digit(text[at + 1])) {
-    auto const from = text.find_last_of(' ', at) + 1;
-    return text.substr(from, text.find(' ', at) - from);
+  // A scale such as 1:2. Two words of a digit or two that are joined by a colon may also be a clock or a place in a rack.
+  if (auto const at = text.find(':'); at != std::string::npos && at == text.rfind(':')) {
+    auto const from = text.find_last_of(" (", at) + 1;
+    auto const ratio = text.substr(from, text.find_first_of(" )", at) - from);
+    bool const starts_with_one = ratio.starts_with("1:") && ratio != "1:1";
+    if (starts_with_one && ratio.size() > 2 && std::ranges::all_of(ratio.substr(2), is_digit)) return ratio;
   }
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::string_view const from_here = std::string_view(text).substr(i);

@@ -100,7 +100,7 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     double const least = 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
     bool const drops = share < least, loses = drops && !keeps_energy(*before, cycle, least);
     // The force may go after a peak of a cycle, which then keeps most of its energy: the next cycle tells.
-    if (fails == nullptr && is_dead && dying != nullptr) {
+    if (fails == nullptr && is_dead && dying != nullptr && dying->block == cycle.block) {
       fails = dying;
       kept = kept_of_dying;
       kept_of = "the peak force in the cycle before it";

@@ -69,6 +69,7 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
 std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
   constexpr double least_jump = 0.8, most_step = 0.1;  // times the range of force: the jump, and the steps beside it
   constexpr double least_way = 0.005;                  // times the range of displacement, within `lag` samples
+  constexpr double least_trend = 0.005;                // times the range of force, over `lag` samples on both sides
   constexpr std::size_t lag = 3;
   auto const &x = pair.disp.x, &F = pair.force.x;
   double const range = 2.0 * pair.force.half_range, way = 2.0 * least_way * pair.disp.half_range;
@@ -79,7 +80,10 @@ std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
     double const jump = F[i + 1] - F[i], before = x[i] - x[i - lag], after = x[i + 1 + lag] - x[i + 1];
     if (!(std::abs(jump) > least_jump * range)) continue;
     ++(jump > 0.0 ? up : down);
-    if (before * after > 0.0 && std::min(std::abs(before), std::abs(after)) > way &&
+    // A force that wraps jumps against its own trend. The force of friction, recorded a little late, jumps along it.
+    double const trend = (F[i] - F[i - lag]) + (F[i + 1 + lag] - F[i + 1]);
+    bool const against = jump * trend < 0.0 && std::abs(trend) > least_trend * range + 4.0 * pair.force.noise;
+    if (against && before * after > 0.0 && std::min(std::abs(before), std::abs(after)) > way &&
         std::max(std::abs(F[i] - F[i - 1]), std::abs(F[i + 2] - F[i + 1])) < most_step * range) {
       samples.push_back(i + 1);
       largest = std::max(largest, std::abs(jump));

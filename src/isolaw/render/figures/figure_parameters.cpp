@@ -23,7 +23,7 @@ MaybeFigure parameters_figure(Summary const& summary, LawResult const& law) {
       if (fit != nullptr && fit->objective.mean && n < fit->parameters.size()) {
         point.value = fit->parameters[n].value;
         point.percent = fit->parameters[n].percent_of_lot;
-        if (point.value.mean) means.push_back(*point.value.mean);
+        if (fit->counts && point.value.mean) means.push_back(*point.value.mean);
       }
       panel.points.push_back(std::move(point));
     }
