@@ -170,6 +170,8 @@ TEST(ScaleHints, AreFoundInNames) {
   EXPECT_EQ(force("Total force (2 isolators) [kN]"), "2 isolators");
   EXPECT_EQ(force("Shear force of bearing pair [kN]"), "pair");
   EXPECT_EQ(force("Force (scaled 1:2) [kN]"), "1:2");
+  EXPECT_EQ(force("Force Dev1:3 [kN]"), "");
+  EXPECT_EQ(force("Force 10:30 [kN]"), "");
   EXPECT_EQ(disp("Scaled displacement [mm]"), "scaled");
   EXPECT_EQ(force("Forza media [kN]"), "media");
   EXPECT_EQ(force("Kraft (doppelt) [kN]"), "doppelt");

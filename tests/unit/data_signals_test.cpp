@@ -623,6 +623,23 @@ TEST(Plateaus, a_force_that_wraps_around_is_found) {
   }
 }
 
+// The force of a slider jumps where the motion turns. If the force comes some samples late, it jumps within the motion.
+TEST(Plateaus, a_late_force_of_friction_does_not_wrap) {
+  for (int const samples : {50, 100, 200, 500})
+    for (bool const triangle : {false, true})
+      for (std::size_t const late : {2u, 4u, 6u}) {
+        auto motion = exact({.samples = samples, .triangle = triangle, .step = [](double, double way, double) {
+                               return way > 0.0 ? 50.0 : -50.0;
+                             }});
+        for (std::size_t i = 0; i < motion.force_kN.size(); ++i) motion.force_kN[i] += 0.02 * motion.disp_mm[i];
+        std::rotate(motion.force_kN.begin(), motion.force_kN.end() - static_cast<std::ptrdiff_t>(late),
+                    motion.force_kN.end());
+        auto const faults = faults_of(motion);
+        EXPECT_FALSE(names(faults, "force", FaultKind::wrapped))
+            << samples << ", " << triangle << ", " << late << text_of(faults);
+      }
+}
+
 // The logger repeats the last force, or writes 0, for 3 to 10 samples of a steep part of three cycles.
 TEST(Plateaus, of_a_dropout_that_is_held_are_found) {
   for (int const samples : {50, 100, 200})
