@@ -290,7 +290,8 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
 }
 
 std::string column_text(std::size_t index, Header const& header) {
-  if (header.by_name) return "variable " + in_quotes(header.names[index]);
+  // The names of all variables may be empty. The header then has none.
+  if (header.by_name && !header.names.empty()) return "variable " + in_quotes(header.names[index]);
   auto const label = header.lettered ? column_letters(index) : std::to_string(index + 1);
   if (header.names.empty() || header.names[index].empty()) return "column " + label;
   return fmt::format("column {} {}", label, in_quotes(header.names[index]));
