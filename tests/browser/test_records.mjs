@@ -161,7 +161,7 @@ function blocks_of(test, device) {
     if (!reason && !own.counts) Object.assign(own, { counts: true, amplitude_mm: cycle.amplitude_mm });
     const number = reason ? 0 : own.cycles.filter((c) => c.counts).length + 1;
     const whole = !reason.startsWith('the record ends');
-    own.cycles.push({ number, counts: reason === '', partial: !whole, reason, ...cycle });
+    own.cycles.push({ number, counts: reason === '', partial: !whole, half: false, reason, ...cycle });
   });
   return blocks.map(({ cycles: own, amplitude_mm }, i) => {
     const good = own.filter((cycle) => cycle.counts);

@@ -144,7 +144,7 @@ TEST_F(LotFile, unknown_key_names_line_and_allowed_keys) {
                  {"lot.toml:4: unknown key 'colour' in [[device]]",
                   "allowed: K_v, channel-scale, columns, date-order, dt, file", "temperature-C, test, test-date"});
   expect_refused(run("foo = 1\n" + std::string(device)),
-                 {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, device, read, title"});
+                 {"lot.toml:1: unknown key 'foo'", "allowed: acceptance, calibrate, conditions, device, read, title"});
   expect_refused(
       run("[read]\nskip = 1\n" + std::string(device)),
       {"lot.toml:2: unknown key 'skip' in [read]",
