@@ -1,4 +1,4 @@
-// What a device had gone through before each cycle of its tests. Rubber with fillers loses stiffness when it is
+// The history of a device before each cycle of its tests. Rubber with fillers loses stiffness when it is
 // stretched farther than before, and recovers some of it at rest. So a value of one cycle may only be compared with a
 // value of another one that has the same history.
 #pragma once

@@ -20,7 +20,7 @@ data::Block const* counting_block(DeviceResult const& device) {
   return found == blocks.end() ? nullptr : &*found;
 }
 
-// What a device went through before the cycles that count: rubber is softer after larger and after more cycles.
+// The cycles of a device before those that count: rubber is softer after larger and after more cycles.
 struct Earlier {
   double largest_mm = 0.0;  // the largest amplitude
   double cycles = 0.0;      // whole cycles of at least the amplitude of the cycles that count, within its tolerance
