@@ -556,6 +556,9 @@ TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
   EXPECT_TRUE(json["laws"][0]["bearings"]["displacement_mm"][0].is_null());
   EXPECT_EQ(json["laws"][0]["limits"][0]["broken_by"], "draws");
   EXPECT_FALSE(contains(wording::paragraph(most.verdict), "nan"));
+  // The page moves the nominal building, since the first draw has no numbers under the motion that is shown.
+  EXPECT_EQ(most.laws[0].loops.motion, 1u);
+  EXPECT_FALSE(most.laws[0].loops.drawn);
 
   auto const few = with_failed(2, false);
   EXPECT_TRUE(

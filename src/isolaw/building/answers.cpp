@@ -450,7 +450,10 @@ void add_nominal_building(LawAnswer& out, Study const& study, RunStore const& st
     auto options = options_of(study, model, devices, motions[strongest]);
     options.histories = true;
     options.interrupted = interrupted;
-    text = kept_text(loops_of(model, devices, study, strongest, has_draws(study), options));
+    // The first draw is shown, or the nominal building if the law gave no numbers in this draw.
+    auto const first_draw = CasePlaces(study.file.settings).first_draw;
+    bool const drawn = has_draws(study) && std::isfinite(kept[strongest][0][first_draw]);
+    text = kept_text(loops_of(model, devices, study, strongest, drawn, options));
     store.keep(law, motions.size(), text);
   }
   out.loops = loops_of(text);
