@@ -48,7 +48,9 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
   near(cold["factor"]["mean"]["low"], 1.291890605, 1e-7);
   near(cold["factor"]["device"]["high"], 1.357612093, 1e-7);
   near(cold["factor"]["system"]["low"], 1.293068286, 1e-7);
-  EXPECT_EQ(cold["devices"], Json({"P1", "P2", "P3"}));
+  ASSERT_EQ(cold["ratios"].size(), 3u);
+  EXPECT_EQ(cold["ratios"][1]["device"], "P2");
+  near(cold["ratios"][1]["lambda"], 0.874677545 / 0.662182831, stiffness);
   EXPECT_EQ(cold["factor"]["status"], "shown");
   near(find(j["levels"], "K_eff", "rate", "2 Hz")["factor"]["lambda"], 1.067708704, stiffness);
   near(find(j["levels"], "K_eff", "load", "4000 kN")["factor"]["lambda"], 0.811377958, stiffness);
@@ -186,6 +188,71 @@ TEST_F(Conditions, name_a_test_that_cannot_be_used) {
   auto const o = with("rest-h = 24\n", "rest-h = 24\nload-kN = 2000\n");
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(o.out, "Refused: P1, -20C: load-kN is stated, and the record has a channel for the load")) << o;
+}
+
+// P1 to P3 lose their warm tests, so the cold ones can only be compared with the reference tests of P4 and P5.
+TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
+  auto text = read("ex/lot.toml");
+  for (auto const* device : {"P1", "P2", "P3"}) {
+    auto const file = text.find(fmt::format("file = \"{}-20C.csv\"", device));
+    ASSERT_NE(file, std::string::npos) << text;
+    auto const begin = text.rfind("[[device.test]]", file), end = text.find("[[device", file);
+    text.erase(begin, end - begin);
+  }
+  write("ex/changed.toml", text);
+  auto const o = isolaw({"conditions", "ex/changed.toml", "--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const j = Json::parse(o.out);
+  auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C")["factor"];
+  EXPECT_EQ(cold["status"], "unpaired");
+  near(cold["lambda"], std::cbrt(0.920443205 * 0.874677545 * 0.887009150) / 0.677589534, 1e-7);  // P4 and P5 have u = 0
+  EXPECT_FALSE(cold["device"].is_null());
+}
+
+TEST_F(Conditions, of_several_compounds_ask_which_is_meant) {
+  auto const unclear = with("name = \"P1\"\n", "name = \"P1\"\ncompound = \"B\"\n");
+  EXPECT_EQ(unclear.code, 2) << unclear;
+  EXPECT_TRUE(contains(unclear.err, "devices with compound B, none")) << unclear;
+  write("ex/lot.toml", read("ex/changed.toml"));
+  auto const o = with("[conditions]\n", "[conditions]\ncompound = \"B\"\n", {"--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const j = Json::parse(o.out);
+  EXPECT_EQ(find(j["levels"], "K_eff", "temperature", "-20 C")["factor"]["devices"], 1);
+  EXPECT_EQ(find(j["design"], "K_eff", "rate")["max"]["status"], "not covered");
+}
+
+TEST_F(Conditions, of_scaled_specimens_say_so) {
+  auto text = read("ex/lot.toml");
+  for (std::size_t at = 0; (at = text.find("temperature-C = -20", at)) != std::string::npos; at += 30)
+    text.insert(at, "specimen = \"scaled\"\nscale = 0.3\n");
+  write("ex/changed.toml", text);
+  auto const mixed = Json::parse(isolaw({"conditions", "ex/changed.toml", "--json"}).out);
+  for (auto const& row : mixed["levels"]) EXPECT_NE(row["level"], "-20 C");
+  for (auto const& test : mixed["tests"])
+    if (test["temperature_C"] == -20.0) EXPECT_EQ(test["role"], "scaled specimen");
+}
+
+TEST_F(Conditions, with_starts_need_no_order) {
+  auto text = read("ex/lot.toml");
+  // The tests of P5: a reference test, then others after 1, 24 and 168 h of rest. Each lasts 20 s or less.
+  auto const p5 = text.find("name = \"P5\""), p6 = text.find("name = \"P6\"");
+  auto part = text.substr(p5, p6 - p5);
+  for (auto const* start :
+       {"2026-03-01T09:00:00", "2026-03-01T10:00:20", "2026-03-02T10:00:30", "2026-03-09T10:00:40"}) {
+    auto const order = part.find("order = ");
+    ASSERT_NE(order, std::string::npos) << part;
+    part.replace(order, part.find('\n', order) - order, std::string("started = ") + start);
+  }
+  for (std::size_t rest; (rest = part.find("rest-h")) != std::string::npos;)
+    part.erase(rest, part.find('\n', rest) + 1 - rest);
+  write("ex/changed.toml", text.replace(p5, p6 - p5, part));
+  auto const o = isolaw({"conditions", "ex/changed.toml", "--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const recovery = Json::parse(o.out)["recovery"];
+  ASSERT_EQ(recovery.size(), 3u) << recovery;
+  near(recovery[0]["rest_h"], 1.0, 1e-6);
+  near(recovery[1]["rest_h"], 24.0, 1e-3);
+  near(recovery[2]["rest_h"], 168.0, 1e-3);
 }
 
 }  // namespace

@@ -114,6 +114,7 @@ TEST(Results, OfBuildingsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
 
 TEST(Results, OfConditionsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(conditions_test_results, documented("`tests[]`", "conditions.md"));
+  expect_all_documented(conditions_cycle_results, documented("`tests[].cycles[]`", "conditions.md"));
 }
 
 TEST(Results, HaveAHeadingForEachCell) {

@@ -15,7 +15,12 @@ int conditions(ConditionsArguments const& arguments) {
   if (arguments.out && std::filesystem::exists(*arguments.out) && !std::filesystem::is_directory(*arguments.out))
     throw Error({.where = "--out", .found = shown(*arguments.out) + " is a file", .allowed = "a directory"});
   auto const lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
-  auto const result = study::build_conditions(lot);
+  if (!lot.conditions)
+    throw Error({.where = shown(arguments.lot),
+                 .found = "the lot file has no table [conditions]",
+                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
+                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
+  auto const result = study::build_conditions(campaign::observe_tests(lot), lot.title, lot.acceptance);
   print(arguments.json ? render::conditions_json(result) : render::conditions_text(result, arguments.details));
   if (arguments.out) {
     auto const file = *arguments.out / "conditions.json";

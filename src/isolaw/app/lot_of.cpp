@@ -135,6 +135,7 @@ void apply(Values const& given, data::ReadOptions& options) {
 
 void apply(Values const& given, campaign::DeviceInput& device) {
   for (auto& test : device.tests) apply(given, test.read);
+  for (auto& test : device.history) apply(given, test.read);
 }
 
 void apply(Values const& given, campaign::Acceptance& acceptance) {

@@ -13,6 +13,7 @@
 #include "isolaw/analysis/one_law.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/unit_system.hpp"
+#include "isolaw/campaign/observed_tests.hpp"
 #include "isolaw/campaign/settings.hpp"
 #include "isolaw/data/channels/record.hpp"
 #include "isolaw/data/properties/vertical.hpp"
@@ -177,6 +178,7 @@ struct Contents {
   Acceptance acceptance;
   Settings settings;
   std::vector<Device> devices = {};
+  std::optional<ObservedTests> observed = {};        // if the lot file has a table [conditions]
   std::vector<Search> searches = {};                 // sorted by device, then as settings.laws
   std::vector<Run> runs = {};                        // sorted by device, law, number
   std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law

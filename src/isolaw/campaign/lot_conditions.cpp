@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <sstream>
 
 #include "isolaw/base/words.hpp"
 
@@ -27,7 +30,20 @@ std::vector<Option<StatedTest>> make_test_table() {
                 {.least = 1, .most = 1'000'000, .words = "a whole number from 1"}),
       number<T>("temperature-C", "temperature of the rubber at the start", at(&T::temperature_C), temperatures),
       number<T>("load-kN", "mean vertical load, if the record has no channel for it", at(&T::load_kN), not_negative),
-      number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative)};
+      number<T>("rest-h", "rest since the test before", at(&T::rest_h), not_negative),
+      number<T>("conditioned-h", "time in a chamber at this temperature before the test", at(&T::conditioned_h),
+                not_negative),
+      number<T>("scale", "scale of the specimen, if it is a scaled one", at(&T::scale), positive),
+      flag<T>("fit", "whether laws are fitted to this test too", at(&T::takes_part_in_fit))};
+  constexpr std::pair<std::string_view, bool> specimens[]{{"full", false}, {"scaled", true}};
+  table.push_back(
+      word<T>("specimen", "whether the specimen is a device or a scaled one", at(&T::is_scaled), specimens));
+  table.push_back({{.key = "started", .help = "when the test began"},
+                   [](T const& test) { return test.started.empty() ? Json() : Json(test.started); },
+                   [](T& test, Json const& value) {
+                     if (!start_h(text_in(value))) refuse(value, "a date with a time of day: 2026-03-01T09:00:00");
+                     test.started = text_in(value);
+                   }});
   constexpr std::pair<std::string_view, bool> stands_for[]{{"dependence", false}, {"acceptance", true}};
   table.push_back(
       word<T>("stands-for", "which record stands for the device elsewhere", at(&T::is_acceptance), stands_for));
@@ -41,6 +57,17 @@ std::vector<Option<StatedTest>> make_test_table() {
   };
   table.push_back(std::move(place));
   return table;
+}
+
+std::vector<Option<StatedDevice>> make_device_table() {
+  using D = StatedDevice;
+  auto const text = [](std::string_view key, std::string help, std::string D::*member) -> Option<D> {
+    return {{.key = key, .help = std::move(help)},
+            [=](D const& device) { return (device.*member).empty() ? Json() : Json(device.*member); },
+            [=](D& device, Json const& value) { device.*member = text_in(value); }};
+  };
+  return {text("compound", "rubber compound; devices are compared within one compound only", &D::compound),
+          text("size", "size of the device; devices are compared within one size only", &D::size)};
 }
 
 // The tables within [conditions].
@@ -60,6 +87,10 @@ class ConditionsReader {
       take(table, "load-percent", not_negative, to.load_percent);
       take(table, "strain-percent", not_negative, to.strain_percent);
     });
+    top_.value<std::string>("rules", "a built-in rule set", [&](std::string const& text) { all.rules = text; });
+    for (auto const& option : compared_devices_table())
+      top_.json(option.option(), [&](Json const& value) { option.set(all.compared, value); });
+    top_.strings("assume", [&](std::string const& text) { all.assume.push_back(text); });
     take(top_, "activation-energy-kJ-mol", positive, all.activation_energy_kJ_per_mol);
     top_.value<std::string>("activation-energy-source", "text",
                             [&](std::string const& text) { all.activation_energy_source = text; });
@@ -177,9 +208,36 @@ std::span<Option<StatedTest> const> test_table() {
   return table;
 }
 
+std::span<Option<StatedDevice> const> compared_devices_table() {
+  static auto const table = make_device_table();
+  return table;
+}
+
+std::optional<double> start_h(std::string_view started) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, read = 0;
+  double second = 0.0;
+  std::string const text(started);
+  bool const has_seconds =
+      std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%lf%n", &year, &month, &day, &hour, &minute, &second, &read) == 6;
+  if (!has_seconds &&
+      std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d%n", &year, &month, &day, &hour, &minute, &read) < 5)
+    return std::nullopt;
+  std::chrono::year_month_day const date(std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  bool const right = static_cast<std::size_t>(read) == text.size() && date.ok() && hour >= 0 && hour < 24 &&
+                     minute >= 0 && minute < 60 && second >= 0.0 && second < 60.0;
+  if (!right) return std::nullopt;
+  double const days = std::chrono::sys_days(date).time_since_epoch().count();
+  return 24.0 * days + hour + minute / 60.0 + second / 3600.0;
+}
+
 StatedConditions read_conditions(toml::table const& table, std::string const& file,
                                  std::vector<Complaint>& complaints) {
-  return ConditionsReader(table, file, complaints).read();
+  auto stated = ConditionsReader(table, file, complaints).read();
+  std::ostringstream text;
+  text << toml::toml_formatter(table);
+  stated.text = text.str();
+  return stated;
 }
 
 }  // namespace isolaw::campaign

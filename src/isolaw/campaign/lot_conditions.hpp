@@ -5,7 +5,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "isolaw/base/option.hpp"
 #include "isolaw/base/toml_reader.hpp"
@@ -16,15 +18,31 @@ struct StatedAgeing {
   double days = 0.0, at_C = 0.0;
 };
 
+// What a lot file states about a device. Only devices of one compound and one size are compared. An empty text is a
+// compound or size like any other.
+struct StatedDevice {
+  std::string compound, size;
+
+  bool operator==(StatedDevice const&) const = default;
+};
+std::span<Option<StatedDevice> const> compared_devices_table();
+
 struct StatedTest {                                      // about one test of a device
   std::optional<int> order;                              // place among all tests of the device
-  std::optional<double> temperature_C, load_kN, rest_h;  // rest_h: since the motion of the test before
+  std::string started;                                   // date and time, as in "2026-03-01T09:00:00"; or empty
+  std::optional<double> temperature_C, load_kN, rest_h;  // rest_h: since the end of the test before
   std::string temperature_of;                            // core, surface or chamber; empty if it is not stated
+  std::optional<double> conditioned_h;                   // time in a chamber at the temperature, before the test
   std::optional<StatedAgeing> aged = {};
   bool is_acceptance = false;  // its record stands for the device everywhere else
+  bool takes_part_in_fit = false;
+  bool is_scaled = false;  // the specimen is a scaled model of the device
+  std::optional<double> scale = {};
 };
 // The rows for these keys, but for `aged`. A row alone judges a value.
 std::span<Option<StatedTest> const> test_table();
+// The start of a test in hours since 1970, or nothing for a text that is no date with a time of day.
+std::optional<double> start_h(std::string_view started);
 // Reads the table `aged`, which must state both the days and the temperature of the oven.
 std::optional<StatedAgeing> read_aged(TomlTable& table, std::string const& file, std::vector<Complaint>& complaints);
 
@@ -33,6 +51,10 @@ struct ConditionRange {
 };
 
 struct StatedConditions {  // the table [conditions]
+  std::string text;        // this table as TOML, from which read_conditions() makes the other members
+  std::string rules;       // the rule set that says how effects combine; empty: that of the acceptance, if there is one
+  StatedDevice compared;   // the devices meant, if the lot has several compounds or sizes
+  std::vector<std::string> assume;  // effects for which a default of the rule set may stand in
   struct {
     double temperature_C = 20.0;
     std::optional<double> frequency_Hz, load_kN, strain_percent, disp_mm;

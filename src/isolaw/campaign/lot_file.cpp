@@ -210,6 +210,9 @@ class DeviceReader {
     device.name = name_in(table);
     for (auto const& option : info_table())
       table.json(option.option(), [&](Json const& value) { option.set(device.info, value); });
+    if (conditions_ != nullptr)
+      for (auto const& option : compared_devices_table())
+        table.json(option.option(), [&](Json const& value) { option.set(device.stated, value); });
     auto only = test_in(table, defaults, has_tests(table));
     if (has_tests(table)) {
       auto const* tests = table.find("test");
@@ -299,8 +302,11 @@ class DeviceReader {
       for (auto const& option : test_table())
         table.json(option.option(), [&](Json const& value) { option.set(test.stated, value); });
       test.stated.aged = read_aged(table, file_, complaints_);
-      if (!test.stated.order)
-        table.complain(source, "a test without its order", "order = 1, 2, ... as the device was tested");
+      if (!test.stated.order && test.stated.started.empty())
+        table.complain(source, "a test without its order",
+                       "order = 1, 2, ... as the device was tested, or started = 2026-03-01T09:00:00 in every test");
+      if (test.stated.scale && !test.stated.is_scaled)
+        table.complain(source, "a scale, and the specimen is not scaled", "specimen = \"scaled\" with a scale");
     } else if (auto const* node = condition_key_in(table)) {
       table.complain(*node, "a key about the conditions of a test, and the file has no table [conditions]",
                      "a table [conditions] with a reference, or none of these keys", "docs/conditions.md");
@@ -330,12 +336,19 @@ class DeviceReader {
       if (!only.stated.temperature_C) only.stated.temperature_C = device.info.temperature_C;
       only.stated.order = only.stated.order.value_or(1);
     }
+    order_by_start(table, source, all);
     std::set<int> orders;
     for (auto const& test : all)
       if (test.stated.order && !orders.insert(*test.stated.order).second)
         table.complain(source, fmt::format("test '{}' has the order of another test", printable(test.name)),
                        "order = 1, 2, ... as the device was tested");
     std::ranges::stable_sort(all, {}, [](TestInput const& test) { return test.stated.order.value_or(0); });
+    std::vector<double> starts;
+    for (auto const& test : all)
+      if (auto const start = start_h(test.stated.started)) starts.push_back(*start);
+    if (!std::ranges::is_sorted(starts))
+      table.complain(source, "a test began before another one that comes earlier in the order",
+                     "order and started that agree");
     if (std::ranges::count_if(all, [](TestInput const& test) { return test.stated.is_acceptance; }) > 1)
       table.complain(source, "two tests of a device with stands-for = \"acceptance\"", "one of them");
     auto const chosen = [&](auto const& stands) { return std::ranges::find_if(all, stands); };
@@ -349,8 +362,24 @@ class DeviceReader {
     if (acceptance == all.end()) acceptance = all.begin();
     if (acceptance == all.end()) return;  // no test: a complaint says so
     device.tests.push_back(*acceptance);
-    device.tests.front().name.clear();
+    for (auto const& test : all)
+      if (test.stated.takes_part_in_fit && &test != &*acceptance) device.tests.push_back(test);
+    if (device.tests.size() == 1) device.tests.front().name.clear();
     if (!device.info.temperature_C) device.info.temperature_C = acceptance->stated.temperature_C;
+  }
+
+  // Numbers the tests by the time when they began, if all of them state it and none states its order.
+  static void order_by_start(TomlTable& table, toml::table const& source, std::vector<TestInput>& all) {
+    auto const states_start = [](TestInput const& test) { return !test.stated.started.empty(); };
+    if (std::ranges::none_of(all, states_start)) return;
+    bool const has_orders =
+        std::ranges::any_of(all, [](TestInput const& test) { return test.stated.order.has_value(); });
+    if (has_orders && all.size() > 1) return;  // the orders count, and the starts give the rests
+    if (!std::ranges::all_of(all, states_start))
+      return table.complain(source, "some tests of a device have neither an order nor a start",
+                            "order in every test, or started in every test");
+    std::ranges::stable_sort(all, {}, [](TestInput const& test) { return *start_h(test.stated.started); });
+    for (int order = 1; auto& test : all) test.stated.order = order++;
   }
 
   static void refuse_same_names(TomlTable& table, toml::node const& node, std::vector<TestInput> const& tests) {

@@ -40,6 +40,7 @@ struct DeviceInput {  // one device before its record is read
   // All tests of the device in their order, if the lot file has a table [conditions]. `tests` then holds the one that
   // stands for the device.
   std::vector<TestInput> history = {};
+  StatedDevice stated = {};         // only in a lot file with [conditions]
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
   DeviceInfo info;
   VerticalInput vertical = {};

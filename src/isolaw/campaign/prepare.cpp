@@ -20,15 +20,15 @@
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::campaign {
-namespace {
 
-// Cuts `directory` from the paths in a text: results must not depend on the folder in which the program was started.
 std::string with_shown_files(std::string text, std::filesystem::path const& directory) {
   auto const prefix = directory.empty() ? std::string() : (directory / "").generic_string();
   if (prefix.empty()) return text;
   for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;) text.erase(at, prefix.size());
   return text;
 }
+
+namespace {
 
 void show_files(std::vector<Finding>& findings, std::filesystem::path const& directory) {
   for (auto& finding : findings)
@@ -202,6 +202,7 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
   for (auto const& input : lot.devices)
     contents.devices.push_back(prepare_device(input, contents.settings.clean, false_signals));
   contents.find_copies();
+  if (lot.conditions) contents.observed = observe_tests(lot);
   return contents;
 }
 

@@ -31,6 +31,8 @@ Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
 // Reads the files of one test, one after another as one history. Throws Error as data::read_record() does.
 data::TestRecord read_history(TestInput const& input);
+// Cuts `directory` from the paths in a text: results must not depend on the folder in which the program was started.
+std::string with_shown_files(std::string text, std::filesystem::path const& directory);
 // Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);

@@ -312,6 +312,7 @@ std::vector<std::pair<std::string_view, std::string>> descriptions(Contents cons
       {"letterhead-file", a.letterhead_file},
       {"report-units", std::string(a.report_units)}};
   for (auto const& option : alike_table()) all.emplace_back(option.key, text_of(option.get(a)));
+  all.emplace_back("conditions", contents.observed ? text(*contents.observed) : std::string());
   return all;
 }
 
@@ -327,6 +328,7 @@ void read_descriptions(Connection const& db, Contents& contents) {
   if (auto const units = meta(db, "report-units"); !units.empty()) a.report_units = find_unit_system(units).id;
   for (auto const& option : alike_table())
     if (auto const text = meta(db, option.key); !text.empty()) option.set(a, value_of(option.kind, {text}));
+  if (auto const observed = meta(db, "conditions"); !observed.empty()) contents.observed = tests_of_text(observed);
   contents.part = read_part(db);
 }
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <numeric>
 
-#include "isolaw/base/error.hpp"
 #include "isolaw/num/statistics.hpp"
 
 namespace isolaw::conditions {
@@ -105,9 +104,12 @@ std::optional<Interval> interval(Factor const& factor, About about, int installe
 }
 
 Response::Response(Effect effect, std::span<Sample const> reference, std::span<Sample const> others,
-                   Condition const& reference_condition, Tolerance const& tolerance)
-    : effect_(effect), tolerance_(tolerance) {
+                   Condition const& reference_condition, Tolerance const& tolerance, Status strongest)
+    : effect_(effect), tolerance_(tolerance), strongest_(strongest) {
   auto const at_reference = by_device(reference);
+  std::vector<double> lot;
+  for (auto const& [device, values] : at_reference) lot.push_back(num::moments(values).mean);
+  double const lot_std = lot.empty() ? 0.0 : num::moments(lot).std;
   std::vector<Sample> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, {}, [&](Sample const& sample) {
     auto const& ageing = sample.condition.ageing;
@@ -128,10 +130,11 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
   for (auto const& tests : clusters) {
     Level level{.ageing = effect == Effect::ageing ? tests.front().condition.ageing : std::nullopt,
                 .tests = static_cast<int>(tests.size())};
-    std::vector<double> at;  // of the tests of devices with a reference test
+    // The level lies at the mean of the tests that count: those of devices with a reference test, if there are any.
+    std::vector<double> at, at_unpaired;
     for (auto const& test : tests)
-      if (at_reference.contains(test.device)) at.push_back(condition_of(effect, test.condition));
-    level.at = at.empty() ? 0.0 : num::moments(at).mean;
+      (at_reference.contains(test.device) ? at : at_unpaired).push_back(condition_of(effect, test.condition));
+    level.at = num::moments(at.empty() ? at_unpaired : at).mean;
     for (auto const& [device, values] : by_device(tests)) {
       auto const own = at_reference.find(device);
       if (own == at_reference.end()) {
@@ -151,7 +154,12 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
       }
     }
     if (level.ratios.size() != 1) level.replicate_se = level.replicate_df = std::nullopt;
-    if (!level.ratios.empty()) levels_.push_back(std::move(level));
+    if (level.ratios.empty()) {
+      if (at_reference.empty()) continue;
+      level.unpaired = unpaired_factors_.size();
+      unpaired_factors_.push_back(unpaired_factor(tests, reference, lot_std, static_cast<int>(lot.size())));
+    }
+    levels_.push_back(std::move(level));
   }
 
   if (at_reference.empty()) return;
@@ -163,12 +171,20 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     return;
   }
   levels_.insert(std::ranges::find_if(levels_, [&](Level const& level) { return level.at > own.at; }), std::move(own));
-  for (std::size_t i = 1; i + 1 < levels_.size(); ++i) {
-    auto const through = on_line(levels_[i - 1], levels_[i + 1], levels_[i].at, Status::interpolated);
+  auto const inner = paired_levels();
+  for (std::size_t i = 1; i + 1 < inner.size(); ++i) {
+    auto const through = on_line(*inner[i - 1], *inner[i + 1], inner[i]->at, Status::interpolated);
     if (through.status == Status::not_covered) continue;
     // At the reference, all ratios are 1 by definition, so its mean is that of any devices.
-    line_error_ = std::max(line_error_.value_or(0.0), std::abs(through.ln - levels_[i].mean()));
+    line_error_ = std::max(line_error_.value_or(0.0), std::abs(through.ln - inner[i]->mean()));
   }
+}
+
+std::vector<Level const*> Response::paired_levels() const {
+  std::vector<Level const*> paired;
+  for (auto const& level : levels_)
+    if (!level.unpaired) paired.push_back(&level);
+  return paired;
 }
 
 double Response::abscissa(double condition) const {
@@ -177,8 +193,16 @@ double Response::abscissa(double condition) const {
 }
 
 Factor Response::of(Level const& level) const {
-  Factor factor{
-      .at = level.at, .ln = level.mean(), .devices = static_cast<int>(level.ratios.size()), .std = level.std()};
+  if (level.unpaired) {
+    auto factor = unpaired_factors_[*level.unpaired];
+    factor.at = level.at, factor.status = std::max(factor.status, strongest_);
+    return factor;
+  }
+  Factor factor{.at = level.at,
+                .ln = level.mean(),
+                .status = level.reference ? Status::shown : strongest_,
+                .devices = static_cast<int>(level.ratios.size()),
+                .std = level.std()};
   if (level.reference) {
     factor.se = 0.0, factor.df = 1.0, factor.std = 0.0, factor.devices = 0;
     return factor;
@@ -200,10 +224,8 @@ Factor Response::on_line(Level const& first, Level const& second, double conditi
     auto const other = std::ranges::find(second.ratios, ratio.device, &DeviceRatio::device);
     if (other != second.ratios.end()) values.push_back(ratio.ln + share * (other->ln - ratio.ln));
   }
-  Factor factor{.at = condition,
-                .status = values.empty() ? Status::not_covered : status,
-                .devices = static_cast<int>(values.size())};
-  if (values.empty()) return factor;
+  if (values.empty()) return Factor::without(Lack::no_common_device);
+  Factor factor{.at = condition, .status = std::max(status, strongest_), .devices = static_cast<int>(values.size())};
   auto const of = num::moments(values);
   factor.ln = of.mean, factor.std = of.std;
   factor.line_error = line_error_.value_or(0.0), factor.drift = drift_.value_or(0.0);
@@ -214,50 +236,52 @@ Factor Response::on_line(Level const& first, Level const& second, double conditi
   return factor;
 }
 
+bool Response::is_at(Level const& level, Condition const& test) const {
+  Condition there{.ageing = level.ageing};
+  (effect_ == Effect::temperature ? there.temperature_C
+   : effect_ == Effect::rate      ? there.frequency_Hz
+                                  : there.load_kN) = level.at;
+  return agree_in(effect_, test, there, tolerance_);
+}
+
 Factor Response::at(double condition) const {
   Condition asked;
   (effect_ == Effect::temperature ? asked.temperature_C
    : effect_ == Effect::rate      ? asked.frequency_Hz
                                   : asked.load_kN) = condition;
-  auto const is_level = [&](Level const& level) {
-    Condition there;
-    (effect_ == Effect::temperature ? there.temperature_C
-     : effect_ == Effect::rate      ? there.frequency_Hz
-                                    : there.load_kN) = level.at;
-    return agree_in(effect_, asked, there, tolerance_);
-  };
   std::vector<Level const*> near;
   for (auto const& level : levels_)
-    if (is_level(level)) near.push_back(&level);
+    if (is_at(level, asked)) near.push_back(&level);
   if (!near.empty())
     return of(**std::ranges::min_element(
         near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); }));
-  Factor const none{.at = condition, .status = Status::not_covered};
-  if (levels_.size() < 2) return none;
-  auto const above = std::ranges::find_if(levels_, [&](Level const& level) { return level.at > condition; });
-  if (above != levels_.begin() && above != levels_.end())
-    return on_line(*std::prev(above), *above, condition, Status::interpolated);
-  bool const below = above == levels_.begin();
-  auto const& outermost = below ? levels_.front() : levels_.back();
+  auto const lines = paired_levels();
+  if (lines.size() < 2) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
+  auto const above = std::ranges::find_if(lines, [&](Level const* level) { return level->at > condition; });
+  if (above != lines.begin() && above != lines.end())
+    return on_line(**std::prev(above), **above, condition, Status::interpolated);
+  bool const below = above == lines.begin();
+  auto const& outermost = below ? *lines.front() : *lines.back();
   double const edge = outermost.at;
   constexpr double most_K = 10.0, most_times = 2.0, most_of_load = 0.2, rounding = 1e-9;
   double const beyond = effect_ == Effect::temperature ? std::abs(condition - edge) / most_K
                         : effect_ == Effect::rate      ? std::abs(std::log(condition / edge)) / std::log(most_times)
                                                        : std::abs(condition - edge) / (most_of_load * std::abs(edge));
-  if (!(beyond <= 1.0 + rounding)) return none;
-  return on_line(outermost, below ? levels_[1] : levels_[levels_.size() - 2], condition, Status::extrapolated);
+  if (!(beyond <= 1.0 + rounding)) return Factor::without(Lack::too_far);
+  return on_line(outermost, below ? *lines[1] : *lines[lines.size() - 2], condition, Status::extrapolated);
 }
 
 Factor Response::at(Ageing const& ageing) const {
   auto const level =
       std::ranges::find_if(levels_, [&](Level const& each) { return each.ageing && agrees(*each.ageing, ageing); });
-  return level == levels_.end() ? Factor{.status = Status::not_covered} : of(*level);
+  return level == levels_.end() ? Factor::without(Lack::no_level) : of(*level);
 }
 
 Response::Extremes Response::over(double low, double high) const {
   std::vector<Factor> all;
   for (auto const& level : levels_)
     if (level.reference || (level.at >= low && level.at <= high)) all.push_back(of(level));
+  std::erase_if(all, [](Factor const& factor) { return factor.status == Status::not_covered; });
   for (double const end : {low, high}) {
     all.push_back(at(end));
     if (all.back().status == Status::not_covered) return {.max = all.back(), .min = all.back()};
@@ -268,12 +292,7 @@ Response::Extremes Response::over(double low, double high) const {
 
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
                        int lot_devices) {
-  if (lot_devices < 2)
-    throw Error({.where = "conditions",
-                 .found =
-                     "no device was tested both at this condition and at reference, and the lot has fewer than two "
-                     "acceptance tests, so its scatter is not known",
-                 .allowed = "two acceptance tests or more, or a reference test of a device that was tested here"});
+  if (lot_devices < 2) return Factor::without(Lack::unknown_scatter);
   std::vector<double> there, here;
   for (auto const& [device, values] : by_device(level)) there.push_back(num::moments(values).mean);
   for (auto const& [device, values] : by_device(reference)) here.push_back(num::moments(values).mean);

@@ -32,6 +32,7 @@ struct Level {
   // Standard error and degrees of freedom from repeated tests, if a single device was tested here. Empty if these tests
   // do not differ at all: they then show no scatter.
   std::optional<double> replicate_se = {}, replicate_df = {};
+  std::optional<std::size_t> unpaired = {};  // index of its factor in Response, if only other devices were tested here
   int tests = 0;
 
   std::vector<double> lns() const;  // of the devices
@@ -43,6 +44,20 @@ struct Level {
 enum class Status { shown, interpolated, extrapolated, unpaired, scaled, assumed, not_covered };
 std::string_view name(Status status);
 
+// Why a factor is not covered.
+enum class Lack {
+  no_test,           // no test shows the effect at all
+  too_far,           // the condition is too far beyond the tests
+  no_common_device,  // the levels on both sides of the condition were tested on different devices
+  no_level,          // no test has this ageing
+  no_energy,         // a life in years, and no activation energy is stated
+  too_long,          // the life is more than twice that for which a test stands
+  no_new_device,     // no reference test of a new device with its first cycle
+  no_rest,           // no tests with a shorter and a longer rest, or with this one
+  no_cycle,          // no reference test has so many cycles
+  unknown_scatter,   // only other devices were tested, and too few reference tests show how devices differ
+};
+
 // The factor lambda = exp(ln) of an effect at one condition.
 struct Factor {
   double at = 0.0;
@@ -53,8 +68,10 @@ struct Factor {
   std::optional<double> se = {}, df = {};  // standard error of ln and its degrees of freedom; empty: no interval
   double line_error = 0.0;                 // of the straight line between levels, in ln; 0 at a level
   double drift = 0.0;                      // of the reference tests of one device, in ln
+  std::optional<Lack> lack = {};           // if it is not covered
 
   double lambda() const;
+  static Factor without(Lack lack) { return {.status = Status::not_covered, .lack = lack}; }
 };
 
 // For which value an interval is.
@@ -77,19 +94,21 @@ std::optional<Interval> interval(Factor const& factor, About about, int installe
 class Response {
  public:
   // `reference` and `others` are the tests that agree with the reference, and those that differ from it in this effect
-  // alone. Devices without a reference test are left out.
+  // alone. Where no device with a reference test was tested, the factor is that of other devices (unpaired_factor()). No
+  // status is stronger than `strongest`.
   Response(Effect effect, std::span<Sample const> reference, std::span<Sample const> others,
-           Condition const& reference_condition, Tolerance const& tolerance);
+           Condition const& reference_condition, Tolerance const& tolerance, Status strongest = Status::shown);
 
   Effect effect() const { return effect_; }
   std::vector<Level> const& levels() const { return levels_; }  // by rising condition, with that of the reference
   // The largest distance of a level from the line through its neighbours, in ln, over all levels between others. Empty
   // with fewer than three levels: nobody knows then how straight the response is.
   std::optional<double> line_error() const { return line_error_; }
-  std::optional<double> drift() const { return drift_; }  // empty if no device has two reference tests
-  std::vector<std::string> const& unpaired() const { return unpaired_; }
+  std::optional<double> drift() const { return drift_; }                  // empty if no device has two reference tests
+  std::vector<std::string> const& unpaired() const { return unpaired_; }  // devices without a reference test
 
   Factor of(Level const& level) const;
+  bool is_at(Level const& level, Condition const& test) const;  // whether a test with this condition is at the level
   // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between two levels it is interpolated. It
   // is extrapolated by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
   Factor at(double condition) const;
@@ -104,17 +123,19 @@ class Response {
  private:
   Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
   double abscissa(double condition) const;
+  std::vector<Level const*> paired_levels() const;
 
   Effect effect_;
   Tolerance tolerance_;
+  Status strongest_;
   std::vector<Level> levels_;
+  std::vector<Factor> unpaired_factors_;
   std::optional<double> line_error_, drift_;
   std::vector<std::string> unpaired_;
 };
 
 // The factor from devices that were tested at the level alone and others tested at reference alone. `lot_std` is the
-// standard deviation of ln over the `lot_devices` acceptance tests of the lot. Throws Error if there are fewer than two
-// of these tests.
+// standard deviation of ln over `lot_devices` devices at reference. Not covered with fewer than two of these.
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
                        int lot_devices);
 

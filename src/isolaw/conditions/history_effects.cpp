@@ -22,7 +22,7 @@ Factor aged_factor(Factor const& of_test, double years, double test_stands_for_y
   auto factor = of_test;
   if (factor.status == Status::not_covered || years <= test_stands_for_years) return factor;
   constexpr double farthest = 2.0;
-  if (years > farthest * test_stands_for_years) return {.status = Status::not_covered};
+  if (years > farthest * test_stands_for_years) return Factor::without(Lack::too_long);
   double const times = years / test_stands_for_years;
   factor.ln *= times, factor.std *= times, factor.drift *= times;
   if (factor.se) *factor.se *= times;
@@ -55,8 +55,8 @@ std::optional<double> recovery_after(std::span<Recovered const> tested, double r
   return std::lerp(below.share, above->share, std::log(rest_h / below.rest_h) / std::log(above->rest_h / below.rest_h));
 }
 
-Factor mean_factor(std::span<double const> ln_ratios) {
-  if (ln_ratios.empty()) return {.status = Status::not_covered};
+Factor mean_factor(std::span<double const> ln_ratios, Lack if_none) {
+  if (ln_ratios.empty()) return Factor::without(if_none);
   auto const of = num::moments(ln_ratios);
   Factor factor{.ln = of.mean, .devices = static_cast<int>(of.count), .std = of.std};
   if (of.count > 1) {
@@ -74,7 +74,7 @@ Factor scragging_factor(std::span<ReferenceTest const> first, std::optional<doub
         recovered ? std::log(settled + *recovered * (std::exp(test.ln_first) - settled)) : test.ln_first;
     ratios.push_back(value - test.ln_reference);
   }
-  return mean_factor(ratios);
+  return mean_factor(ratios, Lack::no_new_device);
 }
 
 }  // namespace isolaw::conditions

@@ -39,7 +39,8 @@ std::optional<double> recovery_after(std::span<Recovered const> tested, double r
 // is that of a device which was stretched before and then rested.
 Factor scragging_factor(std::span<ReferenceTest const> first, std::optional<double> recovered = {});
 
-// A mean over devices of ln ratios, as a factor that a test shows.
-Factor mean_factor(std::span<double const> ln_ratios);
+// A mean over devices of ln ratios, as a factor that a test shows. Without ratios it is not covered, because of
+// `if_none`.
+Factor mean_factor(std::span<double const> ln_ratios, Lack if_none);
 
 }  // namespace isolaw::conditions

@@ -415,6 +415,11 @@ Summary build_summary(campaign::Contents const& contents) {
   add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
                  asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
   add_range_tests(summary, contents);
+  if (contents.observed) try {
+      summary.conditions = build_conditions(*contents.observed, contents.title, contents.acceptance);
+    } catch (Error const& error) {
+      summary.no_conditions = to_string(error.complaints().front());
+    }
   return summary;
 }
 

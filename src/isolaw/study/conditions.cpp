@@ -11,10 +11,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
-#include "isolaw/campaign/prepare.hpp"
-#include "isolaw/data/properties/properties.hpp"
 #include "isolaw/num/statistics.hpp"
-#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -27,7 +24,7 @@ constexpr Effect of_tests[]{Effect::temperature, Effect::rate, Effect::load, Eff
 // Damping follows from stiffness and energy, so it is shown and not combined.
 constexpr Quantity combined[]{Quantity::K_eff, Quantity::energy, Quantity::Q_d, Quantity::K_d};
 
-conditions::CycleValues values_of(data::Cycle const& cycle) {
+conditions::CycleValues values_of(campaign::ObservedCycle const& cycle) {
   conditions::CycleValues values{.number = cycle.number};
   for (std::size_t i = 0; i < conditions::quantities; ++i) {
     auto const value = [&]() -> double {
@@ -35,7 +32,7 @@ conditions::CycleValues values_of(data::Cycle const& cycle) {
         case Quantity::K_eff:
           return cycle.K_eff_kN_per_mm;
         case Quantity::damping:
-          return cycle.damping().value_or(0.0);
+          return cycle.damping_percent;
         case Quantity::energy:
           return cycle.energy_kN_mm;
         case Quantity::Q_d:
@@ -59,11 +56,13 @@ struct Observed {  // a block with the history of its cycles
       {};  // in ConditionsResult::tests; empty for a block that only belongs to the history
   std::vector<Effect> differs = {};
   bool usable = false;  // it has the reference strain and the reference cycles
+  bool is_scaled = false;
 };
 
 class Builder {
  public:
-  explicit Builder(campaign::Lot const& lot) : lot_(lot), stated_(*lot.conditions) {
+  Builder(campaign::ObservedTests const& observed, std::string title, campaign::Acceptance const& acceptance)
+      : observed_(observed), stated_(observed.stated) {
     auto const& from = stated_.reference;
     reference_ = {.temperature_C = from.temperature_C,
                   .frequency_Hz = from.frequency_Hz,
@@ -74,18 +73,24 @@ class Builder {
                   .frequency_percent = within.frequency_percent,
                   .load_percent = within.load_percent,
                   .strain_percent = within.strain_percent};
-    out_.title = lot.title;
+    out_.title = std::move(title);
     out_.stated = stated_;
-    out_.installed = lot.acceptance.lot_size;
+    out_.installed = acceptance.lot_size;
   }
 
   ConditionsResult operator()() {
-    for (auto const& device : lot_.devices) read(device);
+    auto const& tests = observed_.tests;
+    for (auto first = tests.begin(); first != tests.end();) {
+      auto const end = std::find_if(first, tests.end(), [&](auto const& test) { return test.device != first->device; });
+      read({first, end});
+      first = end;
+    }
     if (out_.tests.empty())
       throw Error({.where = "conditions",
                    .found = "no test can be used" + (out_.refused.empty() ? "" : ": " + out_.refused.front().reason),
                    .allowed = "records of cyclic tests"});
     require_one_value();
+    require_one_kind();
     for (auto& seen : all_) judge(seen);
     if (std::ranges::none_of(all_, [](Observed const& seen) { return seen.usable && seen.differs.empty(); }))
       throw Error({.where = "conditions",
@@ -97,32 +102,29 @@ class Builder {
   }
 
  private:
-  void refuse(campaign::DeviceInput const& device, campaign::TestInput const& test, std::string why) {
-    out_.refused.push_back({.device = device.name, .test = test.name, .reason = std::move(why)});
+  void refuse(campaign::ObservedTest const& test, std::string why) {
+    out_.refused.push_back({.device = test.device, .test = test.test, .reason = std::move(why)});
   }
 
-  void read(campaign::DeviceInput const& device) {
+  void read(std::span<campaign::ObservedTest const> of_device) {
     std::vector<Observed> own;
-    for (auto const& test : device.history) {
-      // A test that cannot be read may have gone to any strain, so everything after it has an unknown history.
-      double strain_percent = std::numeric_limits<double>::infinity();
-      std::string why;
-      try {
-        why = add_blocks(device, test, own, strain_percent);
-      } catch (Error const& error) {
-        why = to_string(error.complaints().front());
-      }
+    for (auto const& test : of_device) {
+      auto why = add_blocks(test, own);
       if (why.empty()) continue;
-      refuse(device, test, std::move(why));
-      own.push_back(
-          {.block = {.device = device.name, .test = test.name, .condition = {.strain_percent = strain_percent}}});
+      refuse(test, std::move(why));
+      // A test that cannot be read may have gone to any strain, so everything after it has an unknown history.
+      auto const strain_percent = test.farthest_mm ? strain_of(test, *test.farthest_mm) : std::nullopt;
+      own.push_back({.block = {.device = test.device,
+                               .test = test.test,
+                               .condition = {.strain_percent =
+                                                 strain_percent.value_or(std::numeric_limits<double>::infinity())}}});
     }
     std::vector<conditions::Block> blocks;
     for (auto const& each : own) blocks.push_back(each.block);
     auto const before = conditions::largest_before(blocks);
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i].largest_before_percent = before[i];
-      if (own[i].row) out_.tests[*own[i].row].history = history_of(own[i], stated_.reference.first_cycle);
+      if (own[i].row) add_history_words(own[i], out_.tests[*own[i].row]);
       all_.push_back(std::move(own[i]));
     }
   }
@@ -152,48 +154,62 @@ class Builder {
             within.strain_percent, "strain-percent or disp-mm");
   }
 
-  // The strain of a block in percent of the rubber's thickness, or its amplitude in mm if the reference is one.
-  double strain_of(campaign::DeviceInput const& device, double amplitude_mm) const {
-    if (stated_.reference.disp_mm) return amplitude_mm;
-    if (!device.info.rubber_thickness_mm && stated_.reference.strain_percent)
-      throw Error({.where = printable(device.name),
-                   .found = "the reference is a strain, and the thickness of the rubber is not known",
-                   .allowed = "rubber-thickness-mm in the device's table, or disp-mm in the reference"});
-    return device.info.rubber_thickness_mm ? 100.0 * amplitude_mm / *device.info.rubber_thickness_mm : amplitude_mm;
+  // Devices of several compounds or sizes are not compared, so the user says which ones are meant.
+  void require_one_kind() const {
+    for (auto const& option : campaign::compared_devices_table()) {
+      if (!option.get(stated_.compared).is_null()) continue;
+      std::vector<std::string> kinds;
+      for (auto const& test : out_.tests) {
+        auto const kind = option.get(test.of_device);
+        auto text = kind.is_null() ? std::string("none") : kind.get<std::string>();
+        if (std::ranges::find(kinds, text) == kinds.end()) kinds.push_back(std::move(text));
+      }
+      if (kinds.size() > 1)
+        throw Error({.where = "[conditions]",
+                     .found = fmt::format("devices with {} {}", option.option(), printable(joined(kinds))),
+                     .allowed = fmt::format("devices of one {0}, or {0} in [conditions] to name those meant",
+                                            option.option())});
+    }
+  }
+  bool is_compared(campaign::StatedDevice const& device) const {
+    return std::ranges::all_of(campaign::compared_devices_table(), [&](auto const& option) {
+      auto const wanted = option.get(stated_.compared);
+      return wanted.is_null() || wanted == option.get(device);
+    });
   }
 
-  // Adds the blocks of a test, or returns why the test cannot be used. `strain_percent` is the largest of the test, as
-  // soon as its record is read.
-  std::string add_blocks(campaign::DeviceInput const& device, campaign::TestInput const& test,
-                         std::vector<Observed>& own, double& strain_percent) {
-    auto const record = campaign::read_history(test);
-    auto const properties = data::cyclic_properties(record);
-    double farthest_mm = 0.0;
-    for (double const d : record.disp_mm) farthest_mm = std::max(farthest_mm, std::abs(d - properties.centre_mm));
-    strain_percent = strain_of(device, farthest_mm);
-    if (!record.sha256.empty() && !hashes_.insert(record.sha256).second)
-      return "the same record stands for another test of the lot too";
-    if (!properties.refusal.empty()) return wording::reasons(properties.refusal);
-    if (properties.failure) return wording::reasons({*properties.failure});
+  // The strain in percent of the rubber's thickness, or the amplitude in mm if the reference is one. Empty if the
+  // reference is a strain and the thickness is not known.
+  std::optional<double> strain_of(campaign::ObservedTest const& test, double amplitude_mm) const {
+    if (stated_.reference.disp_mm) return amplitude_mm;
+    if (!test.rubber_thickness_mm) return stated_.reference.strain_percent ? std::nullopt : std::optional(amplitude_mm);
+    return 100.0 * amplitude_mm / *test.rubber_thickness_mm;
+  }
+
+  // Adds the blocks of a test, or returns why the test cannot be used.
+  std::string add_blocks(campaign::ObservedTest const& test, std::vector<Observed>& own) {
+    if (!test.refusal.empty()) return test.refusal;
+    if (!strain_of(test, 0.0))
+      return "the reference is a strain, and the thickness of the rubber is not known: rubber-thickness-mm in the "
+             "device's table, or disp-mm in the reference";
     if (!test.stated.temperature_C) return "no temperature is stated: temperature-C = 20";
     bool const is_of_one_condition = std::ranges::none_of(
-        properties.blocks, [](data::Block const& block) { return !block.counted().empty() && !block.frequency_Hz; });
+        test.blocks, [](campaign::ObservedBlock const& block) { return !block.cycles.empty() && !block.frequency_Hz; });
     if (reference_.frequency_Hz && !is_of_one_condition)
       return "its frequency is not known, or it changes from cycle to cycle, and the reference states one";
     bool first = true, any = false;
-    for (auto const& block : properties.blocks) {
-      auto const counted = block.counted();
-      if (counted.empty()) {
-        if (!block.fault.empty()) refuse(device, test, fmt::format("block {}: {}", block.number, block.fault));
-        own.push_back({.block = {.device = device.name,
-                                 .test = test.name,
-                                 .condition = {.strain_percent = strain_of(device, block.amplitude_mm)}}});
+    for (auto const& block : test.blocks) {
+      auto const strain_percent = strain_of(test, block.amplitude_mm);
+      if (block.cycles.empty()) {
+        if (!block.fault.empty()) refuse(test, fmt::format("block {}: {}", block.number, block.fault));
+        own.push_back(
+            {.block = {.device = test.device, .test = test.test, .condition = {.strain_percent = strain_percent}}});
         first = false;
         continue;
       }
       std::vector<double> loads;
-      for (auto const* cycle : counted)
-        if (cycle->N_mean_kN) loads.push_back(*cycle->N_mean_kN);
+      for (auto const& cycle : block.cycles)
+        if (cycle.load_kN) loads.push_back(*cycle.load_kN);
       auto const measured_load = loads.empty() ? std::nullopt : std::optional(num::moments(loads).mean);
       if (measured_load && test.stated.load_kN)
         return "load-kN is stated, and the record has a channel for the load; leave load-kN out";
@@ -206,33 +222,38 @@ class Builder {
           .temperature_C = test.stated.temperature_C,
           .frequency_Hz = block.frequency_Hz,
           .load_kN = measured_load ? measured_load : test.stated.load_kN,
-          .strain_percent = strain_of(device, block.amplitude_mm),
+          .strain_percent = strain_percent,
           .ageing = aged ? std::optional(conditions::Ageing{.days = aged->days, .at_C = aged->at_C}) : std::nullopt};
-      Observed seen{.block = {.device = device.name,
-                              .test = test.name,
+      Observed seen{.block = {.device = test.device,
+                              .test = test.test,
                               .order = *test.stated.order,
                               .number = block.number,
                               .condition = condition,
                               .rest_h = first ? test.stated.rest_h : 0.0},
-                    .row = out_.tests.size()};
-      for (auto const* cycle : counted) seen.block.cycles.push_back(values_of(*cycle));
-      out_.tests.push_back({.device = device.name,
-                            .test = test.name,
-                            .file = test.shown_file,
-                            .sha256 = record.sha256,
+                    .row = out_.tests.size(),
+                    .is_scaled = test.stated.is_scaled};
+      for (auto const& cycle : block.cycles) seen.block.cycles.push_back(values_of(cycle));
+      out_.tests.push_back({.device = test.device,
+                            .test = test.test,
+                            .file = test.file,
+                            .sha256 = test.sha256,
+                            .of_device = test.of_device,
                             .temperature_of = test.stated.temperature_of,
+                            .is_scaled = test.stated.is_scaled,
                             .order = *test.stated.order,
                             .block = block.number,
                             .condition = condition,
-                            .rest_h = seen.block.rest_h});
-      add_values(device, seen.block, out_.tests.back());
+                            .rest_h = seen.block.rest_h,
+                            .loop_mm = block.loop_mm,
+                            .loop_kN = block.loop_kN});
+      add_values(test, seen.block, out_.tests.back());
       own.push_back(std::move(seen));
       first = false, any = true;
     }
     return any ? std::string() : "no cycle of it counts";
   }
 
-  void add_values(campaign::DeviceInput const& device, conditions::Block const& block, ConditionsTest& row) const {
+  void add_values(campaign::ObservedTest const& test, conditions::Block const& block, ConditionsTest& row) const {
     auto const value = [&](Quantity quantity) -> std::optional<double> {
       auto const ln = ln_at_reference(block, quantity);
       return ln ? std::optional(std::exp(*ln)) : std::nullopt;
@@ -242,10 +263,26 @@ class Builder {
     row.energy_kN_mm = value(Quantity::energy);
     row.Q_d_kN = value(Quantity::Q_d);
     row.K_d_kN_per_mm = value(Quantity::K_d);
-    auto const& info = device.info;
-    if (row.energy_kN_mm && info.rubber_area_mm2 && info.rubber_thickness_mm)
-      row.heating_K = conditions::heating_K(*row.energy_kN_mm, stated_.heat_capacity_MJ_per_m3K, *info.rubber_area_mm2,
-                                            *info.rubber_thickness_mm);
+    if (row.energy_kN_mm && test.rubber_area_mm2 && test.rubber_thickness_mm)
+      row.heating_K = conditions::heating_K(*row.energy_kN_mm, stated_.heat_capacity_MJ_per_m3K, *test.rubber_area_mm2,
+                                            *test.rubber_thickness_mm);
+  }
+
+  void add_history_words(Observed const& seen, ConditionsTest& row) const {
+    row.history = history_of(seen, stated_.reference.first_cycle);
+    for (auto const& cycle : seen.block.cycles) {
+      auto const value = [&](Quantity quantity) -> std::optional<double> {
+        auto const ln = cycle.ln(quantity);
+        return ln ? std::optional(std::exp(*ln)) : std::nullopt;
+      };
+      row.cycles.push_back({.number = cycle.number,
+                            .history = history_of(seen, cycle.number),
+                            .K_eff_kN_per_mm = value(Quantity::K_eff),
+                            .damping_percent = value(Quantity::damping),
+                            .energy_kN_mm = value(Quantity::energy),
+                            .Q_d_kN = value(Quantity::Q_d),
+                            .K_d_kN_per_mm = value(Quantity::K_d)});
+    }
   }
 
   // ln of the mean over the reference cycles; empty if one of them is missing or has no such value.
@@ -278,7 +315,9 @@ class Builder {
     if (!reference.load_kN) reference.load_kN = condition.load_kN;
     if (!reference.strain_percent) reference.strain_percent = condition.strain_percent;
     seen.differs = conditions::differences(condition, reference, tolerance_);
-    if (!conditions::agrees(condition.strain_percent, reference.strain_percent, tolerance_.strain_percent)) {
+    if (!is_compared(row.of_device)) {
+      row.role = TestRole::other_device;
+    } else if (!conditions::agrees(condition.strain_percent, reference.strain_percent, tolerance_.strain_percent)) {
       row.role = TestRole::other_strain;
     } else if (seen.block.find(stated_.reference.last_cycle) == nullptr) {
       row.role = TestRole::cycle_missing;
@@ -293,37 +332,74 @@ class Builder {
   }
 
   // The tests that show an effect, and the reference tests of the same devices. Of each device only tests are taken
-  // whose reference cycle has one history: of the histories that a reference test has too, the one of most tests.
+  // whose reference cycle has one history: of the histories that a reference test has too, the one of most tests. Scaled
+  // specimens are taken only if no device of full size shows the effect.
   struct Compared {
     std::vector<conditions::Sample> reference, others;
+    std::vector<Observed const*> without_reference;  // tests in `others` of devices without a reference test
+    bool is_scaled = false;
   };
   Compared compared(Quantity quantity, Effect effect) {
     auto const history = [&](Observed const& seen) { return history_of(seen, stated_.reference.first_cycle); };
-    auto const shows = [&](Observed const& seen) { return seen.usable && seen.differs == std::vector{effect}; };
-    auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
+    auto const differs_in_it = [&](Observed const& seen) { return seen.usable && seen.differs == std::vector{effect}; };
+    Compared found;
+    found.is_scaled = only_scaled(differs_in_it);
+    auto const shows = [&](Observed const& seen) { return differs_in_it(seen) && seen.is_scaled == found.is_scaled; };
+    auto const is_reference = [&](Observed const& seen) {
+      return seen.usable && seen.differs.empty() && seen.is_scaled == found.is_scaled;
+    };
     std::map<std::string, std::map<conditions::History, int>> tests;
     for (auto const& seen : all_)
       if (is_reference(seen)) tests[seen.block.device][*history(seen)] += 0;
     for (auto const& seen : all_)
       if (shows(seen) && tests[seen.block.device].contains(*history(seen))) ++tests[seen.block.device][*history(seen)];
-    Compared found;
+    std::set<conditions::History> of_reference;  // the histories of the reference tests that are taken
+    auto const leave_out = [&](Observed const& seen, TestRole why) {
+      auto& row = out_.tests[*seen.row];
+      row.role = why, row.effect.reset();
+    };
     for (auto const& seen : all_) {
+      if (differs_in_it(seen) && !shows(seen)) leave_out(seen, TestRole::scaled);
       if (!shows(seen) && !is_reference(seen)) continue;
       auto const& of_device = tests[seen.block.device];
       auto const most = std::ranges::max_element(of_device, {}, [](auto const& each) { return each.second; });
+      auto const ln = ln_at_reference(seen.block, quantity);
       if (most == of_device.end() || most->first != *history(seen)) {
         if (!shows(seen)) continue;
-        auto& row = out_.tests[*seen.row];
-        row.role = most == of_device.end() ? TestRole::unpaired : TestRole::other_history;
-        row.effect.reset();
+        leave_out(seen, most == of_device.end() ? TestRole::unpaired : TestRole::other_history);
+        if (most == of_device.end() && ln) found.without_reference.push_back(&seen);
         continue;
       }
-      auto const ln = ln_at_reference(seen.block, quantity);
+      if (!shows(seen)) of_reference.insert(*history(seen));
       if (ln)
         (shows(seen) ? found.others : found.reference)
             .push_back({.device = seen.block.device, .condition = seen.block.condition, .ln = *ln});
     }
+    std::erase_if(found.without_reference,
+                  [&](Observed const* seen) { return !of_reference.contains(*history(*seen)); });
+    for (auto const* seen : found.without_reference)
+      found.others.push_back({.device = seen->block.device,
+                              .condition = seen->block.condition,
+                              .ln = *ln_at_reference(seen->block, quantity)});
     return found;
+  }
+
+  bool only_scaled(auto const& is_meant) const {
+    auto const is_scaled = [&](bool scaled) {
+      return std::ranges::any_of(all_,
+                                 [&](Observed const& seen) { return is_meant(seen) && seen.is_scaled == scaled; });
+    };
+    return is_scaled(true) && !is_scaled(false);
+  }
+
+  // Tests of devices without a reference test show an effect where no device with one was tested.
+  void mark_unpaired(Compared const& tests, conditions::Response const& response) {
+    for (auto const* seen : tests.without_reference)
+      for (auto const& level : response.levels())
+        if (level.unpaired && response.is_at(level, seen->block.condition)) {
+          auto& row = out_.tests[*seen->row];
+          row.role = TestRole::effect, row.effect = response.effect();
+        }
   }
 
   static std::string level_text(Effect effect, conditions::Level const& level) {
@@ -341,15 +417,19 @@ class Builder {
     };
     auto const& design = stated_.design;
     for (auto const effect : of_tests) {
-      auto const [reference, others] = compared(quantity, effect);
-      conditions::Response const response(effect, reference, others, reference_, tolerance_);
+      auto const tests = compared(quantity, effect);
+      conditions::Response const response(effect, tests.reference, tests.others, reference_, tolerance_,
+                                          tests.is_scaled ? conditions::Status::scaled : conditions::Status::shown);
+      mark_unpaired(tests, response);
       for (auto const& level : response.levels()) {
         if (level.reference) continue;
-        LevelRow row{
-            .quantity = quantity, .effect = effect, .level = level_text(effect, level), .factor = response.of(level)};
-        for (auto const& ratio : level.ratios) row.devices.push_back(ratio.device);
-        out_.levels.push_back(std::move(row));
+        out_.levels.push_back({.quantity = quantity,
+                               .effect = effect,
+                               .level = level_text(effect, level),
+                               .factor = response.of(level),
+                               .ratios = level.ratios});
       }
+      out_.responses.push_back({.quantity = quantity, .response = response});
       if (quantity == Quantity::K_eff && response.levels().size() > 1) {
         if (!response.drift()) out_.drift_not_checked.push_back(effect);
         if (!response.line_error() && effect != Effect::ageing) out_.straightness_not_checked.push_back(effect);
@@ -380,8 +460,7 @@ class Builder {
     auto const& design = stated_.design;
     if (design.aged) return response.at(conditions::Ageing{.days = design.aged->days, .at_C = design.aged->at_C});
     if (!design.years) return std::nullopt;
-    Factor const none{.status = conditions::Status::not_covered};
-    if (!stated_.activation_energy_kJ_per_mol) return none;
+    if (!stated_.activation_energy_kJ_per_mol) return Factor::without(conditions::Lack::no_energy);
     // The test that stands for the shortest life of at least the design's, else the one for the longest life.
     conditions::Level const* chosen = nullptr;
     double life = 0.0;
@@ -392,7 +471,7 @@ class Builder {
       bool const nearer = life < *design.years ? years > life : years >= *design.years && years < life;
       if (chosen == nullptr || nearer) chosen = &level, life = years;
     }
-    if (chosen == nullptr) return none;
+    if (chosen == nullptr) return Factor::without(conditions::Lack::no_test);
     out_.ageing_stands_for_years = life;
     return conditions::aged_factor(response.of(*chosen), *design.years, life);
   }
@@ -402,11 +481,11 @@ class Builder {
   // Scragging, its recovery, and the softening over many cycles.
   void add_history(Quantity quantity, auto const& add) {
     std::vector<conditions::ReferenceTest> first, again;
-    std::vector<std::string> first_devices;
-    std::vector<double> after;  // ln of the ratio after the design's number of cycles
-    std::vector<std::string> after_devices;
+    std::vector<conditions::DeviceRatio> first_ratios, after_ratios;  // in cycle 1, and in the design's cycle
+    auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
+    bool const scaled = only_scaled(is_reference);
     for (auto const& seen : all_) {
-      if (!seen.usable || !seen.differs.empty()) continue;
+      if (!is_reference(seen) || seen.is_scaled != scaled) continue;
       auto const reference = ln_at_reference(seen.block, quantity);
       auto const at = [&](int number) {
         auto const* cycle = seen.block.find(number);
@@ -422,28 +501,29 @@ class Builder {
                                              .rest_h = seen.block.rest_h};
         auto const word = history_of(seen, 1);
         if (word == conditions::History::virgin) {
-          first.push_back(test), first_devices.push_back(seen.block.device);
+          first.push_back(test);
+          first_ratios.push_back({.device = seen.block.device, .ln = *one - *reference});
         } else if (word == conditions::History::first_after_rest) {
           again.push_back(test);
         }
       }
       if (auto const many = stated_.design.cycles ? at(*stated_.design.cycles) : std::nullopt;
-          many && std::ranges::find(after_devices, seen.block.device) == after_devices.end()) {
-        after.push_back(*many - *reference);
-        after_devices.push_back(seen.block.device);
-      }
+          many &&
+          std::ranges::find(after_ratios, seen.block.device, &conditions::DeviceRatio::device) == after_ratios.end())
+        after_ratios.push_back({.device = seen.block.device, .ln = *many - *reference});
     }
     if (!first.empty())
       out_.levels.push_back({.quantity = quantity,
                              .effect = Effect::scragging,
                              .level = "cycle 1, new",
                              .factor = conditions::scragging_factor(first),
-                             .devices = first_devices});
+                             .ratios = first_ratios});
     if (quantity == Quantity::K_eff)
       for (auto const& each : conditions::recovery(first, again))
         out_.recovery.push_back({.rest_h = each.rest_h, .share = each.share, .devices = each.devices}),
             recovered_.push_back(each);
-    auto const add_one = [&](Effect effect, Factor const& factor) {
+    auto const add_one = [&](Effect effect, Factor factor) {
+      if (scaled) factor.status = std::max(factor.status, conditions::Status::scaled);
       bool const covered = factor.status != conditions::Status::not_covered, larger = factor.ln > 0.0;
       add(effect, larger || !covered ? factor : as_reference(), larger && covered ? as_reference() : factor);
     };
@@ -451,35 +531,33 @@ class Builder {
     if (design.full_rest) add_one(Effect::scragging, conditions::scragging_factor(first));
     if (design.rest_h) {
       auto const share = conditions::recovery_after(recovered_, *design.rest_h);
-      auto factor = share ? conditions::scragging_factor(first, share) : Factor{};
+      auto factor = share ? conditions::scragging_factor(first, share) : Factor::without(conditions::Lack::no_rest);
       bool const is_tested =
           std::ranges::find(recovered_, *design.rest_h, &conditions::Recovered::rest_h) != recovered_.end();
       // The interval would have to contain that of the recovery, which few devices show.
       factor.se = factor.df = std::nullopt;
-      if (!share || first.empty())
-        factor.status = conditions::Status::not_covered;
-      else if (!is_tested)
-        factor.status = conditions::Status::interpolated;
+      if (factor.status == conditions::Status::shown && !is_tested) factor.status = conditions::Status::interpolated;
       add_one(Effect::scragging, factor);
     }
     if (!design.cycles) return;
-    auto const factor = conditions::mean_factor(after);
+    std::vector<double> after;
+    for (auto const& ratio : after_ratios) after.push_back(ratio.ln);
+    auto const factor = conditions::mean_factor(after, conditions::Lack::no_cycle);
     if (!after.empty())
       out_.levels.push_back({.quantity = quantity,
                              .effect = Effect::cycles,
                              .level = fmt::format("cycle {}", *design.cycles),
                              .factor = factor,
-                             .devices = after_devices});
+                             .ratios = after_ratios});
     add_one(Effect::cycles, factor);
   }
 
-  campaign::Lot const& lot_;
+  campaign::ObservedTests const& observed_;
   campaign::StatedConditions const& stated_;
   conditions::Condition reference_;
   conditions::Tolerance tolerance_;
   std::vector<Observed> all_;
   std::vector<conditions::Recovered> recovered_;
-  std::set<std::string> hashes_;  // of the records read
   ConditionsResult out_;
 };
 
@@ -501,17 +579,17 @@ std::string_view name(TestRole role) {
       return "another history";
     case TestRole::unpaired:
       return "no reference test";
+    case TestRole::other_device:
+      return "another compound or size";
+    case TestRole::scaled:
+      return "scaled specimen";
   }
   return "";
 }
 
-ConditionsResult build_conditions(campaign::Lot const& lot) {
-  if (!lot.conditions)
-    throw Error({.where = "conditions",
-                 .found = "the lot file has no table [conditions]",
-                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
-                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
-  return Builder(lot)();
+ConditionsResult build_conditions(campaign::ObservedTests const& observed, std::string title,
+                                  campaign::Acceptance const& acceptance) {
+  return Builder(observed, std::move(title), acceptance)();
 }
 
 }  // namespace isolaw::study

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "isolaw/campaign/lot_file.hpp"
+#include "isolaw/campaign/contents.hpp"
+#include "isolaw/campaign/observed_tests.hpp"
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/history_effects.hpp"
 #include "isolaw/conditions/observe.hpp"
@@ -22,13 +23,24 @@ enum class TestRole {
   other_strain,   // it has another strain than the reference
   cycle_missing,  // it has no cycle with the number of the reference cycle
   other_history,  // no reference test of the device has a cycle with the same history
-  unpaired,       // the device has no reference test
+  unpaired,       // the device has no reference test, and devices with one show the effect
+  other_device,   // the device has another compound or size than [conditions] names
+  scaled,         // a scaled specimen, and devices of full size show the effect
 };
 std::string_view name(TestRole role);
 
+struct ConditionsCycle {
+  int number = 0;
+  std::optional<conditions::History> history = {};
+  // Empty if the cycle has no such value.
+  std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
+};
+
 struct ConditionsTest {  // one block of one test
   std::string device, test, file, sha256;
+  campaign::StatedDevice of_device = {};
   std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
+  bool is_scaled = false;
   int order = 0, block = 0;
   conditions::Condition
       condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
@@ -39,6 +51,8 @@ struct ConditionsTest {  // one block of one test
   // In the reference cycle.
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
   std::optional<double> heating_K = {};  // at most, in that cycle
+  std::vector<ConditionsCycle> cycles = {};
+  std::vector<double> loop_mm = {}, loop_kN = {};  // of that cycle, for drawing
 };
 
 struct RefusedTest {  // a test, or one block of it
@@ -50,7 +64,12 @@ struct LevelRow {  // a level of an effect that was tested
   conditions::Effect effect;
   std::string level;  // as the user would write it: "-20 C", "14 days at 70 C", "cycle 1"
   conditions::Factor factor;
-  std::vector<std::string> devices = {};
+  std::vector<conditions::DeviceRatio> ratios = {};
+};
+
+struct EffectResponse {
+  rules::Quantity quantity;
+  conditions::Response response;
 };
 
 struct DesignRow {  // the largest and the smallest factor of an effect in the design range
@@ -75,6 +94,7 @@ struct ConditionsResult {
   std::vector<ConditionsTest> tests;
   std::vector<RefusedTest> refused;
   std::vector<LevelRow> levels;
+  std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
   std::vector<DesignRow> design;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
@@ -85,9 +105,9 @@ struct ConditionsResult {
   std::optional<double> ageing_stands_for_years;
 };
 
-// Reads every record of the lot. A test that cannot be used is listed in `refused`. Throws Error if the lot file has no
-// table [conditions], if no test agrees with the reference, or if the tests differ in a condition that the reference
-// does not state.
-ConditionsResult build_conditions(campaign::Lot const& lot);
+// A test that cannot be used is listed in `refused`. Throws Error if no test agrees with the reference, or if the tests
+// differ in a condition that the reference does not state.
+ConditionsResult build_conditions(campaign::ObservedTests const& observed, std::string title,
+                                  campaign::Acceptance const& acceptance);
 
 }  // namespace isolaw::study

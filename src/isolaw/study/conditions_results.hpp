@@ -44,7 +44,7 @@ inline constexpr Result<ConditionsTest> conditions_test_results[]{
      "what the device had gone through before the reference cycle: `virgin`, `first after rest`, `scragged` or `disturbed`",
      get<&ConditionsTest::history>},
     {"role", "", "role",
-     "how the test is used: `reference`, `effect`, or why it shows no effect: `combined`, `another strain`, `no reference cycle`, `another history`, `no reference test`",
+     "how the test is used: `reference`, `effect`, or why it shows no effect: `combined`, `another strain`, `no reference cycle`, `another history`, `no reference test`, `another compound or size`, `scaled specimen`",
      get<&ConditionsTest::role>},
     {"effect", "", "effect", "the effect that it shows", get<&ConditionsTest::effect>},
     {"K_eff_kN_per_mm", "kN/mm", "K_eff",
@@ -58,6 +58,18 @@ inline constexpr Result<ConditionsTest> conditions_test_results[]{
      significant(4)},
     {"heating_K", "K", "heating", "the most by which this cycle can have warmed the rubber, as if no heat were lost",
      get<&ConditionsTest::heating_K>, significant(2)},
+};
+
+inline constexpr Result<ConditionsCycle> conditions_cycle_results[]{
+    {"number", "", "cycle", "number of the cycle within its block", get<&ConditionsCycle::number>},
+    {"history", "", "history", "what the device had gone through before this cycle", get<&ConditionsCycle::history>},
+    {"K_eff_kN_per_mm", "kN/mm", "K_eff", "effective stiffness", get<&ConditionsCycle::K_eff_kN_per_mm>,
+     significant(4)},
+    {"damping_percent", "%", "damping", "equivalent viscous damping", get<&ConditionsCycle::damping_percent>,
+     significant(4)},
+    {"energy_kN_mm", "kN mm", "energy", "energy of the loop", get<&ConditionsCycle::energy_kN_mm>, significant(4)},
+    {"Q_d_kN", "kN", "Q_d", "characteristic strength", get<&ConditionsCycle::Q_d_kN>, significant(4)},
+    {"K_d_kN_per_mm", "kN/mm", "K_d", "stiffness after yield", get<&ConditionsCycle::K_d_kN_per_mm>, significant(4)},
 };
 
 }  // namespace isolaw::study

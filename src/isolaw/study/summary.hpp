@@ -19,6 +19,7 @@
 #include "isolaw/fit/box.hpp"
 #include "isolaw/lot/population.hpp"
 #include "isolaw/study/acceptance.hpp"
+#include "isolaw/study/conditions.hpp"
 
 namespace isolaw::study {
 
@@ -233,6 +234,8 @@ struct Summary {
   std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
   std::optional<Finding> not_compared;         // the devices that were not searched for outliers among measured values
   std::vector<OutlyingDevice> outliers;
+  std::optional<ConditionsResult> conditions;  // if the lot file has a table [conditions]
+  std::string no_conditions;                   // why its tests cannot be compared; else empty
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
   std::optional<campaign::Part> part;       // the part that the store holds; nullopt: the whole campaign

@@ -1,5 +1,7 @@
 #include "isolaw/render/json/conditions_json.hpp"
 
+#include <cmath>
+
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/conditions_results.hpp"
 
@@ -52,45 +54,65 @@ void write_combined(JsonWriter& out, conditions::Combined const& all) {
 
 }  // namespace
 
+namespace {
+
+void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
+  write_members(out, "schema", conditions_schema, "title", result.title);
+  auto const& reference = result.stated.reference;
+  out.key("reference").object([&] {
+    write_members(out, "temperature_C", reference.temperature_C, "frequency_Hz", reference.frequency_Hz, "load_kN",
+                  reference.load_kN, "strain_percent", reference.strain_percent, "disp_mm", reference.disp_mm,
+                  "first_cycle", reference.first_cycle, "last_cycle", reference.last_cycle);
+  });
+  out.key("tests").objects(result.tests, [&](study::ConditionsTest const& test) {
+    write_results(out, study::conditions_test_results, test, Digits::shown);
+    write_rows(out.key("cycles"), study::conditions_cycle_results, test.cycles, Digits::shown);
+    constexpr int digits = 4;
+    out.key("loop_mm").line(test.loop_mm, digits);
+    out.key("loop_kN").line(test.loop_kN, digits);
+  });
+  out.key("refused").objects(result.refused, [&](study::RefusedTest const& test) {
+    write_members(out, "device", test.device, "test", test.test, "reason", test.reason);
+  });
+  out.key("levels").objects(result.levels, [&](study::LevelRow const& row) {
+    bool const has_condition = row.effect == conditions::Effect::temperature ||
+                               row.effect == conditions::Effect::rate || row.effect == conditions::Effect::load;
+    write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "at",
+                  has_condition ? std::optional(row.factor.at) : std::nullopt);
+    out.key("ratios").objects(row.ratios, [&](conditions::DeviceRatio const& ratio) {
+      write_members(out, "device", ratio.device, "lambda", std::exp(ratio.ln));
+    });
+    write_factor(out.key("factor"), row.factor, result.installed);
+  });
+  out.key("design").objects(result.design, [&](study::DesignRow const& row) {
+    write_members(out, "quantity", row.quantity, "effect", row.effect);
+    write_factor(out.key("max"), row.max, result.installed);
+    write_factor(out.key("min"), row.min, result.installed);
+  });
+  out.key("bounds").objects(result.bounds, [&](study::BoundRow const& row) {
+    write_members(out, "quantity", row.quantity);
+    write_combined(out.key("max"), row.max);
+    write_combined(out.key("min"), row.min);
+  });
+  out.key("recovery").objects(result.recovery, [&](study::RecoveryRow const& row) {
+    write_members(out, "rest_h", row.rest_h, "share", row.share, "devices", row.devices);
+  });
+  out.member("drift_not_checked", names_of(result.drift_not_checked));
+  out.member("straightness_not_checked", names_of(result.straightness_not_checked));
+  out.member("ageing_stands_for_years", result.ageing_stands_for_years);
+}
+
+}  // namespace
+
 std::string conditions_json(study::ConditionsResult const& result) {
   JsonWriter out(JsonWriter::Layout::indented);
-  out.object([&] {
-    write_members(out, "schema", conditions_schema, "title", result.title);
-    auto const& reference = result.stated.reference;
-    out.key("reference").object([&] {
-      write_members(out, "temperature_C", reference.temperature_C, "frequency_Hz", reference.frequency_Hz, "load_kN",
-                    reference.load_kN, "strain_percent", reference.strain_percent, "disp_mm", reference.disp_mm,
-                    "first_cycle", reference.first_cycle, "last_cycle", reference.last_cycle);
-    });
-    write_rows(out.key("tests"), study::conditions_test_results, result.tests, Digits::shown);
-    out.key("refused").objects(result.refused, [&](study::RefusedTest const& test) {
-      write_members(out, "device", test.device, "test", test.test, "reason", test.reason);
-    });
-    out.key("levels").objects(result.levels, [&](study::LevelRow const& row) {
-      bool const has_condition = row.effect == conditions::Effect::temperature ||
-                                 row.effect == conditions::Effect::rate || row.effect == conditions::Effect::load;
-      write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "at",
-                    has_condition ? std::optional(row.factor.at) : std::nullopt, "devices", row.devices);
-      write_factor(out.key("factor"), row.factor, result.installed);
-    });
-    out.key("design").objects(result.design, [&](study::DesignRow const& row) {
-      write_members(out, "quantity", row.quantity, "effect", row.effect);
-      write_factor(out.key("max"), row.max, result.installed);
-      write_factor(out.key("min"), row.min, result.installed);
-    });
-    out.key("bounds").objects(result.bounds, [&](study::BoundRow const& row) {
-      write_members(out, "quantity", row.quantity);
-      write_combined(out.key("max"), row.max);
-      write_combined(out.key("min"), row.min);
-    });
-    out.key("recovery").objects(result.recovery, [&](study::RecoveryRow const& row) {
-      write_members(out, "rest_h", row.rest_h, "share", row.share, "devices", row.devices);
-    });
-    out.member("drift_not_checked", names_of(result.drift_not_checked));
-    out.member("straightness_not_checked", names_of(result.straightness_not_checked));
-    out.member("ageing_stands_for_years", result.ageing_stands_for_years);
-  });
+  out.object([&] { write_members_of(out, result); });
   return out.take() + '\n';
+}
+
+void write_conditions(JsonWriter& out, study::Summary const& summary) {
+  if (summary.conditions) out.key("conditions").object([&] { write_members_of(out, *summary.conditions); });
+  if (!summary.no_conditions.empty()) out.member("no_conditions", summary.no_conditions);
 }
 
 }  // namespace isolaw::render

@@ -3,11 +3,15 @@
 
 #include <string>
 
-#include "isolaw/study/conditions.hpp"
+#include "isolaw/base/json.hpp"
+#include "isolaw/study/summary.hpp"
 
 namespace isolaw::render {
 
 // The text of conditions.json; docs/conditions.md describes it.
 std::string conditions_json(study::ConditionsResult const& result);
+// Writes the member "conditions" of a summary or an inspection, if the lot has a table [conditions]; or
+// "no_conditions", the reason why its tests cannot be compared.
+void write_conditions(JsonWriter& out, study::Summary const& summary);
 
 }  // namespace isolaw::render

@@ -1,4 +1,5 @@
 #include "isolaw/render/json/inspection_json.hpp"
+#include "isolaw/render/json/conditions_json.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -91,6 +92,7 @@ std::string inspection_json(Summary const& summary) {
   }
   out.key("assessment");
   write_acceptance(out, summary.acceptance);
+  write_conditions(out, summary);
   out.end_object();
   return out.take();
 }

@@ -1,4 +1,5 @@
 #include "isolaw/render/json/summary_json.hpp"
+#include "isolaw/render/json/conditions_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -97,6 +98,7 @@ std::string summary_json(Summary const& summary, std::string_view profile) {
   write_findings(out, "warnings", warnings(summary));
   write_recommendation(out, summary, recommendation(summary));
   write_published(out, summary, Digits::all);
+  write_conditions(out, summary);
   if (!profile.empty()) out.key("profile").json(profile);
   out.end_object();
   return out.take() + "\n";

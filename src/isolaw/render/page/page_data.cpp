@@ -11,6 +11,7 @@
 #include "isolaw/campaign/maker.hpp"
 #include "isolaw/data/properties/remainder.hpp"
 #include "isolaw/num/statistics.hpp"
+#include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/json/properties_json.hpp"
 #include "isolaw/render/json/results_json.hpp"
 #include "isolaw/study/acceptance_results.hpp"
@@ -462,6 +463,7 @@ std::string page_data_json(Summary const& summary) {
   write_units(out, summary.units());
   write_shown(out, summary);
   write_rows(out.key("outliers"), outlier_results, summary.outliers, Digits::shown);
+  write_conditions(out, summary);
   write_published(out, summary, Digits::shown);
   write_thresholds(out);
   write_all_headings(out);

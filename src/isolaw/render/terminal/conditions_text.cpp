@@ -99,6 +99,14 @@ void add_bounds(std::string& text, study::ConditionsResult const& result, bool d
            joined(alone), alone.size() == 1 ? "has" : "have", alone.size() == 1 ? "it" : "them");
 }
 
+std::string devices_text(std::vector<conditions::DeviceRatio> const& ratios) {
+  constexpr std::size_t most_named = 4;
+  if (ratios.size() > most_named) return fmt::format("{} devices", ratios.size());
+  std::vector<std::string> names;
+  for (auto const& ratio : ratios) names.push_back(ratio.device);
+  return printable(joined(names));
+}
+
 void add_levels(std::string& text, study::ConditionsResult const& result, bool details) {
   text += "\nFactors at the tested levels, with 95 % intervals of the mean and of one further device\n";
   append(text, "  {:<8} {:<12} {:<16} {:>7}  {:<15} {:<15} {}\n", "property", "effect", "level", "factor", "mean",
@@ -111,8 +119,7 @@ void add_levels(std::string& text, study::ConditionsResult const& result, bool d
       return found ? interval_text(found) : std::string("-");
     };
     append(text, "  {:<8} {:<12} {:<16} {:>7}  {:<15} {:<15} {}\n", rules::name(row.quantity), name(row.effect),
-           row.level, factor_text(row.factor), about(About::mean), about(About::device),
-           row.devices.size() > 4 ? fmt::format("{} devices", row.devices.size()) : printable(joined(row.devices)));
+           row.level, factor_text(row.factor), about(About::mean), about(About::device), devices_text(row.ratios));
   }
 }
 

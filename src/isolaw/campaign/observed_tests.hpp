@@ -1,0 +1,57 @@
+// The tests of a lot's devices under several conditions, as they were measured: the cycles of each block with their
+// properties. A campaign keeps them, so that a report needs no record again. The module `study` compares them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/campaign/lot_conditions.hpp"
+
+namespace isolaw::campaign {
+
+struct Lot;
+
+struct ObservedCycle {
+  int number = 0;  // from 1, within its block
+  // A value that is not positive is one that the cycle does not have.
+  double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0, Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
+  std::optional<double> load_kN = {};  // mean vertical load, if the record has a channel for it
+};
+
+struct ObservedBlock {
+  int number = 0;
+  double amplitude_mm = 0.0;
+  std::optional<double> frequency_Hz = {};  // empty: not known, or not the same in all cycles
+  std::string fault = {};                   // why no cycle of the block counts, if its signals cannot be true
+  std::vector<ObservedCycle> cycles = {};   // those that count
+  // The loop of the reference cycle, or of the last one before it, for drawing only: at most 120 points.
+  std::vector<double> loop_mm = {}, loop_kN = {};
+};
+
+struct ObservedTest {
+  std::string device, test, file, sha256;
+  StatedDevice of_device = {};
+  std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
+  StatedTest stated = {};
+  std::string refusal = {};                // why the record cannot be used; its device's later tests still count
+  std::optional<double> farthest_mm = {};  // from the middle of the record; empty if it cannot be read
+  std::vector<ObservedBlock> blocks = {};
+};
+
+// All tests of all devices, in the order in which each device was tested, with the table [conditions] that they are
+// compared by.
+struct ObservedTests {
+  StatedConditions stated;
+  std::vector<ObservedTest> tests;
+};
+
+// Reads the records of a lot with a table [conditions]. A test that cannot be used says why.
+ObservedTests observe_tests(Lot const& lot);
+
+// As text, for a campaign's store. tests_of_text() throws Error or a nlohmann::json::exception for other text.
+std::string text(ObservedTests const& observed);
+ObservedTests tests_of_text(std::string_view text);
+
+}  // namespace isolaw::campaign
