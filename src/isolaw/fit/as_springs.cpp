@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-struct Share {  // one spring, or two at mirrored angles; `force` times the law's force is their force along the test
+struct Share {  // one spring, or two at mirrored angles; their force along the test is `force` times the law's force
   LawOnMotion law;
   double force;
 };

@@ -57,8 +57,8 @@ struct SearchBox {
 };
 
 // Gives a free parameter a logarithmic scale if the law asks for it, or if the ends of its interval differ by a factor
-// of `wide_interval` or more: on a linear scale, a search would spend 90 % of its points on the last decade. Leaves
-// intervals that span zero as they are. A logarithmic scale that ends at zero covers six decades.
+// of `wide_interval` or more: on a linear scale, a search would spend 90 % of its points on the last decade. Intervals
+// that span zero keep their scale. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
 // A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.

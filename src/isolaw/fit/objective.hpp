@@ -81,7 +81,7 @@ class LawOnRecord {
   // beside it, and the objective therefore changes little. nullopt if over 3/4 of the samples would remain, or if the
   // law is integrated by the paper's method, whose error depends on the distance between samples.
   std::optional<LawOnRecord> outline() const;
-  // Moves the weights `shares` of all samples to the samples of outline(), in the same way.
+  // Moves the weights `shares` of all samples to the samples of outline(), as outline() moves the record's weights.
   std::vector<double> on_outline(std::span<double const> shares) const;
 
   laws::LawEntry const& law() const { return motion_.law(); }

@@ -267,7 +267,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Each excursion to the side of the first motion starts with a crossing of the centre in that direction.
+  // Counts the crossings of the centre in the direction of the first motion: each starts an excursion to that side.
   auto const first = std::ranges::find(motion.excursions, false, &Excursion::starts_open);
   auto const crossings = std::count_if(first, motion.excursions.end(), [&](Excursion const& excursion) {
     return excursion.positive == first->positive;
@@ -297,8 +297,8 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, tapers, regular_ends(),
-// and the first and the last swing.
+// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, the cycles with which a
+// test builds up or fades (tapers), regular_ends(), and the first and the last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -402,7 +402,8 @@ std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<Cycl
     for (auto cut = std::ranges::lower_bound(full, first, {}, &CycleCut::last); cut != full.end() && cut->first < last;
          ++cut)
       in_full += std::abs(value_at(x, std::min(cut->last, last)) - value_at(x, std::max(cut->first, first)));
-    constexpr double half = 0.5 + 1e-6;  // of the way; the cut of a cycle at the centre is interpolated
+    // a swing with more than this part of its way in full cycles belongs to them; cuts at the centre are interpolated
+    constexpr double half = 0.5 + 1e-6;
     bool const belongs = in_full > half * way || has_gap(motion.gaps, first, last) ||
                          (k == 0 && is_no_turn(turns[0])) || (k + 2 == turns.size() && is_no_turn(turns[k + 1]));
     if (!belongs) {
@@ -454,11 +455,11 @@ Segmentation with_half_cycles(Segmentation segmentation, Motion const& motion) {
   return segmentation;
 }
 
-// If the time jumps where one excursion ends and the next begins, the first is cut off before the jump and the next
-// begins after it, because the motion in between is not known.
+// If the time jumps where one excursion ends and the next begins, ends the first one before the jump and begins the
+// next one after it, because nobody knows the motion in between.
 void part_at_gaps(Motion& motion) {
   for (auto const& gap : motion.gaps) {
-    if (gap.taken_s >= gap.length_s) continue;  // a rest that was not recorded
+    if (gap.taken_s >= gap.length_s) continue;  // the logger only skipped a rest
     auto const after = static_cast<double>(gap.after);
     constexpr double rounding = 0.5;  // samples by which the boundary of two excursions may lie after the gap
     auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
@@ -470,7 +471,7 @@ void part_at_gaps(Motion& motion) {
   }
 }
 
-// Cuts a test into full cycles and parts of cycles, and sets what `motion` lacks.
+// Cuts a test into full cycles and parts of cycles. Fills the members of `motion`, which with_half_cycles() needs.
 Segmentation cut_full(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further,
                       Motion& motion) {
   auto gaps = time_gaps(disp_mm, time_s);
@@ -535,9 +536,9 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
 
 }  // namespace
 
-// Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
-// hundredth. The median size of normally distributed noise is 0.6745 standard deviations. A missing value counts as
-// large, because nth_element cannot sort NaN.
+// Uses fourth differences: they magnify white noise by sqrt(70), and shrink a sine of 20 samples per cycle to a
+// hundredth, so that hardly anything but noise is left. The median size of normally distributed noise is 0.6745
+// standard deviations. A missing value counts as large, because nth_element cannot sort NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

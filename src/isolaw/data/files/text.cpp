@@ -162,7 +162,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
     char const* name;
     std::string_view mark, comma;  // how the byte order mark and a comma are written
   };
-  // The mark of UTF-16LE begins that of UTF-32LE, so UTF-32 comes first.
+  // The byte order mark of UTF-32LE begins with that of UTF-16LE, so UTF-32 is tried first.
   constexpr std::array encodings{
       Encoding{"UTF-32LE", "\xFF\xFE\0\0"sv, ",\0\0\0"sv}, Encoding{"UTF-32BE", "\0\0\xFE\xFF"sv, "\0\0\0,"sv},
       Encoding{"UTF-16LE", "\xFF\xFE"sv, ",\0"sv}, Encoding{"UTF-16BE", "\xFE\xFF"sv, "\0,"sv}};
