@@ -66,9 +66,9 @@ inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-// Moves this bound of a parameter's search interval outwards, but not beyond the physical limit. A bound that moves
-// away from zero becomes ten times as large, and one that moves towards zero a tenth as large. A bound at zero becomes
-// minus the other bound. nullopt if the bound is a physical limit already, or for AtBound::no.
+// Returns the search interval of a parameter with its bound `bound` moved outwards, but not beyond the physical limit.
+// A bound that moves away from zero becomes ten times as large, and one that moves towards zero a tenth as large. A
+// bound at zero becomes minus the other bound. nullopt if the bound is a physical limit already, or for AtBound::no.
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);

@@ -135,7 +135,7 @@ std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::F
                       spread, largest),
           "a force that changes during the test");
   }
-  number = 0;  // what follows is about all tests
+  number = 0;  // from here on, a refusal is about all tests
   if (count == 0)
     refuse("no sample that counts in the objective", "a part of the test in which time goes on and the device swings");
   return count;

@@ -304,8 +304,8 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // Computes a damped Newton step inside the box. A coordinate on an edge of the box stays there if the sum would fall
-  // outside of the box.
+  // Computes a damped Newton step inside the box. A coordinate on an edge of the box stays there if the sum decreases
+  // in the direction out of the box.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;

@@ -25,7 +25,7 @@ struct GroundMotion {
   double step_s = 0.0;
   std::vector<double> acceleration_mm_s2;  // the first value is at time 0
   std::string recognised;                  // one sentence on how the file was read
-  std::optional<double> zero_mm_s2 = {};   // the mean that was subtracted from values as an instrument gave them
+  std::optional<double> zero_mm_s2 = {};   // mean of uncorrected values (the instrument's zero), which was subtracted
 };
 
 // The time step and the unit of acceleration that the user states for a file which does not state them. If the file

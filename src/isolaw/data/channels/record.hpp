@@ -41,7 +41,7 @@ struct TestRecord {
   std::vector<double> force_kN;
   std::vector<double> load_kN;
   std::vector<double> logged_cycle = {};    // the logger's number of the cycle at each sample; mostly empty
-  std::vector<double> second_disp_mm = {};  // across disp_mm, in a test in two directions; drawn, but not stored
+  std::vector<double> second_disp_mm = {};  // at right angles to disp_mm, in tests in two directions; drawn, not stored
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.

@@ -258,7 +258,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
       return std::ranges::upper_bound(motion.turns, index, {}, [](std::size_t i) { return static_cast<double>(i); });
     };
     auto const inside = after(part.last) - after(part.first);
-    constexpr auto usual = 2;  // turns in a part of a cycle
+    constexpr auto usual = 2;  // a part of a cycle hardly has more turns
     if (inside > usual) part.not_counted += fmt::format("; {} turns of the motion lie within it", inside);
     all.push_back(std::move(part));
   }

@@ -9,9 +9,9 @@
 // - Blocks: data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count, that is, enter the
 //   results.
 // - Half cycles, if FurtherChannels::half_cycles asks for them: each swing of which at most half lies in full cycles
-//   becomes a half cycle. Half cycles form blocks of their own. They replace the partial cycles that they overlap, or
-//   the cycles of a record that is not cyclic. The first and the last sample count as turns of the motion only at zero
-//   or at the centre, because tests start and end there.
+//   becomes a half cycle. Half cycles form blocks of their own. They replace the partial cycles that they overlap and,
+//   in a record that is not cyclic, all cycles that they overlap. The first and the last sample count as turns of the
+//   motion only at zero or at the centre, because tests start and end there.
 // - A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 

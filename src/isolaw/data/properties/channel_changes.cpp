@@ -145,7 +145,7 @@ std::optional<SuddenChange> sudden_change(Repeats const& repeats, double Change:
   return found;
 }
 
-// The fast Fourier transform of a power of two of values.
+// Replaces the values by their fast Fourier transform. Their number must be a power of two.
 void transform(std::vector<std::complex<double>>& x) {
   auto const n = x.size();
   for (std::size_t i = 1, j = 0; i < n; ++i) {

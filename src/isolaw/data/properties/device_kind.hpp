@@ -7,9 +7,9 @@
 
 namespace isolaw::data {
 
-// v|^alpha to the samples| Fits F = F_0 + C |v|^alpha to the samples of a cycle at which the speed is 5 % of the
-// largest or more, for each direction of motion by itself. The fit is least squares of the logarithms of |F - F_0| and
-// |v|. nullopt in these cases:
+// Fits F = F_0 + C |v|^alpha to the samples of a cycle at which the speed is 5 % of the largest or more, for each
+// direction of motion by itself. The fit is least squares of the logarithms of |F - F_0| and |v|. nullopt in these
+// cases:
 // - The device has stiffness: K_eff D is a tenth of the loop's mean half height or more.
 // - Its force hardly depends on speed (alpha below 0.05), so it is friction.
 // - A fit misses the forces by 15 % (rms) or more.

@@ -50,7 +50,7 @@ std::string name_of(Cycle const& cycle, std::span<double const> time_s) {
   return fmt::format("the uncounted cycle from {} on in block {}", from, cycle.block);
 }
 
-// For each of the two peaks, the force that is left of the cycle before; returns the smaller share.
+// The share of a peak force that is left from the cycle before: the smaller share of the two peaks.
 double share_kept(Cycle const& before, Cycle const& cycle) {
   double least = 1.0;
   for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})

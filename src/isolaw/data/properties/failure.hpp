@@ -1,7 +1,6 @@
 // Finds the cycle in which a specimen, or the channel of its force, fails. There the force falls suddenly to a part of
-// its size in the cycle before. Or it is nearly gone compared with an earlier cycle, which has the same load and a
-// similar pace and an amplitude that is no larger. A force that falls slowly over many cycles is heating or scragging
-// and no failure.
+// its size in the cycle before. Or it is nearly gone compared with an earlier cycle under the same load, at a similar
+// pace and of no larger amplitude. A force that falls slowly over many cycles is heating or scragging and no failure.
 #pragma once
 
 #include "isolaw/data/properties/properties.hpp"

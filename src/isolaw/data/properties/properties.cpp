@@ -343,8 +343,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Lists impossible cycles in `faulty`. If other blocks are sound, the cycles of the blocks with an impossible cycle no
-// longer count. Returns whether there are impossible cycles and no block is sound.
+// Lists cycles with an impossible loop in properties.faulty. If other blocks are sound, no cycle counts any more in the
+// blocks with such a loop. Returns whether there are such loops and no block is sound.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -398,7 +398,7 @@ Cycle const* cycle_to_report(Properties const& properties) {
   return counted[std::min(counted.size(), reported_cycle) - 1];
 }
 
-// Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
+// Sets the properties that follow from the counted cycles: samples per cycle, a refusal, the reported cycle.
 void conclude(Properties& properties, std::optional<Finding> const& not_cut, bool none_is_sound) {
   std::vector<double> lengths;
   for (auto const* cycle : properties.counted())

@@ -17,7 +17,7 @@ constexpr std::size_t fewest_passes = 4, most_passes = 64;
 constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // samples whose noise is compared
 constexpr double outlines_alike = 0.03;   // error of the outline relative to the force, both as standard deviations
 constexpr double rounding_apart = 1e-4;   // the same for whole records that differ by rounding only
-constexpr double noise_stands_out = 5.0;  // correlation of the noise, relative to that of records out of step
+constexpr double noise_stands_out = 5.0;  // times the correlation out of step; in step, a copy's noise correlates more
 
 // The value at a fractional position, by a cubic through four samples (Catmull, Rom 1974).
 double cubic_at(std::span<double const> values, double position) {
@@ -72,7 +72,8 @@ Line fit_line(std::span<double const> x, std::span<double const> y) {  // y = fa
   return {factor, mean_y - factor * mean_x, std::sqrt(std::max(0.0, 1.0 - factor * xy / yy))};
 }
 
-// Number of passes of `one` before the first one of `other` for which the outlines agree best, or nullopt if none do.
+// By how many passes `other` must be moved along `one` so that their outlines agree best; nullopt if they agree
+// nowhere.
 std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   auto const n = static_cast<std::ptrdiff_t>(one.passes.size()), m = static_cast<std::ptrdiff_t>(other.passes.size());
   std::optional<std::ptrdiff_t> best;

@@ -139,8 +139,8 @@ class Sticking {
   }
 
   // Whether the force in this stretch differs clearly from the force at other times when the motion passes the same
-  // displacement in the same direction. In a device with play, or one that yields and stiffens again, the force is the
-  // same in every cycle, so it is not stuck.
+  // displacement in the same direction. In a device with play, or one that yields and stiffens again, the force repeats
+  // in every cycle and is not stuck.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;
