@@ -53,7 +53,7 @@ struct OptionInfo {
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
   std::string python_type() const;  // as written in the package's stub: float, Literal["best", "ga"]
-  std::string where() const { return "--" + option(); }  // the place that a complaint names
+  std::string where() const { return "--" + option(); }  // names the option in a complaint
 };
 
 template <class Target>

@@ -61,7 +61,8 @@ struct SearchBox {
 // that span zero keep their scale. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-// A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.
+// A value counts as at a bound if it is off the bound by at most this fraction of the search interval, measured on the
+// parameter's scale.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"

@@ -26,8 +26,9 @@ constexpr double off_centre = 0.05;       // times the amplitude; a middle close
 constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
 constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
 constexpr double as_large = 0.05;  // times the amplitude; amplitudes that differ by less repeat each other
-// Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
-// Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
+// In a cyclic record, cycles that repeat an amplitude or are symmetric make up at least this fraction of the travel
+// (the way that the device moves in all). Cyclic tests reach 0.9. Among 1000 irregular responses of linear oscillators,
+// ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
 // A test may consist of half cycles each of which is larger than the one before, by a factor from least_growth to
 // largest_growth. A ground motion does not grow like this over fewest_growing half cycles.

@@ -173,7 +173,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
   };
   for (auto const& each : encodings)
     if (bytes.starts_with(each.mark)) return decoded(bytes.substr(each.mark.size()), each);
-  // Without a mark, text that is mostly ASCII shows its encoding by the places of its zeros.
+  // Without a byte order mark, the positions of zero bytes show the encoding of text that is mostly ASCII.
   constexpr std::size_t head = 400, least = 16;
   auto const top = bytes.substr(0, head);
   if (top.size() < least) return std::nullopt;

@@ -153,7 +153,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
   return styles;
 }
 
-// The place that a reference such as "BC12" means, counted from 0.
+// The cell that a reference such as "BC12" means, with indices from 0.
 struct CellPlace {
   std::size_t column;
   std::size_t row;

@@ -12,12 +12,12 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_rise = 0.03;      // share; the force of a sound device at one amplitude rises by less
+constexpr double least_rise = 0.03;      // fraction; the force of a sound device at one amplitude rises by less
 constexpr double rise_deviations = 5.0;  // times the standard deviation that noise gives a rise; a real rise is larger
 // times the change in one cycle; if other cycles change by more, the channel drifts
 constexpr double most_outside = 0.35;
 constexpr double least_step = 0.02;   // times the amplitude; a smaller step of the zero is not reported
-constexpr double least_ratio = 0.05;  // share by which the forces of two directions must differ
+constexpr double least_ratio = 0.05;  // fraction by which the forces of the two directions must differ at least
 constexpr double better_by = 3.0;     // times; a factor is found if an offset leaves so much more residual (rms)
 constexpr double same_at_peaks = 0.3;
 constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
@@ -43,7 +43,7 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
 // this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly
 // this ratio.
 struct Size {
-  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, as a share of kN_per_mm
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, over kN_per_mm
 };
 Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));

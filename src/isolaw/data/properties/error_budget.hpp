@@ -35,8 +35,8 @@ Budget error_budget(TestRecord const& record, Properties const& properties, int 
 
 // Percentages that are lost. Sampling takes them off a loop's energy and off a sine's peak; a moving average takes them
 // off a sine.
-double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
-double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
+double energy_loss_percent(double samples_per_cycle);  // lost energy: 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // lost of a peak halfway between samples: 1 - cos(pi / N)
 // The same for a triangle, whose corner may lie between two samples: at most 2 / N of the peak, and as much of the
 // energy of a device whose force changes at once when the motion turns.
 double corner_loss_percent(double samples_per_cycle);

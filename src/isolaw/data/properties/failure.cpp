@@ -85,7 +85,7 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   for (auto* each : cycles) {
     auto& cycle = *each;
     auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
-    double left = 1.0;  // least share of the force of an earlier cycle
+    double left = 1.0;  // force of the cycle over that of an earlier one, the least of all these ratios
     Cycle const* stronger = nullptr;
     for (auto const* other : earlier)
       if (double const share = size_of(cycle) / size_of(*other); share < left && comparable(*other, cycle))

@@ -26,7 +26,7 @@ constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
 constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
 constexpr double least_sweep = 1.2;          // largest over smallest period
-constexpr double most_steps = 0.8;           // share of the steps from cycle to cycle that go the way of the sweep
+constexpr double most_steps = 0.8;           // fraction of the changes of period; in a sweep, so many go one way
 constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.

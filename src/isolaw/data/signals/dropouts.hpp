@@ -1,4 +1,5 @@
-// Finds dropouts: stretches of one value that begin and end with a jump while the other channel moves.
+// Finds dropouts: three or more samples in a row that have one value, and begin and end with a jump, while the other
+// channel moves.
 #pragma once
 
 #include <span>
