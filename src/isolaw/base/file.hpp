@@ -18,10 +18,11 @@ struct ReadLimits {
 
 // Follows links. Throws Error for a file that is missing, not plain, unreadable, or too large (checked before reading).
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
-// Returns "a pipe" or the like if the name, with links followed, belongs to anything but a plain file.
+// Returns what the file is, such as "a pipe", if it is anything but a plain file (links are followed); else nullopt.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
-// Returns the real place of `file`, with links followed, if it is outside `folder`. A part of the path that does not
-// exist yet is judged by its name. A name that cannot be followed, such as a circle of links, counts as outside.
+// Returns the path to which `file` leads, with links followed, if this path is outside `folder`; nullopt if it is
+// inside. A part of the path that does not exist yet is judged by its name. A name that cannot be followed, such as a
+// circle of links, counts as outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

@@ -67,7 +67,8 @@ JsonWriter& JsonWriter::json(std::string_view text) {
   std::string const indent(2 * filled_.size(), ' ');
   for (char const c : document.dump(2, ' ', false, replace)) {
     text_ += c;
-    if (c == '\n') text_ += indent;  // the break belongs to the layout, since dump() escapes those in texts
+    // this break belongs to the layout, because dump() escapes line breaks within texts
+    if (c == '\n') text_ += indent;
   }
   return *this;
 }

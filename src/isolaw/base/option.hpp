@@ -33,7 +33,7 @@ struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   std::string words = {};  // describes the limits in messages and help instead of "least to most"
-  int step = 1;            // allowed whole numbers are `least` plus multiples of this
+  int step = 1;            // allowed whole numbers are `least` plus multiples of this step
   bool or_zero = false;    // zero is allowed too and stands for "none"
 
   bool allow(double value) const;
@@ -53,7 +53,7 @@ struct OptionInfo {
   std::string option() const;  // the name in a lot file and, after two dashes, on the command line
   std::string python() const;
   std::string python_type() const;  // as written in the package's stub: float, Literal["best", "ga"]
-  std::string where() const { return "--" + option(); }  // the place that a complaint names
+  std::string where() const { return "--" + option(); }  // names the option in a complaint
 };
 
 template <class Target>
@@ -94,8 +94,8 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These functions convert a value and throw Error without `where` if it is not allowed. refuse() always throws this
-// Error.
+// These functions convert a value. They throw Error without `where` if the value is not allowed; refuse() always throws
+// it.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);

@@ -25,7 +25,8 @@ inline constexpr Unit s{Dimension::time, "s", 1.0};
 inline constexpr Unit counts{Dimension::count, "1", 1.0};  // for a channel that counts; parse_unit() never returns it
 
 // The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
-// are ignored. "mN" is unknown nevertheless: without its case, a millinewton would be read as a meganewton.
+// are ignored. "mN" counts as unknown nevertheless, because a millinewton would be read as a meganewton if case is
+// ignored.
 std::optional<Unit> parse_unit(std::string_view text);
 
 std::string known_units(Dimension dimension);  // "mm, cm, m, in, ft, dm, um" for length

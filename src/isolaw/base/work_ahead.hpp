@@ -15,8 +15,9 @@ namespace isolaw {
 class WorkAhead;
 
 // A thread makes a HelpListener to be told when other threads compute items of its work. A helping thread calls
-// help_begins() before each such item and help_ends() after it. The listener is told about every WorkAhead that is made
-// while the listener exists, by its own thread or by a thread that is computing an item of that thread's work.
+// help_begins() before each such item and help_ends() after it. The listener hears of every WorkAhead that its thread
+// makes while the listener exists, and of those that helping threads make while they compute an item of its thread's
+// work.
 class HelpListener {
  public:
   HelpListener();
@@ -60,9 +61,9 @@ class Membership {
   WorkerGroup* before_;
 };
 
-// A piece of work with the items 0 to count - 1, which must not depend on each other. Threads of the group call `work`
-// at most once for each item, also for items that nobody needs. need() itself computes an item that no thread has
-// begun; without a group it computes all that are needed.
+// A piece of work with the items 0 to count - 1, which must not depend on each other. The thread that made it asks for
+// items with need(). Other threads of the group compute items in advance, also items that nobody asks for later. `work`
+// is called at most once for each item: need() computes an item itself only if no other thread has begun it.
 class WorkAhead {
  public:
   WorkAhead(std::size_t count, std::function<void(std::size_t)> work);

@@ -32,7 +32,8 @@ void make_folder(fs::path const& dir) {
   if (error) refuse(dir, error.message());
 }
 
-// All bytes are on disk before the file gets its name, so after a power cut either the old or the new file exists.
+// Writes all bytes to the disk before the file gets its name, so after a power cut either the old or the new file
+// exists.
 void write_file(fs::path const& path, std::string_view text) {
   auto aside = path;  // in the same directory, since only there is a rename atomic
   aside += "." + std::to_string(::getpid()) + std::string(part_suffix);

@@ -22,7 +22,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of the widest loop with the same deviations of x and F
+  double equivalent_damping = 0.0;  // energy over that of ellipses; see measure_loop()
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -49,15 +49,15 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // The damping is relative to elliptic loops with the same standard deviations, one for each cycle. Such a loop is
-  // widest, with an area of 2 pi sigma_x sigma_F, if x and F are uncorrelated.
+  // equivalent_damping compares the energy with the area of ellipses, one for each cycle, with the same standard
+  // deviations of x and F. An ellipse is widest, with an area of 2 pi sigma_x sigma_F, if x and F are uncorrelated.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;
 }
 
-// Warns if the stiffness or the travel is one that no isolator has: as stiff as a steel bar, as soft as a rubber band,
-// or metres long. Then a unit is probably wrong.
+// Warns if the stiffness is one that no isolator has, such as that of a steel bar or of a rubber band, or if the travel
+// is metres long. A unit is then probably wrong.
 void warn_about_magnitude(TestRecord& record) {
   constexpr double stiffest_kN_per_mm = 100.0;
   constexpr double softest_kN_per_mm = 0.001;
@@ -109,8 +109,8 @@ void warn_about_rig(TestRecord& record, Properties const& properties) {
          .numbers = {{"force_kN", force_kN}, {"ratio", force_kN / load_kN}, {"load_kN", load_kN}}});
 }
 
-// Warns of gaps in time that are longer than the device needed to cross them. If the logger only skipped a rest, there
-// is no warning.
+// Warns of gaps in time that last longer than the device needed to cross them at its speed (Gap::taken_s). There is no
+// warning if the device stands still on both sides of a gap, because the logger then only skipped a rest.
 void warn_of_gaps(TestRecord& record) {
   auto gaps = time_gaps(record.disp_mm, record.time_s);
   std::erase_if(gaps, [](Gap const& gap) { return gap.taken_s >= gap.length_s; });
@@ -127,7 +127,7 @@ void warn_of_gaps(TestRecord& record) {
 // Warns if times read as seconds look like a spreadsheet's days: large numbers that grow by less than 1 in the test.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
-  constexpr double fastest_Hz = 1000.0;  // no test of less than a second is sampled faster: the times are not in s
+  constexpr double fastest_Hz = 1000.0;  // a test of less than a second hardly has a higher rate, so the times are days
   double const length = record.time_s.back() - record.time_s.front();
   double const rate = static_cast<double>(record.time_s.size() - 1) / length;
   if (length > 1.0 || rate < fastest_Hz) return;
@@ -171,7 +171,7 @@ void find_faults(TestRecord& record) {
 void add_warnings(TestRecord& record, Properties const& properties) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
-  // If no block is sound, all other warnings may be wrong and are left out.
+  // If no block is sound, the other warnings are computed from faulty signals and may be wrong, so they are left out.
   if (properties.is_false && !properties.faults.empty()) return append(warnings, properties.refusal);
   append(warnings, properties.faulty);
   for (auto const& fault : properties.faults)

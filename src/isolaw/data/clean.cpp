@@ -84,7 +84,7 @@ void drop_samples(FitRecord& record, std::size_t step) {
     *values = every(*values, step);
 }
 
-struct Chosen {  // the samples of the raw record that the objective counts, and their blocks; as in FitRecord
+struct Chosen {  // FitRecord::scored and FitRecord::block for each sample of the raw record; empty if all samples count
   std::vector<double> scored, block;
 };
 
@@ -100,9 +100,10 @@ void take_out(Chosen& chosen, double first, double last) {
                 values->begin() + static_cast<std::ptrdiff_t>(end), 0.0);
 }
 
-// Chooses the samples that the objective counts. It leaves out blocks with a signal or a loop that cannot be true,
-// faulty samples outside the blocks with the neighbours that averaging mixes with them, and the samples in which a
-// device has lost its force.
+// Chooses the samples that the objective counts. It leaves out:
+// - blocks with a signal or a loop that cannot be true,
+// - faulty samples outside the blocks, and the neighbours that averaging mixes with them,
+// - the samples in which a device has lost its force.
 Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties const& properties) {
   auto const& selection = options.scored;
   Chosen chosen;
@@ -115,7 +116,7 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
   }
   bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); }) ||
                           std::ranges::any_of(properties.faults, &SignalFault::is_outside);
-  // If no block is sound the device is refused as a whole, with the reason.
+  // If no block is sound, the caller refuses the whole device and says why, so no samples need to be left out.
   if (properties.is_false || (!any_faulty && !properties.failure)) return chosen;
   if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
   for (auto const& block : properties.blocks)
@@ -160,8 +161,8 @@ void choose_scored(FitRecord& record, std::span<double const> scored, std::span<
                              .words = {{"blocks", selection.blocks.text()}, {"cycles", selection.cycles.text()}}});
 }
 
-// Sets the weights of the samples of all tests, or leaves them empty if every sample counts by the time around it. If
-// the user asks for no weighting, samples count by swing, or by time if the swings of all tests together are alike.
+// Sets the weights of the samples of all tests. They stay empty if each sample counts by the time around it. If the
+// user chooses no weighting, samples count by swing, or by time if the swings of all tests together are alike.
 void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& tests, std::optional<Weighting> asked) {
   if (asked == Weighting::time) return;
   auto const ranges = test_ranges(record.starts, record.size());
@@ -189,8 +190,8 @@ void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& test
   }
 }
 
-// An average over a quarter of a cycle lowers the amplitude by a tenth, so parameters fitted to such a record would
-// mean nothing.
+// Refuses a moving average over a quarter of a cycle or more: it would lower the amplitude by a tenth, so parameters
+// fitted to the record would mean nothing.
 void refuse_wide_window(int window, Properties const& properties) {
   if (!properties.samples_per_cycle || window < 0.25 * *properties.samples_per_cycle) return;
   throw Error({fmt::format("--smooth {}", window),

@@ -193,7 +193,8 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   auto const acceleration = line_about_acceleration(bytes);
   try {
     auto motion = read_tests(bytes, name, options, Wanted::motion());
-    // If --columns names the displacement, the file may mention acceleration, which then only gives a warning.
+    // A file with displacements may also mention acceleration. If --columns names the displacement, this is only a
+    // warning.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;
@@ -224,7 +225,8 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
     return test;
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    // Options of the command line are for shear tests. For a compression test, the lot file has keys of the same names.
+    // The advice names options of the command line, which are for shear tests. For a compression test, the keys of the
+    // lot file have the same names.
     for (auto& complaint : complaints)
       if (complaint.advice.find("--") != std::string::npos)
         complaint.advice += ", as keys of the device's table 'vertical' in a lot file";

@@ -23,8 +23,8 @@ TestRecord read_record_text(std::string_view bytes, std::string const& name, Rea
 TestRecord read_motion(std::filesystem::path const& file, ReadOptions const& options = {});
 TestRecord read_motion_text(std::string_view bytes, std::string const& name, ReadOptions const& options = {});
 
-// Reads vertical displacement and load of a compression test, without time and force. The stiffness is to be taken
-// within `loads`, or in the usual range if that is empty.
+// Reads vertical displacement and load of a compression test, without time and force. `loads` is the range of load in
+// which the stiffness will be taken; nullopt means the usual range.
 VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const& options,
                            std::optional<LoadRange> const& loads);
 
@@ -35,7 +35,8 @@ struct Values {
 TestRecord record_of_values(std::string const& name, Values values);
 
 struct TestChoice {
-  std::optional<std::string> sheet;  // value of --sheet that reads this test; `test` is that of --test
+  // the values of --sheet and --test that read this test; nullopt if the option is not needed
+  std::optional<std::string> sheet;
   std::optional<std::string> test;
   std::string place;                          // where the test starts: "d01.csv:204", "d01.xlsx:Sheet 2:1"
   std::vector<std::string> passed_over = {};  // sheets that are no test; given only with the file's first test

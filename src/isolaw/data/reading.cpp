@@ -140,7 +140,8 @@ Reading rows() {
            read}};
 }
 
-// Where a command reads a motion, --from names a campaign, so the motion's options are --motion-from and --motion-to.
+// The options --from and --to are called --motion-from and --motion-to where a command reads a motion, because --from
+// names a campaign there.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
                    std::string_view keyword, std::string_view motion_option) {
   Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Heading::reading), false, motion_option};

@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-struct Share {  // one spring, or two at mirrored angles; `force` times the law's force is their force along the test
+struct Share {  // one spring, or two at mirrored angles; their force along the test is `force` times the law's force
   LawOnMotion law;
   double force;
 };
@@ -44,7 +44,7 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  double objective_of_law(std::span<double const> parameters) const {  // of the law itself, without springs
+  double objective_of_law(std::span<double const> parameters) const {  // objective of the law itself, without springs
     std::vector<double> work;
     return model_.objective(parameters, work);
   }

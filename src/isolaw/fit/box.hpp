@@ -57,18 +57,19 @@ struct SearchBox {
 };
 
 // Gives a free parameter a logarithmic scale if the law asks for it, or if the ends of its interval differ by a factor
-// of `wide_interval` or more: on a linear scale, a search would spend 90 % of its points on the last decade. Leaves
-// intervals that span zero as they are. A logarithmic scale that ends at zero covers six decades.
+// of `wide_interval` or more: on a linear scale, a search would spend 90 % of its points on the last decade. Intervals
+// that span zero keep their scale. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-// A value counts as at the bound if its distance from the bound is at most this share of the interval on its scale.
+// A value counts as at a bound if it is off the bound by at most this fraction of the search interval, measured on the
+// parameter's scale.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
 AtBound at_bound(SearchParameter const& parameter, double value);
-// Moves this bound of a parameter's search interval outwards, but not beyond the physical limit. A bound that moves
-// away from zero becomes ten times as large, and one that moves towards zero a tenth as large. A bound at zero becomes
-// minus the other bound. nullopt if the bound is a physical limit already, or for AtBound::no.
+// Returns the search interval of a parameter with its bound `bound` moved outwards, but not beyond the physical limit.
+// A bound that moves away from zero becomes ten times as large, and one that moves towards zero a tenth as large. A
+// bound at zero becomes minus the other bound. nullopt if the bound is a physical limit already, or for AtBound::no.
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);

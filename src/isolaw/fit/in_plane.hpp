@@ -34,8 +34,8 @@ struct OnAnEight {
   std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;
 };
-// Returns one result for each extension that the law has: coupled, springs, and for a law that softens with the largest
-// displacement so far a second coupled one, in which each axis has its own largest displacement.
+// Returns one result for each extension that the law has: coupled and springs. A law that softens with the largest
+// displacement so far has a second coupled one, in which each axis has its own largest displacement.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 struct Spread {  // the largest differences between the extensions, relative to the first extension's value
   double peak = 0.0, work = 0.0;

@@ -49,7 +49,8 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
   return kept_shares;
 }
 
-// The weights of the samples. Their sum is 1 if `total` is not 0. Samples that are not scored have the weight 0.
+// The weights of the samples. Their sum is 1 if `total` is not 0. Samples that are not scored (FitRecord::scored) have
+// the weight 0.
 struct Weights {
   std::vector<double> weight;
   double total = 0.0;  // their sum before they were scaled; for weights by time the duration of the scored part
@@ -135,7 +136,7 @@ std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::F
                       spread, largest),
           "a force that changes during the test");
   }
-  number = 0;  // what follows is about all tests
+  number = 0;  // from here on, a refusal is about all tests
   if (count == 0)
     refuse("no sample that counts in the objective", "a part of the test in which time goes on and the device swings");
   return count;

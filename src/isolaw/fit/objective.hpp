@@ -48,8 +48,8 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   // Chooses samples for a faster, less exact evaluation and returns their indices: all samples just after a reversal of
   // the motion, fewer elsewhere.
   std::vector<std::size_t> outline() const;
-  // The law on these samples only; `samples` holds rising indices. If all reversals are among them, a rate-independent
-  // law gives the same forces there.
+  // The law on some of the samples, whose indices `samples` holds in rising order. If all reversals are among them, a
+  // rate-independent law gives the same forces there.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computes the force [kN] at every sample; not finite where the law has no finite force. `parameters` are in the
   // law's order and units; `force` has one element per sample. Thread-safe.
@@ -81,7 +81,7 @@ class LawOnRecord {
   // beside it, and the objective therefore changes little. nullopt if over 3/4 of the samples would remain, or if the
   // law is integrated by the paper's method, whose error depends on the distance between samples.
   std::optional<LawOnRecord> outline() const;
-  // Moves the weights `shares` of all samples to the samples of outline(), in the same way.
+  // Moves the weights `shares` of all samples to the samples of outline(), as outline() moves the record's weights.
   std::vector<double> on_outline(std::span<double const> shares) const;
 
   laws::LawEntry const& law() const { return motion_.law(); }

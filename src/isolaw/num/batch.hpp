@@ -307,7 +307,7 @@ ISOLAW_INLINE Batch<W> as_batch(double node) {
 }
 
 // Finds for each lane the cell, between two neighbouring nodes, in which x lies. There are `cells` + 1 nodes. Bisection
-// would fetch other nodes for each lane, and such a gather costs more than several comparisons. Comparisons with seven
+// fetches a different node for each lane, and such a gather costs more than several comparisons. Comparisons with seven
 // nodes, the same for all lanes, therefore replace the first three halvings.
 template <class Values, std::size_t W>
 ISOLAW_INLINE Indices<W> bisect(Values const& nodes, std::size_t cells, Batch<W> const& x) {

@@ -40,7 +40,7 @@ struct Lanes {
   [[gnu::always_inline]] static inline T from_bits(Bits const& x) { return std::bit_cast<T>(x); }
   [[gnu::always_inline]] static inline T abs(T const& x) { return from_bits(bits(x) & 0x7fff'ffff'ffff'ffffU); }
   [[gnu::always_inline]] static inline T multiply_add(T const& a, T const& b, T const& c) { return a * b + c; }
-  // The same for a sum that is then passed to select(). For AVX-512, GCC 12 would merge the addition with this
+  // multiply_add() for a sum that is then passed to select(). For AVX-512, GCC 12 would merge the addition with this
   // selection and no longer fuse the product with the addition.
   [[gnu::always_inline]] static inline T multiply_add_apart(T const& a, T const& b, T const& c) {
     T sum = a * b + c;

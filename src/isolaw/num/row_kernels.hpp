@@ -9,8 +9,8 @@
 
 namespace isolaw::num {
 
-// This many columns are computed together, and a table's stride is a multiple of it. The columns that fill up this
-// multiple, behind the last candidate, may hold anything.
+// A kernel computes this many columns together, so a table's stride is a multiple of it. The columns behind the last
+// candidate, which fill up the multiple, may hold anything.
 inline constexpr std::size_t row_lanes = 8;
 constexpr std::size_t padded(std::size_t columns) {
   return (columns + row_lanes - 1) / row_lanes * row_lanes;

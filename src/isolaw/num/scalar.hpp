@@ -5,8 +5,8 @@
 //   expm1(x), fifth_root(x)               e^x - 1 and, for x >= 0, x^(1/5)
 //   any(condition)                        whether the condition is true in at least one lane
 //   select(condition, a, b)               a where true, b elsewhere, lane by lane; a and b are always computed
-//   rounded(x)                            x, a product that the compiler must round before it adds it. In a sum of two
-//                                         products one is marked so, and only the other can be fused with the addition
+//   rounded(x)                            x as a rounded double. In a sum of two products it marks the one that the
+//                                         compiler must not fuse with the addition, so that it always fuses the other
 //   cell_of(nodes, x)                     index i of the cell nodes[i] <= x < nodes[i+1], clamped to 0 .. count-2
 //   at(values, index)                     values[index], lane by lane
 //   Rows8                                 a table of rows of eight values, read with an index from cell_of

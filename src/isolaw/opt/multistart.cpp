@@ -34,15 +34,15 @@ constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Finds the floor of the valley. Ends at gains below the hit tolerance of 5e-4, because the value at the end is only
 // compared with the values of other descents.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Replaces `settle` after a descent on the outline. It uses all residuals and starts close to their minimum, at that of
-// the outline.
+// Replaces `settle` after a descent on the outline. It uses all residuals. It starts at the minimum of the outline,
+// which is close to the minimum of all residuals.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
-// Replaces `finish` in descents of which many are only reported together. Ends with about four correct digits.
+// Replaces `finish` if descend() is asked to be brief. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
 constexpr double rounding_after_outline = 0.03;  // limit of delta after the outline, as a share of the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
-constexpr double gain_worth_staying = 3e-3;  // after a smaller gain, delta falls towards its last value in the stage
+constexpr double gain_worth_staying = 3e-3;  // after an iteration with a smaller gain, delta falls
 // Delta is multiplied by this. The fall is so small that a few iterations lead from the minimum for one delta to the
 // minimum for the next.
 constexpr double fall_of_delta = 0.3;
@@ -61,9 +61,10 @@ constexpr int rises = 4;                // attempts in an iteration, enough to r
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
-constexpr double least_curvature = 1e-9;  // added to curvatures, as a share of the largest: some coordinates have none
+// times the largest curvature, added to all, because some coordinates have none
+constexpr double least_curvature = 1e-9;
 
-constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts a better valley is unlikely
+constexpr double one_valley = 0.75;  // with so many hits among the scattered starts, a better valley is unlikely
 // A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
 // rule missed the best valley in 1 of 380 logged searches. A rule that asked for a share of 0.3 of all descents missed
 // it in 6.
@@ -85,13 +86,15 @@ constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
 constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
 
-// In hit tolerances. The floor counts as smooth if at least half of the hits are this close to the best value.
+// In hit tolerances. The floor of the valley counts as smooth if at least half of the hits are this close to the best
+// value.
 constexpr double sharp = 0.2;
-// Number of descents to polish, the best ones, if the values of the hits scatter. Polishing only the best left the
+// If the values of the hits scatter, this many of the best descents are polished. Polishing only the best one left the
 // result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
-constexpr double near_enough = 2.0;       // in hit tolerances; ends farther from the best value are in other valleys
-constexpr double worth_polishing = 1.01;  // polished if at most this multiple of the best value after approach()
+constexpr double near_enough = 2.0;  // in hit tolerances; ends farther from the best value are in other valleys
+// times the best value; a descent with a larger value after approach() is not polished
+constexpr double worth_polishing = 1.01;
 // refine() stops after so many hops in a row without gain, or after so many hops in all.
 constexpr int hops_in_vain = 10, most_last_hops = 40;
 constexpr double gain_of_last_hop = 0.1;     // in hit tolerances; smaller gains count as none
@@ -301,7 +304,8 @@ class Descent {
     return {here.value, here.value};
   }
 
-  // Computes a damped Newton step inside the box. A coordinate on an edge stays there if the sum falls towards outside.
+  // Computes a damped Newton step inside the box. A coordinate on an edge of the box stays there if the sum decreases
+  // in the direction out of the box.
   void propose(Matrix const& H, Vector const& g, double damping, std::span<double> point) const {
     std::ranges::copy(here_.x, point.begin());
     std::vector<Index> free;

@@ -22,9 +22,9 @@ namespace isolaw::opt {
 
 struct MultistartOptions {  // campaign::setting_table() holds the limits of each option
   int least_starts = 16;    // number of descents if three quarters of the scattered starts are hits
-  // Number of descents if a smaller share of the scattered starts are hits. A third of it suffices after a dozen hits
-  // if two fifths of the scattered starts are hits. Otherwise the number rises by a third if half of the scattered
-  // starts end within ten hit tolerances of the best value.
+  // Number of descents if less than three quarters of the scattered starts are hits. A third of this number suffices
+  // after a dozen hits if two fifths of the scattered starts are hits. Otherwise the number rises by a third if half of
+  // the scattered starts end within ten hit tolerances of the best value.
   int starts = 72;
   int hits = 3;                    // the search continues until it has this many hits
   double hit_tolerance = 5e-4;     // relative distance of a hit from the best value

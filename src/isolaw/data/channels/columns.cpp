@@ -364,8 +364,8 @@ class Resolver {
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
   }
 
-  // Some machines name their channels after their own axis, as in "Axial Force". If no name means a horizontal channel,
-  // such a column is taken. The machine's only actuator is then the one that shears the device.
+  // Some machines name their channels after their own axis, as in "Axial Force". Takes such a column if no column has
+  // the name of a horizontal channel: the machine's only actuator must then be the one that shears the device.
   std::vector<std::size_t> own_axis_candidates(Channel channel) {
     if (channel != Channel::disp && channel != Channel::force) return {};
     auto found = columns_where([&](auto const& text) {
@@ -406,7 +406,8 @@ class Resolver {
     return found;
   }
 
-  // Without names, displacement cannot be distinguished from force, nor time from a counter.
+  // Complains that the columns have no names: without names, displacement cannot be distinguished from force, nor time
+  // from a counter.
   void report_nameless(Channel channel) {
     bool const both = both_wanted() && !asked_for(Channel::disp) && !asked_for(Channel::force);
     if (both && channel == Channel::force) return;  // the complaint about displacement also names force
@@ -656,7 +657,7 @@ class Resolver {
          stated_unit(column.index));
   }
 
-  // `stated` is the unit that the file states for the column, or empty.
+  // Notes the column that was taken for a channel. `stated` is the unit that the file states for the column, or empty.
   void take(Channel channel, Column const& column, std::string text, std::string_view stated) {
     auto taken = decision(FindingKind::column_taken, std::move(text));
     taken.words.push_back({"channel", std::string(name(channel))});

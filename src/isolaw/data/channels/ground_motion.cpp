@@ -35,7 +35,7 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
   return number_in<double>(line.substr(0, line.find_first_of(" \t,;")));
 }
 
-// The statements in the head of an agency's file about the values below it.
+// Facts about the acceleration values that the head of an agency's file states above them.
 struct Agency {
   std::string_view format;
   std::size_t first = 0;             // index of the first line after the head
@@ -190,7 +190,8 @@ std::optional<Agency> smc_header(LineList const& lines) {
                 .off_zero = as_recorded};
 }
 
-// `component` counts from 1 and is given as the end of a file's name, FILE#2.
+// Reads the head with the format of each agency in turn; nullopt if none fits. `component` counts from 1. The user
+// writes it at the end of the file's name, as in FILE#2.
 std::optional<Agency> agency_header(LineList const& lines, std::string const& name,
                                     std::optional<std::size_t> component) {
   std::vector<Agency> found;
@@ -224,7 +225,7 @@ std::string not_numbers(std::size_t bad, std::string_view first) {
                   : fmt::format("{} values that are no numbers, the first of them {}", bad, in_quotes(first));
 }
 
-// Cuts a line into values, by their width or at blanks.
+// Cuts a line into values of `width` characters each, or at blanks if `width` is 0.
 void cut(std::string_view line, std::size_t width, std::vector<std::string_view>& cells) {
   if (width == 0) return split_cells(line, ' ', cells);
   cells.clear();
@@ -307,10 +308,11 @@ GroundMotion read_agency(LineList const& lines, Agency header, std::string const
 
 struct MotionColumns {
   std::optional<std::size_t> time, acceleration;
-  double time_s = 1.0, unit_mm_s2 = 1.0;  // the file's units, in s and in mm/s2
+  double time_s = 1.0, unit_mm_s2 = 1.0;  // the sizes of the file's units, in s and in mm/s2
 };
 
-// `first_is_time`: the first of two columns without a header is time.
+// Finds the columns of time and acceleration, and their units. `first_is_time` says that the first of two columns
+// without a header is time.
 MotionColumns motion_columns(Header const& header, std::size_t count, bool first_is_time, std::string const& name,
                              StatedMotion const& stated) {
   MotionColumns columns;
@@ -364,13 +366,13 @@ MotionColumns motion_columns(Header const& header, std::size_t count, bool first
   return columns;
 }
 
-// Says between which two samples the step first differs clearly from the usual one (the median). If it does so nowhere,
-// names the step that ends at the sample with index `otherwise`.
+// Returns a text that says between which two samples the step first differs clearly from the usual one (the median). If
+// it differs nowhere, the text names the step that ends at the sample with index `otherwise`.
 std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwise) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
   double const usual = num::median(steps);
-  constexpr double off = 0.2;  // twice the rounding that step_of() allows a time, because a step has two times
+  constexpr double off = 0.2;  // twice what equally_spaced() allows a time: a step lies between two times
   auto const found = std::ranges::find_if(steps, [&](double s) { return std::abs(s - usual) > off * std::abs(usual); });
   auto const i = found == steps.end() ? otherwise : static_cast<std::size_t>(found - steps.begin()) + 1;
   return fmt::format(
@@ -379,8 +381,8 @@ std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwis
       i, time_s[i - 1], i + 1, time_s[i], usual);
 }
 
-// The index of the first time that is not equally spaced from those before it, or their number. A file may round each
-// time, for example to three decimals.
+// Compares the times with equal steps from the first time on. Returns the index of the first time that is off, or
+// time_s.size() if none is. A file may round each time, for example to three decimals.
 std::size_t equally_spaced(std::vector<double> const& time_s, double step) {
   constexpr double allowed = 0.1;  // a time may be off by this fraction of a step
   for (std::size_t i = 0; i < time_s.size(); ++i)

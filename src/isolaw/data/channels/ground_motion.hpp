@@ -25,7 +25,7 @@ struct GroundMotion {
   double step_s = 0.0;
   std::vector<double> acceleration_mm_s2;  // the first value is at time 0
   std::string recognised;                  // one sentence on how the file was read
-  std::optional<double> zero_mm_s2 = {};   // the mean that was subtracted from values as an instrument gave them
+  std::optional<double> zero_mm_s2 = {};   // mean of uncorrected values (the instrument's zero), which was subtracted
 };
 
 // The time step and the unit of acceleration that the user states for a file which does not state them. If the file
@@ -33,12 +33,12 @@ struct GroundMotion {
 struct StatedMotion {
   std::optional<double> step_s = {};
   std::optional<std::string> unit = {};
-  // The names of the two options or keys in messages, and the place where they stand. They are empty if the user has
-  // none.
+  // For messages: the two options or keys by which the user can state the step and the unit, and where these stand.
+  // Empty if the user cannot state them.
   std::string_view how_step = {}, how_unit = {}, where = {};
 };
 
-// The two options that set the StatedMotion at `place`.
+// The two options that set the time step and the unit. `place` returns the StatedMotion in a Target.
 template <class Target, class Access>
 std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::string_view unit_key, Access place) {
   return {number<Target>(step_key, "time step in seconds, for motions whose files do not state it",
@@ -56,10 +56,10 @@ std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::str
 }
 
 // Reads an acceleration history. A file of an agency may hold several components. `component`, from 1, chooses one of
-// them; in a file's name it stands behind a #, as in FILE.V2#2. A file without a header may consist of rows of time in
-// s and acceleration if the unit is stated, or of rows of one number if the step is stated too. The first of two
-// columns without a header is the time if its steps are equal or if the step is stated. Throws Error for values that
-// are no numbers, unequal time steps, no or several columns of acceleration, or missing samples.
+// them; in a file's name it stands behind a #, as in FILE.V2#2. A file without a header may have two columns, time in s
+// and acceleration, if `stated` has the unit. It may have one column of accelerations if `stated` has the step too. The
+// first of two columns without a header is the time if its steps are equal or if `stated` has the step. Throws Error
+// for values that are no numbers, unequal time steps, no or several columns of acceleration, or missing samples.
 GroundMotion read_ground_motion(std::filesystem::path const& file, StatedMotion const& stated = {});
 GroundMotion read_ground_motion_text(std::string_view bytes, std::string const& name, StatedMotion const& stated = {},
                                      std::optional<std::size_t> component = {});

@@ -123,7 +123,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
     if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // no time is read from this file
-    auto const time_unit = more.units.extract(Channel::time);        // used if the file states no unit
+    auto const time_unit = more.units.extract(Channel::time);        // serves a time column without a unit in this file
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),
@@ -143,7 +143,8 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
-  // If no file has several sheets or tests to choose from, the first file accepts or refuses --sheet and --test.
+  // If no file has several sheets or tests to choose from, the first file is read with --sheet and --test, which may
+  // fit its only sheet or test or be refused.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);

@@ -9,10 +9,12 @@
 
 namespace isolaw::data {
 
-// Removes from `options` the channels that are in other files. Returns these files, each with its own options.
+// Moves the channels that the user takes from other files out of `options`. Returns these files, each with its own
+// options.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
-// Does not check the record's values. Throws Error if a file cannot be read, or if the files do not belong together.
+// Reads `file` and the files `others` and joins their channels. Does not check the values. Throws Error if a file
+// cannot be read, or if the files do not belong together.
 RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
                        std::map<std::string, ReadOptions> const& others);
 

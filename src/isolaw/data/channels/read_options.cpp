@@ -134,7 +134,7 @@ bool is_record_name(std::string_view file) {
   return std::ranges::any_of(record_extensions, [&](auto ending) { return small.ends_with(ending); });
 }
 
-// Whether the text before a colon names a file: by its ending, or because there is such a file.
+// Whether the text before a colon is the name of a file: it has a usual ending, or a file of this name exists.
 static bool names_a_file(std::string_view file) {
   constexpr std::array<std::string_view, 8> further{".out", ".res", ".prn", ".log", ".tab", ".data", ".rpt", ".ascii"};
   auto const small = lower(file);

@@ -26,7 +26,7 @@ struct Corrections {
   void validate() const;  // throws Error that names the options
 };
 
-// An option that the user does not give is recognised from the file.
+// How to read a file. isolaw recognises from the file what the user does not state here.
 struct ReadOptions {
   std::map<Channel, std::string> columns;          // name or number from 1; "none": leave the channel out
   std::map<Channel, std::string> units;            // "cm", "tonf", ...; others are read from the header
@@ -43,14 +43,14 @@ struct ReadOptions {
   std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
   bool half_cycles = false;          // swings that belong to no full cycle count as half cycles
   Corrections corrections;           // options --skew-ms and so on
-  bool checks_physics = true;        // refuse a record whose loops give out energy instead of dissipating it
+  bool checks_physics = true;        // refuse a record whose loops supply energy instead of dissipating it
 
   bool operator==(ReadOptions const&) const = default;
 };
 
 // The same options without the corrections that the user asked for, to read the record as it was measured. nullopt if
-// there are no corrections. The factor of the force stays, because it says what the rig measures. Physics is not
-// checked, because only the corrections may have made the loops possible.
+// there are no corrections. Keeps the factor of the force, because it says what the rig measures. Switches the check of
+// physics off, because the loops may be possible only with the corrections.
 std::optional<ReadOptions> without_corrections(ReadOptions options);
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the

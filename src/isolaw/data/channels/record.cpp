@@ -23,7 +23,7 @@ bool TestRecord::counts_half_cycles() const {
 }
 
 std::size_t SignalFault::longest() const {
-  constexpr double most = 1e15;  // a damaged store may hold any number
+  constexpr double most = 1e15;  // a damaged store may hold a number that is too large for std::size_t
   return static_cast<std::size_t>(std::min(most, std::max(1.0, finding.number("longest_samples"))));
 }
 

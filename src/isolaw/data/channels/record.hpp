@@ -19,7 +19,7 @@ struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
   std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
-  Finding finding = {};              // counts samples from 1; has times if the record has time
+  Finding finding = {};              // numbers samples from 1; gives times too if the record has time
 
   std::size_t longest() const;  // samples of its longest plateau; 1 for faults of single samples
   bool is_outside() const { return !finding.word("outside").empty(); }  // see Properties::faults
@@ -41,7 +41,7 @@ struct TestRecord {
   std::vector<double> force_kN;
   std::vector<double> load_kN;
   std::vector<double> logged_cycle = {};    // the logger's number of the cycle at each sample; mostly empty
-  std::vector<double> second_disp_mm = {};  // across disp_mm, in a test in two directions; drawn, but not stored
+  std::vector<double> second_disp_mm = {};  // at right angles to disp_mm, in tests in two directions; drawn, not stored
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
@@ -57,11 +57,11 @@ struct TestRecord {
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
-  bool counts_half_cycles() const;  // ReadOptions::half_cycles, as the store keeps it
+  bool counts_half_cycles() const;  // ReadOptions::half_cycles; read from `recognised`, which the store keeps
 };
 
-// True if a correction that the user asked for changed the record. A factor of the force does not count: it says what
-// the rig measures, such as two devices in double shear. A repair of spikes that found none does not count either.
+// True if a correction that the user asked for changed the record. A factor of the force does not count, because it
+// says what the rig measures, such as two devices in double shear. A repair that found no spikes does not count either.
 bool is_corrected(TestRecord const& record);
 
 // Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
@@ -97,10 +97,11 @@ struct TestRange {  // the samples of one test, from `first` to before `end`
 // The tests of a record with `samples` samples, whose tests begin at `starts`; empty `starts` stand for one test.
 std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::size_t samples);
 
-// The faults that lie in `range`, with their samples counted from its first sample.
+// The faults that lie in `range`. Their sample numbers count from the first sample of the range.
 std::vector<SignalFault> faults_in(TestRange const& range, std::span<SignalFault const> faults);
 
-// One record for each test, which has all of the record's options and findings, and the faults that lie in the test.
+// Splits a record into one record for each test. Each has all options and findings of `record`, and the faults in its
+// test.
 std::vector<TestRecord> tests_of(TestRecord const& record);
 std::vector<FitRecord> tests_of(FitRecord const& record);
 

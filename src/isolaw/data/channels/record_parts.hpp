@@ -17,8 +17,8 @@ struct Span {
 };
 
 // The samples from options.from_s to options.to_s. Returns nullopt, with a complaint, if there are none or if the time
-// passes through this interval more than once. Messages write `dashes` before "from" and "to": the options of a motion
-// are called --motion-from and --motion-to.
+// passes through this interval more than once. `dashes` is what messages write before "from" and "to"; for a motion,
+// whose options are --motion-from and --motion-to, it is "--motion-".
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");
@@ -42,8 +42,8 @@ std::vector<double>& values_of(TestRecord& record, Channel channel);
 
 void append(std::vector<Finding>& findings, std::vector<Finding> const& more);
 
-// Adds the channels of `other` to `main`. Interpolates them at main's times if both files have times of one kind,
-// seconds or time stamps; else joins the files row by row.
+// Adds the channels of `other` to `main`. If both files have seconds, or both have time stamps, interpolates the
+// channels at main's times. Otherwise joins the files row by row.
 void join_channels(RecordPart& main, RecordPart other);
 
 }  // namespace isolaw::data

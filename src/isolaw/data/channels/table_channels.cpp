@@ -58,8 +58,8 @@ double time_of_row(std::size_t sample, ReadOptions const& options) {
 }
 
 // Leaves out the rows in which a channel has no value, or fills them by linear interpolation. Always leaves out rows
-// without a time or a cycle number, and rows before a channel's first value or after its last. Returns the place of
-// each kept row among all rows, from 0.
+// without a time or a cycle number, and rows before a channel's first value or after its last. Returns the index that
+// each kept row had among all rows.
 std::vector<std::size_t> settle_missing(Rows& rows, MissingValues missing) {
   auto const count = rows.numbers.size();
   std::vector<std::size_t> places(count);

@@ -43,7 +43,7 @@ std::string starts_of(Tests const& tests) {
 
 }  // namespace
 
-// Recognises the format by the first bytes, because users rename files.
+// Recognises the format by the first bytes and not by the file's name, because users rename files.
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options, Wanted wanted) {
   auto const& sheet = options.sheet;
   if (is_zip(bytes)) return workbook_tests(bytes, file, sheet);
@@ -86,7 +86,7 @@ void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions 
   bool const columns_told = columns_are_told(options, wanted);
   bool const by_name = tests.tables.front()->header().by_name;
   auto sheets = tests.sheets;
-  if (columns_told)  // a sheet whose columns have no names may then be the test too
+  if (columns_told)  // if the user names the columns, a sheet without column names may be the test too
     sheets.insert(sheets.end(), tests.sheets_passed_over.begin(), tests.sheets_passed_over.end());
   if (options.sheet || sheets.size() < 2 || (by_name && columns_told)) return;
   throw Error(Complaint{

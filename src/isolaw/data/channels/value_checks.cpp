@@ -22,8 +22,8 @@ bool is_sentinel(double size) {
   return std::ranges::find(sentinels, size) != sentinels.end();
 }
 
-// The 99.9th percentile of |value| without markers such as 9999 or 1e30, but at most the fourth largest, because three
-// values may be overloads.
+// The size of ordinary values: the 99.9th percentile of |value| without markers such as 9999 or 1e30. It is at most the
+// fourth largest, because up to three values may be overloads.
 std::optional<double> ordinary_size(std::span<double const> values) {
   std::vector<double> sizes;
   sizes.reserve(values.size());

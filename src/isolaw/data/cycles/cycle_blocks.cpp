@@ -13,17 +13,17 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double nominal = 0.05;          // fraction of the block's amplitude; a counted cycle differs by less
-constexpr double least_change = 0.05;     // fraction of the period; a larger change splits a block
-constexpr double clear_change = 0.20;     // fraction of the period; used if only one cycle precedes the change
-constexpr double agreement = 0.25;        // fraction of the change; periods on each side of it scatter by less
-constexpr std::size_t compared = 3;       // at most this many cycles before a change are compared
-constexpr double far_period = 1.4;        // ratio to the block's period; a cycle farther off does not count
-constexpr double other_load = 0.1;        // fraction of the vertical load; a larger change splits a block
-constexpr double build_up = 0.15;         // fraction of the amplitude; a lone cycle closer to a run of cycles joins it
-constexpr double symmetric = 0.05;        // Shape::unevenness; a lone cycle that is more even is a block of its own
-constexpr double lopsided = 0.25;         // fraction of the amplitude; the middle of a regular cycle shifts by less
-constexpr std::size_t sure_run = 3;       // cycles; fewer may be alike by chance
+constexpr double nominal = 0.05;       // fraction of the block's amplitude; a counted cycle differs by less
+constexpr double least_change = 0.05;  // fraction of the period; a larger change splits a block
+constexpr double clear_change = 0.20;  // fraction of the period; used if only one cycle precedes the change
+constexpr double agreement = 0.25;     // fraction of the change; periods before it scatter by less, and those after it
+constexpr std::size_t compared = 3;    // at most this many cycles before a change are compared
+constexpr double far_period = 1.4;     // ratio to the block's period; a cycle farther off does not count
+constexpr double other_load = 0.1;     // fraction of the vertical load; a larger change splits a block
+constexpr double build_up = 0.15;    // fraction of the amplitude; a lone cycle this close to a run's amplitude joins it
+constexpr double symmetric = 0.05;   // Shape::unevenness; a lone cycle that is more even is a block of its own
+constexpr double lopsided = 0.25;    // fraction of the amplitude; between regular cycles, the middle shifts less
+constexpr std::size_t sure_run = 3;  // cycles; the amplitudes of fewer may agree by chance
 constexpr std::size_t longest_taper = 2;  // cycles; a test builds up or fades within this many
 
 struct Run {
@@ -113,7 +113,8 @@ std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const&
   return parts;
 }
 
-// Splits runs where the vertical load changes. If another cycle follows in the run, its load must have changed too.
+// Splits runs where the vertical load changes. The load of the next cycle in the run, if there is one, must have
+// changed too, so that one odd load does not split a run.
 std::vector<Run> split_by_load(std::vector<Shape> const& shapes, std::vector<Run> const& runs) {
   double largest = 0.0;
   for (auto const& shape : shapes) largest = std::max(largest, std::abs(shape.load_kN));
@@ -168,7 +169,8 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// Whether the middle between a cycle's extremes is close to that of the neighbouring cycle. It may drift, but not jump.
+// Whether the middle between a cycle's extremes is close to that of the neighbouring cycle. In a regular cycle it may
+// drift slowly, but not jump.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
@@ -286,10 +288,10 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
   return any ? period : 0.0;
 }
 
-// Replaces the numbers of a block's counted cycles by the logger's numbers, if these rise. `before` is the logger's
-// number of the last counted cycle of the block before. If the logger goes on counting from there, the numbers are
-// shifted so that the first cycle of this block, counted or not, has number 1. Returns the logger's number of the last
-// counted cycle, or 0 if the logger's numbers are not used.
+// Numbers a block's counted cycles as the logger did, if the logger's numbers rise. `before` is the logger's number of
+// the last counted cycle of the block before. If the logger goes on counting from `before` in this block, the numbers
+// are shifted so that the first cycle of the block, counted or not, has number 1. Returns the logger's number of the
+// last counted cycle, or 0 if the logger's numbers are not used.
 int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
   std::vector<std::size_t> counted;
   for (auto i = begin; i < cuts.size(); ++i)

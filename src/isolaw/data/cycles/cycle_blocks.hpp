@@ -22,7 +22,7 @@ struct Shape : CycleCut {
   double load_kN = 0.0;          // mean vertical load between the two tips; 0 if it is not known
   double load_scatter_kN = 0.0;  // standard deviation of the load between the two tips
   int logged = 0;                // the logger's number of the cycle; 0 if it has none
-  bool jumps = false;            // the logger left out cycles within this one, so its loop is not closed
+  bool jumps = false;            // the logger left out cycles within this one, so its loop is made of two cycles
   double rest_before = 0.0;      // time near the centre before the cycle, in the unit of period
   bool regular = false;          // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
   bool has_gap = false;          // the time jumps within the cycle

@@ -26,8 +26,9 @@ constexpr double off_centre = 0.05;       // times the amplitude; a middle close
 constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
 constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
 constexpr double as_large = 0.05;  // times the amplitude; amplitudes that differ by less repeat each other
-// Cycles that repeat an amplitude or are symmetric must make up this share of the whole travel. Cyclic tests reach 0.9.
-// Among 1000 irregular responses of linear oscillators, ten reach 0.64 and one reaches 0.80.
+// In a cyclic record, cycles that repeat an amplitude or are symmetric make up at least this fraction of the travel
+// (the way that the device moves in all). Cyclic tests reach 0.9. Among 1000 irregular responses of linear oscillators,
+// ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
 // A test may consist of half cycles each of which is larger than the one before, by a factor from least_growth to
 // largest_growth. A ground motion does not grow like this over fewest_growing half cycles.
@@ -258,7 +259,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
       return std::ranges::upper_bound(motion.turns, index, {}, [](std::size_t i) { return static_cast<double>(i); });
     };
     auto const inside = after(part.last) - after(part.first);
-    constexpr auto usual = 2;  // turns in a part of a cycle
+    constexpr auto usual = 2;  // a part of a cycle hardly has more turns
     if (inside > usual) part.not_counted += fmt::format("; {} turns of the motion lie within it", inside);
     all.push_back(std::move(part));
   }
@@ -267,7 +268,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Each excursion to the side of the first motion starts with a crossing of the centre in that direction.
+  // Counts the crossings of the centre in the direction of the first motion: each starts an excursion to that side.
   auto const first = std::ranges::find(motion.excursions, false, &Excursion::starts_open);
   auto const crossings = std::count_if(first, motion.excursions.end(), [&](Excursion const& excursion) {
     return excursion.positive == first->positive;
@@ -297,8 +298,8 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, tapers, regular_ends(),
-// and the first and the last swing.
+// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, the cycles with which a
+// test builds up or fades (tapers), regular_ends(), and the first and the last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -402,7 +403,8 @@ std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<Cycl
     for (auto cut = std::ranges::lower_bound(full, first, {}, &CycleCut::last); cut != full.end() && cut->first < last;
          ++cut)
       in_full += std::abs(value_at(x, std::min(cut->last, last)) - value_at(x, std::max(cut->first, first)));
-    constexpr double half = 0.5 + 1e-6;  // of the way; the cut of a cycle at the centre is interpolated
+    // a swing with more than this part of its way in full cycles belongs to them; cuts at the centre are interpolated
+    constexpr double half = 0.5 + 1e-6;
     bool const belongs = in_full > half * way || has_gap(motion.gaps, first, last) ||
                          (k == 0 && is_no_turn(turns[0])) || (k + 2 == turns.size() && is_no_turn(turns[k + 1]));
     if (!belongs) {
@@ -454,11 +456,11 @@ Segmentation with_half_cycles(Segmentation segmentation, Motion const& motion) {
   return segmentation;
 }
 
-// If the time jumps where one excursion ends and the next begins, the first is cut off before the jump and the next
-// begins after it, because the motion in between is not known.
+// If the time jumps where one excursion ends and the next begins, ends the first one before the jump and begins the
+// next one after it, because nobody knows the motion in between.
 void part_at_gaps(Motion& motion) {
   for (auto const& gap : motion.gaps) {
-    if (gap.taken_s >= gap.length_s) continue;  // a rest that was not recorded
+    if (gap.taken_s >= gap.length_s) continue;  // the logger only skipped a rest
     auto const after = static_cast<double>(gap.after);
     constexpr double rounding = 0.5;  // samples by which the boundary of two excursions may lie after the gap
     auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
@@ -470,7 +472,7 @@ void part_at_gaps(Motion& motion) {
   }
 }
 
-// Cuts a test into full cycles and parts of cycles, and sets what `motion` lacks.
+// Cuts a test into full cycles and parts of cycles. Fills the members of `motion`, which with_half_cycles() needs.
 Segmentation cut_full(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further,
                       Motion& motion) {
   auto gaps = time_gaps(disp_mm, time_s);
@@ -535,9 +537,9 @@ Segmentation cut_test(std::span<double const> disp_mm, std::span<double const> t
 
 }  // namespace
 
-// Uses fourth differences, in which white noise grows by sqrt(70) and a sine of 20 samples per cycle shrinks to a
-// hundredth. The median size of normally distributed noise is 0.6745 standard deviations. A missing value counts as
-// large, because nth_element cannot sort NaN.
+// Uses fourth differences: they magnify white noise by sqrt(70), and shrink a sine of 20 samples per cycle to a
+// hundredth, so that hardly anything but noise is left. The median size of normally distributed noise is 0.6745
+// standard deviations. A missing value counts as large, because nth_element cannot sort NaN.
 double noise_deviation(std::span<double const> x) {
   if (x.size() < 16) return 0.0;
   std::vector<double> sizes(x.size() - 4);

@@ -1,14 +1,18 @@
-// Cuts a cyclic test into cycles, from displacement alone. A swing from one extreme to the next is taken as motion
-// only if it is at least twice as large as a band, which is one hundredth of the half range, or five standard
-// deviations of the noise if that is more (at most 5 % of the half range). A small interruption of a large swing is
-// ignored. Cycles are cut where displacement crosses its centre in the direction in which the test, or a part of it
-// after a rest, starts (data/cycles/excursions.hpp). A test in stages to one side is cut where it comes back to its
-// start. A motion that starts, turns or rests near the centre is cut at that sample. The centre is zero unless the
-// record is clearly off zero. data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count,
-// that is, enter the results. On request each swing of which no more than half lies in full cycles is a half cycle, in
-// a block of half cycles; it replaces the partial cycles there, and the cycles of a record that is not cyclic. The
-// first and the last sample are turns of the motion only at zero or at the centre, where tests start and end. A period
-// leaves out the time in which the device stands still (data/cycles/holds.hpp).
+// Cuts a cyclic test into cycles, from displacement alone.
+// - Noise: a swing from one extreme to the next is taken as motion only if it is at least twice as large as a band. The
+//   band is one hundredth of the half range, or five standard deviations of the noise if that is more, but at most 5 %
+//   of the half range. A small interruption of a large swing is ignored.
+// - Cuts: cycles are cut where displacement crosses its centre in the direction in which the test, or a part of it
+//   after a rest, starts (data/cycles/excursions.hpp). A motion that starts, turns or rests near the centre is cut at
+//   that sample. The centre is zero unless the record is clearly off zero. A test in stages to one side is cut where it
+//   comes back to its start.
+// - Blocks: data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count, that is, enter the
+//   results.
+// - Half cycles, if FurtherChannels::half_cycles asks for them: each swing of which at most half lies in full cycles
+//   becomes a half cycle. Half cycles form blocks of their own. They replace the partial cycles that they overlap and,
+//   in a record that is not cyclic, all cycles that they overlap. The first and the last sample count as turns of the
+//   motion only at zero or at the centre, because tests start and end there.
+// - A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 
 #include <cstddef>
@@ -28,7 +32,7 @@ struct CycleCut {
   bool partial = false;     // less than a cycle: an end of the record cuts it off, or it goes to one side only
   double first = 0.0;       // start and end, as fractional sample indices
   double last = 0.0;
-  bool turns_at_start = false;  // at its start the motion turns at the centre, or starts from rest
+  bool turns_at_start = false;  // at its start, the motion turns at the centre or begins from rest
   bool turns_at_end = false;
   bool half = false;           // a swing from one turn of the motion to the next that belongs to no full cycle
   bool one_sided = false;      // to one side only, from a turn of the motion to the next on the same side
@@ -47,7 +51,7 @@ struct Segmentation {
 
 struct FurtherChannels {                      // the channels may be empty
   std::span<double const> load_kN = {};       // vertical load; where it changes, a new block begins
-  std::span<double const> logged_cycle = {};  // the logger's number of the cycle; cycles are numbered by it
+  std::span<double const> logged_cycle = {};  // the logger's number of the cycle at each sample; cycles take it over
   bool half_cycles = false;                   // swings that belong to no full cycle become half cycles, which count
 };
 // If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
@@ -56,21 +60,23 @@ struct FurtherChannels {                      // the channels may be empty
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {},
                      std::span<std::size_t const> starts = {}, FurtherChannels const& further = {});
 
-// `at` holds the first sample, the reversals and the last extreme. It is empty if there is no motion.
+// The turning points of a motion. `at` holds the first sample, the reversals and the last extreme. It is empty if there
+// is no motion.
 struct Reversals {
   std::vector<std::size_t> at;
   double band_mm = 0.0;  // see Segmentation
 };
 Reversals reversals(std::span<double const> disp_mm);
 
-// Sample index of each peak: the middle of the time that displacement spends beyond nine tenths of the amplitude. Noise
-// hardly moves this middle.
+// Where the largest and the smallest displacement lie, as fractional sample indices. Each is the middle of the time
+// that displacement spends beyond nine tenths of the amplitude, because noise hardly moves this middle.
 struct PeakPositions {
   double largest = 0.0;
   double smallest = 0.0;
 };
 PeakPositions peak_positions(std::span<double const> disp_mm, double first, double last);
-// Standard deviation of white noise in a signal of 20 or more samples per cycle; 0 for fewer than 16 samples in all.
+// Standard deviation of the white noise in a signal. It is right for 20 or more samples per cycle. 0 if there are fewer
+// than 16 samples in all.
 double noise_deviation(std::span<double const> values);
 double value_at(std::span<double const> values, double index);
 double half_range(std::span<double const> values);  // half the difference of the extremes; 0 without values

@@ -1,8 +1,10 @@
 // An excursion is a motion to one side of the centre and back. It ends where the motion crosses the centre, or comes
-// back to it and turns there. Two excursions to opposite sides make a cycle. An excursion after the start, a rest or a
-// turn is left out as a pre-load if its reach is less than a fifth of the next one's. It is also left out if the next
-// two are alike and it differs from them in reach (by 15 %) or in the time in which it falls (by a factor of 1.5). An
-// excursion that ends a series of like ones, and differs so from the next two, is left out as half a cycle.
+// back to it and turns there. Its reach is the distance of its tip, the sample farthest from the centre, from the
+// centre. Two excursions to opposite sides make a cycle. Some excursions belong to no cycle:
+// - A pre-load: an excursion after the start, a rest or a turn whose reach is less than a fifth of the next one's. Also
+//   one after which two alike excursions follow, from which it differs in reach (by 15 %) or in the time in which it
+//   falls (by a factor of 1.5).
+// - Half a cycle: an excursion that ends a series of alike ones and differs in the same way from the next two.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ constexpr double noise_band = 8.0;   // the extremes of a hold may be this many 
 constexpr double too_noisy = 0.3;    // fraction of the amplitude; with more noise, holds are not sought
 constexpr double least_hold = 0.15;  // fraction of the period; a hold lasts longer
 constexpr double least_stretch = 0.02;  // fraction of the cycle's samples; a hold has more
-constexpr double clear_edges = 0.9;     // fraction of a hold that must remain when its ends outside `edge` are cut off
+constexpr double clear_edges = 0.9;     // fraction of a hold; its unclear ends are cut off only if so much remains
 constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 

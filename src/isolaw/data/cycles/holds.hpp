@@ -13,8 +13,8 @@ struct Stretch {
   std::size_t last = 0;
   std::size_t size() const { return last - first; }
 };
-// The stretches in [begin, end) within which x varies by at most `width`, each as long as it can be, but at least
-// `least` intervals. They may overlap. Takes O(n).
+// The longest stretches of samples in [begin, end) within which x varies by at most `width`. Only stretches of at least
+// `least` intervals are returned; they may overlap. Takes O(n).
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least);
 

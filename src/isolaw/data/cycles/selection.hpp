@@ -11,7 +11,8 @@
 
 namespace isolaw::data {
 
-// Numbers of blocks or cycles: "3", "2-5", "4-" (up to the last), or several of these separated by commas.
+// Numbers of blocks or cycles that the user selects: "3", "2-5", "4-" (up to the last), or several of these with
+// commas.
 struct Numbers {
   struct Range {
     int first = 1;

@@ -28,8 +28,8 @@ struct SwingSizes {
 // The swings of the record in which the objective counts every sample.
 std::vector<Swing> scored_swings(FitRecord const& record);
 
-// Swings with a sample that the objective does not count are left out. `weighting` must be the one that made the
-// records' weights; empty weights stand for Weighting::time.
+// Sorts the swings of `tests` by size. Leaves out swings with a sample that the objective does not count. `weighting`
+// must be the one that made the records' weights; records without weights were made with Weighting::time.
 SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting);
 
 }  // namespace isolaw::data

@@ -41,8 +41,8 @@ double duration(std::span<double const> time_s, std::size_t first, std::size_t l
   return time_s.empty() ? static_cast<double>(last - first) : time_s[last] - time_s[first];
 }
 
-// The length of each interval between samples, or 0 while the motion rests (see swings.hpp). A rest must take more than
-// a quarter of its swing, because around the turns of a slow swing the motion also changes little for a while.
+// The length of each interval between samples, or 0 while the motion rests (see swings.hpp). Around the turns of a slow
+// swing the motion also changes little for a while, so a rest must take more than a quarter of its swing.
 std::vector<double> moving_intervals(std::span<double const> x, std::span<double const> time_s,
                                      std::span<std::size_t const> turns, double range) {
   constexpr double least_part = 0.25;

@@ -17,8 +17,9 @@ struct Swing {
 
 // A sample is a turning point if the motion comes back from it by 5 % of half its range. If several equal samples form
 // the extreme, the first is the turning point. The first and the last sample of a record are never turning points. A
-// motion with fewer than two turning points has no swings. A stretch that stays within 1 % of the range for longer than
-// the median swing counts as rest in each swing of which it takes more than a quarter. time_s may be empty.
+// motion with fewer than two turning points has no swings. The motion rests while it stays within 1 % of its range for
+// longer than the median swing lasts. A rest is left out of Swing::duration if it takes more than a quarter of the
+// swing. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
 // Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.
@@ -35,7 +36,7 @@ std::string_view name(Weighting weighting);
 // of Weighting::time.
 std::vector<double> sample_weights(std::span<double const> disp_mm, std::span<double const> time_s,
                                    Weighting weighting);
-// The part of these weights that lies within some of the motion's swings.
+// The weights that sample_weights() gives if only the intervals within the swings `some` count.
 std::vector<double> weights_within(std::span<Swing const> some, std::span<double const> disp_mm,
                                    std::span<double const> time_s, Weighting weighting);
 

@@ -154,7 +154,8 @@ constexpr Translation translations[]{{"加速度", "acceleration"},
                                      {"응력", "stress"},
                                      {"힘", "force"},
                                      {"번호", "no"},
-                                     // Russian without first letters and endings, which change with capitals and cases
+                                     // Russian words without their first letter, which may be a capital, and their
+                                     // ending, which depends on the case
                                      {"еремещени", "displacement"},
                                      {"мещени", "displacement"},
                                      {"ремя", "time"},

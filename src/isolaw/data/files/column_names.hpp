@@ -20,7 +20,7 @@ ColumnName dissect_name(std::string_view name);
 // The words of a name in lower case, without accents: "DispH_2" -> disp, h, 2. Words in Japanese, Chinese,
 // Korean and Russian are translated.
 std::vector<std::string> name_words(std::string_view name);
-bool is_translated(std::string_view name);  // has words in one of these languages
+bool is_translated(std::string_view name);  // has words in Japanese, Chinese, Korean or Russian
 bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };

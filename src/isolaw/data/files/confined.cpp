@@ -78,7 +78,8 @@ void write_all(int descriptor, std::string_view bytes) {
 
 // Returns why the forked process was given up; empty if the process closed its end of the pipe.
 std::string collect(int input, ConfinedLimits const& limits, std::string& output) {
-  // limits.seconds is processor time. On a busy machine the process also waits for the processor.
+  // limits.seconds is processor time. On a busy machine the process also waits for the processor, so it gets five times
+  // as long by the clock.
   auto const patience = 5 * limits.seconds;
   auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   std::array<char, 1 << 16> buffer;

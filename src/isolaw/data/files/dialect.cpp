@@ -151,7 +151,8 @@ bool ends_with_delimiter(std::string_view line, char delimiter) {
   return last != line.npos && trimmed(line.substr(last + 1)).empty();
 }
 
-// Whether the last column is empty in most rows: these end with the delimiter, and some others have a number after it.
+// Whether the last column is empty in most rows. Such rows end with the delimiter, and a few others have a number after
+// it.
 bool has_sparse_last_column(std::span<std::string_view const> lines, Score const& score, char thousands) {
   std::vector<std::string_view> cells;
   std::size_t longer = 0;

@@ -17,7 +17,8 @@ namespace isolaw::data {
 // A mark that groups digits. The user types a blank as "blank", because files write it as several different characters.
 struct DigitGroup {
   char mark;
-  std::string_view word, typed, said;  // value of the option; the mark as typed in a shell; its name in a sentence
+  // `word`: value of the option; `typed`: as typed in a shell; `said`: in a sentence
+  std::string_view word, typed, said;
 };
 inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},

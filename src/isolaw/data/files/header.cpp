@@ -290,7 +290,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
 }
 
 std::string column_text(std::size_t index, Header const& header) {
-  // The names of all variables may be empty. The header then has none.
+  // If all variables have empty names, header.names is empty.
   if (header.by_name && !header.names.empty()) return "variable " + in_quotes(header.names[index]);
   auto const label = header.lettered ? column_letters(index) : std::to_string(index + 1);
   if (header.names.empty() || header.names[index].empty()) return "column " + label;

@@ -1,6 +1,6 @@
-// Limits how much a file may grow when it is unpacked: thirtyfold, but always to 64 MiB and never beyond 1 GiB. A file
-// with measured channels grows at most tenfold, and one made to fill the memory a thousandfold. A channel of constant
-// values also grows a thousandfold; the 64 MiB are for files with such channels.
+// Limits how large a file may become when it is unpacked: 30 times its size, or 64 MiB if that is more, but at most 1
+// GiB. A file with measured channels grows at most tenfold, and one that is made to fill the memory grows a
+// thousandfold. A channel of constant values also grows a thousandfold; the 64 MiB are for files with such channels.
 #pragma once
 
 #include <cstdint>

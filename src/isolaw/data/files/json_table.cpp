@@ -22,7 +22,7 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_odd_cells = 64;  // cells of a column that are no number and are kept as text
+constexpr std::size_t most_odd_cells = 64;  // a column keeps the texts of this many cells that are no number
 constexpr std::size_t most_words = 10000;   // single texts that are kept because they may be units
 constexpr std::size_t longest_text = 200;
 
@@ -89,9 +89,10 @@ class Handler {
  public:
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
-  std::map<std::string, Branch> parts;                                 // tables by path
-  std::map<std::pair<std::string, std::string>, Word> words;           // texts by path and key of their object
-  std::map<std::string, std::vector<std::string>> lists, passed_over;  // paths of elements by their list's path
+  std::map<std::string, Branch> parts;                        // tables by path
+  std::map<std::pair<std::string, std::string>, Word> words;  // texts by path and key of their object
+  // by the path of a list: the paths of its elements with a table, and of those without one
+  std::map<std::string, std::vector<std::string>> lists, passed_over;
   std::vector<std::string>
       units_dropped;  // lists of units in elements without a table, whose other contents are dropped
   std::string refusal;

@@ -204,7 +204,7 @@ Stored const* stored(std::uint32_t type) {
   return found == table.end() ? nullptr : &*found;
 }
 
-// Called for every array. Returns the slice of its values that is to be read, if any.
+// Called for every array. Returns the slice of the array's values that is to be read, or nullopt to skip the array.
 using Chooser = std::function<std::optional<MatSlice>(MatVariable const&)>;
 
 class Walk {

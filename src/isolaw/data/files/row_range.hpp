@@ -30,7 +30,8 @@ inline constexpr std::size_t least_samples = 3;
 // it. If these are too few, the advice is to export the record again.
 std::string without_row(RowRange const& range, std::size_t row, std::size_t of);
 
-// The same advice for several rows that cannot be read. They must be in rising order and within the range.
+// Advice like that of without_row(), for several rows that cannot be read. They must be in rising order and within the
+// range.
 std::string without_rows(RowRange const& range, std::vector<std::size_t> const& rows, std::size_t of);
 
 }  // namespace isolaw::data

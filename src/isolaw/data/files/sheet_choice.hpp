@@ -13,8 +13,8 @@ inline constexpr std::string_view accepted_formats = "delimited text, .xlsx, .ma
 // Text for messages, such as "sheets 'Test 1', 'Test 2'". Lists at most thirty names.
 std::string sheet_list(std::vector<std::string> const& names, std::string_view what);
 
-// `wanted` is a number from 1 or a name. Upper and lower case matter only if two names differ in nothing else. Messages
-// call a part `what`. Throws Error.
+// Returns the index of the part that the user wants. `wanted` is a number from 1 or a name. Upper and lower case matter
+// only if two names differ in nothing else. Messages call a part `what`. Throws Error if no part fits.
 std::size_t choose_sheet(std::string const& wanted, std::vector<std::string> const& names, std::string const& file,
                          std::string_view what);
 

@@ -91,7 +91,7 @@ class Table {
   Table(Table const&) = delete;
   Table& operator=(Table const&) = delete;
 
-  // The table's place for messages, which add a row's number: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data".
+  // Where the table is, for messages, which add a row's number: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data".
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }
@@ -101,7 +101,7 @@ class Table {
   std::string const& title() const { return title_; }
   DeviceFacts const& device_facts() const { return device_facts_; }
 
-  // The place of a column for messages, such as "d01.mat:dist".
+  // Where a column is, for messages, such as "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   virtual std::vector<Finding> recognised() const = 0;
   // Adds complaints about the table as a whole.

@@ -162,7 +162,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
     char const* name;
     std::string_view mark, comma;  // how the byte order mark and a comma are written
   };
-  // The mark of UTF-16LE begins that of UTF-32LE, so UTF-32 comes first.
+  // The byte order mark of UTF-32LE begins with that of UTF-16LE, so UTF-32 is tried first.
   constexpr std::array encodings{
       Encoding{"UTF-32LE", "\xFF\xFE\0\0"sv, ",\0\0\0"sv}, Encoding{"UTF-32BE", "\0\0\xFE\xFF"sv, "\0\0\0,"sv},
       Encoding{"UTF-16LE", "\xFF\xFE"sv, ",\0"sv}, Encoding{"UTF-16BE", "\xFE\xFF"sv, "\0,"sv}};
@@ -173,7 +173,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
   };
   for (auto const& each : encodings)
     if (bytes.starts_with(each.mark)) return decoded(bytes.substr(each.mark.size()), each);
-  // Without a mark, text that is mostly ASCII shows its encoding by the places of its zeros.
+  // Without a byte order mark, the positions of zero bytes show the encoding of text that is mostly ASCII.
   constexpr std::size_t head = 400, least = 16;
   auto const top = bytes.substr(0, head);
   if (top.size() < least) return std::nullopt;

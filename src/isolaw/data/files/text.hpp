@@ -31,8 +31,9 @@ struct Lines {
 // Lines may end with LF, CRLF or CR in the same file.
 Lines split_lines(std::string_view bytes);
 
-// Text converted from a Japanese, Chinese, Korean, Russian or Turkish encoding, if `names_channels` then finds a
-// channel's name in it.
+// Text converted to UTF-8. decode_legacy() tries Japanese, Chinese, Korean, Russian and Turkish encodings. It takes the
+// first one in which `names_channels` finds a channel's name, because a wrong encoding would hardly produce such a
+// name.
 struct LegacyText {
   std::string utf8;
   std::string_view encoding;

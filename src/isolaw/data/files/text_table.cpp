@@ -101,7 +101,7 @@ class RowReader {
                    fmt::format("below the rows, {} {} text, {}{}, and left out (--footer skip)", where,
                                count == 1 ? "is" : "are", text, count == 1 ? "" : " and so on"),
                    "--footer"));
-    else if (!choice_.range.last)  // a range from --rows ends above the text
+    else if (!choice_.range.last)  // if --rows states a last row, the text below it is left out anyway
       complaints.push_back(
           {fmt::format("{}:{}", place_, first + 1), fmt::format("text below the rows of numbers, {}: {}", where, text),
            "rows of numbers to the end of the file", "--footer skip, which leaves it out and the file as it is"});

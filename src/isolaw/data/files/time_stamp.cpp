@@ -238,7 +238,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
-  bool in_either_order = false;  // day first and month first give the same times; only the first date is uncertain
+  bool in_either_order = false;  // both orders of day and month give these times, but another first date
 };
 
 class DateReader {
@@ -284,8 +284,8 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Takes the order of dates in which times rise in steps of at most 12 hours, if in the other order times go back or
-  // leap farther.
+  // Chooses the order of day and month: the one in which times rise in steps of at most 12 hours, if in the other order
+  // times go back or leap farther.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {

@@ -130,7 +130,7 @@ bool is_power_of_ten(double value) {
 // Finds "/2", "*10", "x10", "2 x", "1:2" and the like.
 std::string factor_hint(std::string_view base) {
   auto const text = plain(base);
-  // A scale such as 1:2. Two words of a digit or two that are joined by a colon may also be a clock or a place in a rack.
+  // Finds a scale such as 1:2. Other ratios, such as 10:30, may be a time of day or a channel's place in a rack.
   if (auto const at = text.find(':'); at != std::string::npos && at == text.rfind(':')) {
     auto const from = text.find_last_of(" (", at) + 1;
     auto const ratio = text.substr(from, text.find_first_of(" )", at) - from);
@@ -145,7 +145,8 @@ std::string factor_hint(std::string_view base) {
     if (division || letter) {
       auto rest = from_here.substr(1);
       auto const factor = take_factor(rest);
-      // "x2" may be the second displacement along x, while "x10" after a name hardly is one.
+      // "x2" may name the second displacement along x. "x10" hardly names a tenth one, so it counts outside brackets
+      // too.
       bool const in_brackets = base.find(fmt::format("({}", from_here.substr(0, 2))) != std::string_view::npos;
       bool const ends = rest.empty() || rest.front() == ' ' || rest.front() == ')';
       if (factor && ends && i > 0 && (division || in_brackets || is_power_of_ten(factor->value)))

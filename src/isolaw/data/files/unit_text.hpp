@@ -35,8 +35,8 @@ bool is_other_quantity(std::string_view unit);
 // doubtful: the mean of several displacement sensors is the device's displacement.
 std::string scale_hint(std::string_view base, Dimension dimension);
 
-// Another unit of the same dimension in that name, as in "Displacement mm [in]"; "" if there is none. Words that may be
-// no unit do not count: "in", single letters, and a unit behind a number, which may be a sensor's range.
+// Another unit of the same dimension in `base`, as "mm" in "Displacement mm [in]"; "" if there is none. Words that may
+// be no unit do not count: "in", single letters, and a unit behind a number, which may be a sensor's range.
 std::string other_unit_in(std::string_view base, Unit const& unit);
 
 }  // namespace isolaw::data

@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
-// Long enough for a name. Longer texts are cut, since a million cells may repeat one and would fill the memory.
+// Long enough for a name. Longer texts are cut, because a million cells may refer to one long text, whose copies would
+// fill the memory.
 constexpr std::size_t longest_cell_text = 200;
 
 struct Sheet {
@@ -152,7 +153,7 @@ std::vector<bool> date_styles(ZipArchive& archive, std::string const& file, std:
   return styles;
 }
 
-// The place that a reference such as "BC12" means, counted from 0.
+// The cell that a reference such as "BC12" means, with indices from 0.
 struct CellPlace {
   std::size_t column;
   std::size_t row;
@@ -207,7 +208,7 @@ class RowWriter {
     in_cell_ = false;
   }
 
-  // A file may leave out rows. A row without a number follows the row before it.
+  // A file may leave out empty rows. A row without a number comes right after the row before it.
   void begin_row(std::string_view number) {
     auto const row = number.empty() ? std::optional(next_row_ + 1) : number_in<std::size_t>(number);
     if (!row || *row == 0 || *row > most_rows)

@@ -47,7 +47,8 @@ class ExpatReader {
     if (status == XML_STATUS_ERROR)
       refuse(fmt::format("is no XML: {} in line {}", XML_ErrorString(XML_GetErrorCode(parser_)),
                          XML_GetCurrentLineNumber(parser_)));
-    // expat keeps an unfinished tag and reads it again with every piece, which would take memory and time.
+    // Refuses a very long tag: expat keeps an unfinished tag and reads it again with every piece, which would take
+    // memory and time.
     if (!last && fed_ - XML_GetCurrentByteIndex(parser_) > longest_tag) refuse("a tag longer than 1 MiB");
   }
 

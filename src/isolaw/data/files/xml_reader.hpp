@@ -1,4 +1,5 @@
-// Reads XML with expat without keeping it. Refuses document types, which could declare entities, and deep nesting.
+// Reads XML with expat and passes it on without keeping it in memory. Refuses document types, which could declare
+// entities, and deep nesting.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,8 @@ class Attributes {
   char const** list_;
 };
 
-// Functions that read_xml() calls with names of elements without their prefix. Empty ones are not called.
+// Functions that read_xml() calls for the parts of a document. The names of elements come without their prefix. A
+// function that is empty is not called.
 struct XmlHandlers {
   std::function<void(std::string_view name, Attributes const& attributes)> start;
   std::function<void(std::string_view name)> end = {};

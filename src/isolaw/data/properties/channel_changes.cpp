@@ -12,12 +12,13 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_rise = 0.03;      // share; the force of a sound device at one amplitude rises by less
+constexpr double least_rise = 0.03;      // fraction; the force of a sound device at one amplitude rises by less
 constexpr double rise_deviations = 5.0;  // times the standard deviation that noise gives a rise; a real rise is larger
-constexpr double most_outside = 0.35;    // times the change in one cycle; if others change by more, the channel drifts
-constexpr double least_step = 0.02;      // times the amplitude; a smaller step of the zero is not reported
-constexpr double least_ratio = 0.05;     // share by which the forces of two directions must differ
-constexpr double better_by = 3.0;        // times; an offset must leave so much more residual (rms) than a factor
+// times the change in one cycle; if other cycles change by more, the channel drifts
+constexpr double most_outside = 0.35;
+constexpr double least_step = 0.02;   // times the amplitude; a smaller step of the zero is not reported
+constexpr double least_ratio = 0.05;  // fraction by which the forces of the two directions must differ at least
+constexpr double better_by = 3.0;     // times; a factor is found if an offset leaves so much more residual (rms)
 constexpr double same_at_peaks = 0.3;
 constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
 constexpr double line_contrast = 4.0;  // times; a line of the spectrum must be so many times as large as its neighbours
@@ -27,8 +28,8 @@ constexpr double least_line = 0.001;      // times the amplitude; a smaller line
 constexpr double most_uneven_step = 0.1;  // times the sampling interval; each interval may differ from the mean by this
 constexpr std::size_t most_transformed = 65536;
 
-// The counted cycles of a block. None if there are fewer than `fewest`, or if a rest or a gap separates two of them. A
-// rest before the first is allowed.
+// The counted cycles of a block, if they follow one another. Empty if there are fewer than `fewest`, or if a rest or a
+// gap separates two of them. There may be a rest before the first.
 std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   auto cycles = block.counted();
   bool broken = cycles.size() < fewest;
@@ -38,10 +39,11 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   return cycles;
 }
 
-// Standard deviation of the force in a cycle over that of displacement. A change of gain changes this ratio as it
-// changes the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly this ratio.
+// Standard deviation of the force in a cycle over that of displacement. A change of the force channel's gain changes
+// this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly
+// this ratio.
 struct Size {
-  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, as a share of kN_per_mm
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, over kN_per_mm
 };
 Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
@@ -63,8 +65,9 @@ struct Repeats {
   std::vector<double> now = {}, before = {};
 };
 
-// Leaves out the first counted cycle, in which rubber softens unevenly. Force is compared at the same phase between the
-// cuts of the cycles. A jump of displacement moves these cuts, so displacement is compared after a constant time.
+// Pairs each value with the value one cycle before. Leaves out the first counted cycle, in which rubber softens
+// unevenly. Force is compared at the same phase between the cuts of the cycles. A jump of displacement moves these
+// cuts, so displacement is compared after a constant time.
 Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, Along channel) {
   double const period = (cycles.back()->last - cycles[1]->first) / static_cast<double>(cycles.size() - 1);
   Repeats repeats{.begin = static_cast<std::size_t>(std::ceil(cycles[2]->first)),
@@ -107,8 +110,9 @@ struct Sums {
   }
 };
 
-// If a fault begins suddenly, the channel differs from the cycle before during one cycle only. After that, both of the
-// cycles compared have the fault. Finds the cycle of largest change. nullopt if the channel changes elsewhere too.
+// Finds the cycle in which a channel differs most from the cycle before. If a fault begins suddenly, only the cycle in
+// which it begins differs: of any two later cycles, both have the fault. nullopt if the channel changes in other cycles
+// too.
 struct SuddenChange {
   Change change;
   double at = 0.0;
@@ -141,7 +145,7 @@ std::optional<SuddenChange> sudden_change(Repeats const& repeats, double Change:
   return found;
 }
 
-// The fast Fourier transform of a power of two of values.
+// Replaces the values by their fast Fourier transform. Their number must be a power of two.
 void transform(std::vector<std::complex<double>>& x) {
   auto const n = x.size();
   for (std::size_t i = 1, j = 0; i < n; ++i) {
@@ -168,7 +172,7 @@ bool is_uniform(std::span<double const> time, std::size_t begin, std::size_t end
   return true;
 }
 
-// The mains frequency, or its double, that appears at `seen_Hz` if it is sampled at this rate.
+// The frequency of the mains, or its double, if sampling at `rate_Hz` makes it appear at `seen_Hz` (aliasing).
 std::optional<double> mains_seen_at(double seen_Hz, double rate_Hz, double tolerance_Hz) {
   for (double const mains : {50.0, 60.0, 100.0, 120.0})
     if (std::abs(std::abs(mains - rate_Hz * std::round(mains / rate_Hz)) - seen_Hz) <= tolerance_Hz) return mains;
@@ -190,8 +194,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       continue;
     }
     auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
-    // A device that softens with its displacement is stiffer in a smaller cycle. At a steep reversal, one sample more
-    // or less changes the size by about its share of the cycle.
+    // The allowed rise has two more parts. A device that softens with its displacement is stiffer in a smaller cycle.
+    // And at a steep reversal, one sample more or less in a cycle changes the size by about one over the number of its
+    // samples.
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
                            rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
@@ -212,9 +217,8 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
-  // `opposite` is the value half a cycle away from a sample; in a symmetric loop it is the negative of the sample. Half
-  // of the sum of both is the asymmetry, half of their difference the size. The sums serve to fit asymmetry = gain *
-  // size.
+  // In a symmetric loop, the value half a cycle later (`opposite`) is the negative of each value. Half the sum of both
+  // values is the asymmetry of the loop, half their difference its size. The sums serve to fit asymmetry = gain * size.
   auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {
@@ -231,8 +235,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   };
   auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
   double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
-  // The mean squared asymmetry that a fit in proportion to the size (a gain) leaves, and that a constant (an offset)
-  // leaves.
+  // The mean squared asymmetry that is left after a fit in proportion to the size (the gains of the directions differ),
+  // and after the fit of a constant (the zero is off).
   double const by_gain = (force.dd - gain * force.bd) / force.n,
                by_offset = (force.dd - force.d * force.d / force.n) / force.n;
   double peaks = 0.0, difference_of_peaks = 0.0;

@@ -33,13 +33,13 @@ struct OffsetStep {
 enum class Along { displacement, force };
 std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, Along channel);
 
-// An oscillation of one frequency besides the motion: a line in the spectrum of `values` over the block that is four
-// times as large as all that lie within nine times the test's frequency. It is looked for above ten times that
+// An oscillation of one frequency besides the motion: a line in the spectrum of `values` over the block. It must be
+// four times as large as all lines within nine times the test's frequency of it, and lie above ten times the test's
 // frequency. nullopt without time, or if sampling is not uniform.
 struct Hum {
   double amplitude = 0.0, frequency_Hz = 0.0;
   double rate_Hz = 0.0;            // samples a second
-  std::optional<double> mains_Hz;  // frequency of mains hum that such samples show at frequency_Hz
+  std::optional<double> mains_Hz;  // frequency of the mains hum that samples at rate_Hz show at frequency_Hz (aliasing)
 };
 std::optional<Hum> hum(std::span<double const> values, CycleView const& view, Block const& block);
 

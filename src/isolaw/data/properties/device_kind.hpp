@@ -7,15 +7,18 @@
 
 namespace isolaw::data {
 
-// Fits F = F_0 + C |v|^alpha to the samples of a cycle, for each direction of motion by itself, by least squares of the
-// logarithms of |F - F_0| and |v| where the speed is 5 % of the largest or more. nullopt if the device has stiffness
-// (K_eff D is a tenth of the loop's mean half height or more), if its force hardly depends on speed (alpha below 0.05:
-// friction), if a fit misses the forces by 15 % (rms) or more, or without time.
+// Fits F = F_0 + C |v|^alpha to the samples of a cycle at which the speed is 5 % of the largest or more, for each
+// direction of motion by itself. The fit is least squares of the logarithms of |F - F_0| and |v|. nullopt in these
+// cases:
+// - The device has stiffness: K_eff D is a tenth of the loop's mean half height or more.
+// - Its force hardly depends on speed (alpha below 0.05), so it is friction.
+// - A fit misses the forces by 15 % (rms) or more.
+// - The record has no time.
 std::optional<ViscousLaw> viscous_law(CycleView const& view, Cycle const& cycle);
 
-// mu = Q_d / N and R = N / K_d, if the loop is a slider's: its energy is 97 % or more of that of a loop that yields at
-// once, and its Q_d is friction of 0.2 to 25 % of the vertical load. nullopt without the load. A slider without
-// restoring stiffness has no R.
+// The friction coefficient mu = Q_d / N and the radius R = N / K_d, if the loop is a slider's: its energy is 97 % or
+// more of that of a loop that yields at once, and its Q_d is friction of 0.2 to 25 % of the vertical load. nullopt
+// without the load. A slider without restoring stiffness has no R.
 std::optional<Slider> slider(Cycle const& cycle);
 
 }  // namespace isolaw::data

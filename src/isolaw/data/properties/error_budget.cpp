@@ -30,15 +30,15 @@ constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the t
 
 constexpr double most_hum = 1.0;         // percent of the amplitude
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
-// Largest relative change of a peak force from the mean of its neighbours.
+// A peak force that differs by more than this fraction from the mean of its two neighbours is unlike them.
 constexpr double unlike_between = 0.15;
-// The same for the first and the last cycle compared, which have one neighbour.
+// The limit for the first and the last cycle compared, which have only one neighbour.
 constexpr double unlike_beside = 0.2;
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
 struct Jump {
   double force_kN = 0.0;
-  bool said = false;  // large enough to be reported as friction
+  bool said = false;  // large enough to be reported
 };
 
 double percent(double part, double whole) {
@@ -60,7 +60,7 @@ class Assessment {
       sampling();
       rests();
       kind_of_device();
-      // These judge the measurement by the force at the peaks, where a viscous device has none.
+      // The following checks use the force at the peaks, where a viscous device has none.
       if (!properties_.viscous) {
         unlike_their_neighbours();
         stiffness_rises();
@@ -147,7 +147,7 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Cycles of one amplitude are alike, apart from the first. If one differs, force dropped out or the device slipped.
+  // Warns if one cycle differs from its neighbours of the same amplitude: force dropped out or the device slipped.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
@@ -155,7 +155,7 @@ class Assessment {
       // A loss of force has a warning of its own. In a one-sided loop, one of the two peak forces is near zero, so its
       // ratio to that of another cycle means nothing.
       if (cycles.size() < 3 || fails || cycles.front()->one_sided) continue;
-      cycles.erase(cycles.begin());  // the first cycle, in which rubber scrags
+      cycles.erase(cycles.begin());  // leaves out the first cycle, in which rubber softens (scragging)
       Cycle const* oddest = nullptr;
       double share = 1.0;  // peak force over the mean of the peaks in the neighbouring cycles
       auto const distance = [](double of) {
@@ -204,8 +204,8 @@ class Assessment {
     if (!view_.time_s.empty()) budget_.warnings.back().numbers.push_back({"time_s", value_at(view_.time_s, index)});
   }
 
-  // An oscillation may move the forces at both peaks, or the peaks themselves, by its amplitude. Over a cycle it
-  // neither adds energy nor takes any.
+  // Adds the effects of an oscillation. It may move the forces at both peaks, or the peaks themselves, by its
+  // amplitude. Over a cycle it neither adds energy nor takes any.
   void hum_of(std::span<double const> values, std::string const& what, std::string const& unit) {
     auto const found = hum(values, view_, *block_);
     if (!found) return;
@@ -250,7 +250,8 @@ class Assessment {
         : note(FindingKind::samples_per_cycle, std::move(numbers), std::move(words));
   }
 
-  // Noise moves the extreme samples beyond the true extremes of the motion. The properties use raw values nevertheless.
+  // Adds the effects of noise, which moves the extreme samples beyond the true extremes of the motion. The properties
+  // are computed from the raw values nevertheless.
   void noise() {
     double const disp = noise_deviation(view_.disp_mm);
     double const force = noise_deviation(view_.force_kN);
@@ -387,7 +388,8 @@ class Assessment {
     // The jump must reach half its typical value at three quarters of the reversals. Noise alone does not do this.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
-    if (!found.said || properties_.slider) return found;  // a slider's own friction jumps
+    // in a slider, the friction of the device itself makes the force jump
+    if (!found.said || properties_.slider) return found;
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
     std::vector<FindingNumber> numbers{
@@ -406,7 +408,8 @@ class Assessment {
                                     {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
-  // The first cycle is left out, because in it the force of a device that softens is not symmetric.
+  // Adds the drift of a channel's zero, from the middles of the block's cycles. Leaves out the first cycle, because in
+  // it the force of a device that softens is not symmetric.
   void drift_of(std::string const& what, std::string const& unit, double amplitude, Along channel, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
@@ -528,9 +531,10 @@ double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
 }
 
-// The largest of independent samples x_k + noise exceeds v with probability 1 - product of Phi((v - x_k) / s), where s
-// is the standard deviation of the noise. Integration over v gives the mean of the largest. If samples are many, only
-// every `weight`-th one is computed.
+// The mean of the largest noisy sample near a peak, less the peak. The largest of independent samples x_k + noise
+// exceeds v with probability 1 - product of Phi((v - x_k) / s), where s is the standard deviation of the noise.
+// Integration over v gives the mean. If samples are many, only every `weight`-th one is computed and counts `weight`
+// times.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {
   if (!(noise_mm > 0.0) || !(amplitude_mm > noise_mm)) return 0.0;
   double const angle = 2.0 * std::numbers::pi / samples_per_cycle;
@@ -566,7 +570,7 @@ double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz) {
   return mass_kg * omega * omega * kN_per_mm_of_N_per_m;
 }
 
-// The errors are estimated from full loops.
+// Leaves half cycles out, because the errors are estimated from full loops.
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth) {
   if (!view.half_cycles) return Assessment(view, properties).of_all(smooth);
   auto full = properties;

@@ -24,7 +24,8 @@ struct Budget {
   std::vector<Effect> effects;    // all effects, in numbers
 };
 
-// Names of the effects that add to the device's equivalent damping. They are given in percentage points of damping.
+// Names of the effects of the rig that add to the measured equivalent damping. Their values are percentage points of
+// damping.
 inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_jump = "damping by the jump",
                             *damping_by_rig_friction = "damping by rig friction of 0.5 % of the vertical load";
 
@@ -32,9 +33,10 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// How many percent sampling takes off a loop's energy and off a sine's peak, and a moving average takes off a sine.
-double energy_loss_percent(double samples_per_cycle);  // share of the energy: 1 - N / (2 pi) sin(2 pi / N)
-double peak_loss_percent(double samples_per_cycle);    // share of a peak halfway between samples: 1 - cos(pi / N)
+// Percentages that are lost. Sampling takes them off a loop's energy and off a sine's peak; a moving average takes them
+// off a sine.
+double energy_loss_percent(double samples_per_cycle);  // lost energy: 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // lost of a peak halfway between samples: 1 - cos(pi / N)
 // The same for a triangle, whose corner may lie between two samples: at most 2 / N of the peak, and as much of the
 // energy of a device whose force changes at once when the motion turns.
 double corner_loss_percent(double samples_per_cycle);

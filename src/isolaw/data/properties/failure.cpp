@@ -17,7 +17,7 @@ namespace {
 constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
 constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
 constexpr double most_lost_first = 0.5;  // the same after the first cycle, in which virgin rubber is stiffer
-constexpr double clear_force = 0.3;      // times the size of the force; a peak force below it may change by any amount
+constexpr double clear_force = 0.3;      // times size_of(); a smaller peak force may change by any amount
 constexpr double same_amplitude = 1.05;  // ratio; a cycle is not compared with earlier cycles of larger amplitude
 constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
 
@@ -28,8 +28,8 @@ double size_of(Cycle const& cycle) {
                   std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));
 }
 
-// Whether two cycles have the same vertical load. A difference of at most half the range of the load within a cycle may
-// be noise.
+// Whether two cycles have the same vertical load. A difference of up to half the range that the load has within a cycle
+// may be noise.
 bool alike_loaded(Cycle const& one, Cycle const& other) {
   if (!one.N_mean_kN) return true;
   double const a = *one.N_mean_kN, b = *other.N_mean_kN;
@@ -50,7 +50,7 @@ std::string name_of(Cycle const& cycle, std::span<double const> time_s) {
   return fmt::format("the uncounted cycle from {} on in block {}", from, cycle.block);
 }
 
-// The smaller share of its two peak forces that the cycle keeps of those in the cycle before it.
+// The share of a peak force that is left from the cycle before: the smaller share of the two peaks.
 double share_kept(Cycle const& before, Cycle const& cycle) {
   double least = 1.0;
   for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})
@@ -85,7 +85,7 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   for (auto* each : cycles) {
     auto& cycle = *each;
     auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
-    double left = 1.0;  // least share of the force of an earlier cycle
+    double left = 1.0;  // force of the cycle over that of an earlier one, the least of all these ratios
     Cycle const* stronger = nullptr;
     for (auto const* other : earlier)
       if (double const share = size_of(cycle) / size_of(*other); share < left && comparable(*other, cycle))
@@ -99,7 +99,8 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     double const share = follows ? share_kept(*before, cycle) : 1.0;
     double const least = 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
     bool const drops = share < least, loses = drops && !keeps_energy(*before, cycle, least);
-    // The force may go after a peak of a cycle, which then keeps most of its energy: the next cycle tells.
+    // The force may be lost just after a peak. This cycle then keeps most of its energy, and only the next cycle, which
+    // is dead, shows the loss.
     if (fails == nullptr && is_dead && dying != nullptr && dying->block == cycle.block) {
       fails = dying;
       kept = kept_of_dying;
@@ -120,8 +121,8 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     }
   }
   if (fails == nullptr) return;
-  // If the last cycle is dead, or none is, the force is lost from the cycle of the failure to the end. Otherwise the
-  // force came back, and only the dead cycles are lost.
+  // If the last cycle is dead, or if no cycle is, the force is lost from the failing cycle to the end of the record.
+  // Otherwise the force came back, and it is lost only in the dead cycles.
   bool const for_good = dead.empty() || dead.back() == cycles.back();
   auto const where = name_of(*fails, time_s);
   auto& failure = properties.failure.emplace(

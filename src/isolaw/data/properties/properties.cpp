@@ -19,13 +19,14 @@
 namespace isolaw::data {
 namespace {
 
-// With fewer samples, the trapezoidal rule loses over 1.6 % of the energy, and samples miss over 1.2 % of the peak.
+// With fewer samples per cycle, the trapezoidal rule loses over 1.6 % of the energy, and the samples miss over 1.2 % of
+// the peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
 constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
 constexpr double least_sweep = 1.2;          // largest over smallest period
-constexpr double most_steps = 0.8;           // share of the steps from cycle to cycle that go the way of the sweep
+constexpr double most_steps = 0.8;           // fraction of the changes of period; in a sweep, so many go one way
 constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.
@@ -84,13 +85,14 @@ std::optional<double> at_level(std::span<double const> x, std::span<double const
   return std::nullopt;
 }
 
-// Half the loop's height at the cycle's two ends. Ignores an end at rest or at a turn: its force is not on the loop.
+// Half the loop's height where the cycle starts and ends. Leaves out a start or end at which the device rests or turns,
+// because the force there is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
-  if (cycle.half) {  // from the chord, halfway between its turns
+  if (cycle.half) {  // the distance from the chord, halfway between the turns
     auto const halfway = at_level(x, F, cycle.first, cycle.last, (peaks.largest + peaks.least) / 2.0);
     return halfway ? std::abs(*halfway - (peaks.F_at_largest + peaks.F_at_least) / 2.0) : 0.0;
   }
-  if (cycle.one_sided) {  // halfway between its turns, because the loop is closed at them
+  if (cycle.one_sided) {  // taken halfway between the turns, because the loop is closed at them
     double const start = value_at(x, cycle.first);
     double const tip = peaks.largest - start > start - peaks.least ? peaks.at_largest : peaks.at_least;
     auto const out = at_level(x, F, cycle.first, tip, (peaks.largest + peaks.least) / 2.0);
@@ -149,8 +151,8 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Takes velocity over 1/25 of a cycle, which is 0.3 % low for a sine. Taken from sample to sample, it would be worse:
-// at 1 kHz, 0.02 mm of noise adds 30 mm/s.
+// Takes velocity over 1/25 of a cycle, which makes it 0.3 % too low for a sine. Velocity from one sample to the next
+// would be worse: at 1 kHz, noise of 0.02 mm adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   auto const reach =
@@ -165,7 +167,7 @@ double largest_slope(Cycle const& cycle, CycleView const& view) {
   return largest;
 }
 
-// Leaves out a rest before the first motion of the cycle, in which a rig may change the load.
+// Sets the vertical loads of a cycle. Leaves out a rest before its first motion, in which a rig may change the load.
 void add_load(Cycle& cycle, CycleView const& view) {
   auto const& load = view.load_kN;
   auto samples = inside(cycle, load.size());
@@ -280,7 +282,7 @@ bool is_sweep(std::span<Cycle const* const> cycles) {
   return static_cast<double>(follows) >= most_steps * count;
 }
 
-// A block in a sweep has no frequency of its own.
+// Finds blocks in which the frequency changes from cycle to cycle. Such a block gets sweep_Hz in place of frequency_Hz.
 void find_sweeps(Properties& properties) {
   auto const mark = [&](std::vector<Cycle const*> const& cycles, auto const& is_in) {
     if (!is_sweep(cycles)) return false;
@@ -341,8 +343,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Lists impossible cycles in `faulty`. If other blocks are sound, the cycles of the blocks with an impossible cycle no
-// longer count. Returns whether there are impossible cycles and no block is sound.
+// Lists cycles with an impossible loop in properties.faulty. If other blocks are sound, no cycle counts any more in the
+// blocks with such a loop. Returns whether there are such loops and no block is sound.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -352,7 +354,9 @@ bool take_out_impossible(Properties& properties, CycleView const& view) {
     auto const counted = block.counted();
     std::vector<Finding> why;
     for (auto at = counted.begin(); at != counted.end() && why.empty(); ++at) {
-      if ((*at)->half) continue;  // a curve that bends upwards lies below the chord of its way out
+      // the area of a true half cycle may be negative: if its force bends upwards, it lies below the chord on the way
+      // out
+      if ((*at)->half) continue;
       why = impossible(**at, view, noise, properties.viscous.has_value());
       if (why.empty()) continue;
       taken.emplace_back(&block, (*at)->number);
@@ -377,7 +381,8 @@ std::vector<Finding> refusal_of(std::optional<Finding> const& not_cut, Propertie
   return {};
 }
 
-// The block in which the force is lost is taken only if no other block has counted cycles.
+// The third counted cycle of the block of largest amplitude. The block in which the force is lost is taken only if no
+// other block has counted cycles.
 Cycle const* cycle_to_report(Properties const& properties) {
   Block const* largest = nullptr;
   auto const fails = [&](Block const& block) {
@@ -393,7 +398,7 @@ Cycle const* cycle_to_report(Properties const& properties) {
   return counted[std::min(counted.size(), reported_cycle) - 1];
 }
 
-// Sets what follows from the cycles that count: their number of samples, a refusal, the reported cycle.
+// Sets the properties that follow from the counted cycles: samples per cycle, a refusal, the reported cycle.
 void conclude(Properties& properties, std::optional<Finding> const& not_cut, bool none_is_sound) {
   std::vector<double> lengths;
   for (auto const* cycle : properties.counted())
@@ -441,7 +446,7 @@ bool fails_in_a_later_block(Properties const& properties) {
   });
 }
 
-// Discounts the cycles of the blocks in which a signal is faulty.
+// Makes the cycles no longer count in the blocks in which a signal is faulty.
 void take_out_faulty(Properties& properties, CycleView const& view) {
   if (properties.faults.empty()) return;
   auto const tests = test_ranges(view.starts, view.disp_mm.size());
@@ -511,7 +516,7 @@ Properties properties_of(CycleView const& given, std::vector<SignalFault> const&
   find_kind();
   bool const none_is_sound = take_out_impossible(properties, view);
   take_out_faulty(properties, view);
-  find_kind();  // the blocks that are left may be of another kind
+  find_kind();  // without the faulty blocks, the device may look like another kind
   conclude(properties, cut.refusal, none_is_sound);
   return properties;
 }
@@ -602,7 +607,7 @@ Stability stability(Block const& block, double Cycle::*property) {
   Stability found;
   found.cycles = static_cast<int>(counted.size());
   if (!third) return found;
-  // A ratio to a value near zero means nothing, so a device without stiffness has no ratios of stiffness or damping.
+  // A ratio to a value near zero means nothing, so a device without stiffness gets no ratios of stiffness or damping.
   constexpr double nearly_nothing = 1e-3;  // times the largest value
   double largest_size = 0.0;
   for (auto const* cycle : counted) largest_size = std::max(largest_size, std::abs(cycle->*property));

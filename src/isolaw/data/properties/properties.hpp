@@ -14,8 +14,9 @@
 
 namespace isolaw::data {
 
-// A partial cycle has the values that its samples give, and never counts. The loop of a half cycle is closed by the
-// chord between its ends; its energy is twice the area of this loop, and its period twice its time.
+// A cycle with its properties. A partial cycle has the values that its samples give, and never counts. The loop of a
+// half cycle is closed by the chord between its ends; its energy is twice the area of this loop, and its period twice
+// its duration.
 struct Cycle : CycleCut {
   double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2
   double d_plus_mm = 0.0;     // largest and smallest displacement of a sample, and the forces there
@@ -36,7 +37,8 @@ struct Cycle : CycleCut {
   // Displacement at which the force first comes to zero after the largest and after the smallest displacement; nullopt
   // if it does not before the next peak or the end of the cycle.
   std::optional<double> residual_plus_mm, residual_minus_mm;
-  // The values from here on are those of the record; properties_on() leaves them as they are.
+  // The values from here on depend on the record and not on the force of a law, so properties_on() leaves them as they
+  // are.
   double work_kN_mm = 0.0;           // work of the force from the first sample of the record to the end of the cycle
   std::optional<double> period_s;    // from start to end, without the time in which the device stands still
   std::optional<double> still_s;     // time in which the device stands still; nullopt without time
@@ -61,8 +63,8 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
-// Two amplitudes count as equal if they differ by at most this fraction of the amplitude or, when the block nearest to
-// the design is chosen, of the design displacement.
+// Two amplitudes count as equal if they differ by at most this fraction of the amplitude. When the block nearest to the
+// design is chosen, it is a fraction of the design displacement.
 inline constexpr double same_nominal = 0.02;
 
 struct Block {
@@ -104,7 +106,7 @@ struct Properties {
   bool is_false = false;  // the refusal is about a signal or a cycle that cannot be true
   // Set only for a TestRecord. A fault that lies outside all blocks has the word "outside" in its finding.
   std::vector<SignalFault> faults;
-  // Faults in some blocks, whose cycles therefore do not count, while cycles of other blocks do. Empty if there is a
+  // Faults that make the cycles of some blocks not count, while the cycles of other blocks count. Empty if there is a
   // refusal.
   std::vector<Finding> faulty;
   std::optional<ViscousLaw> viscous;  // set for a device without stiffness, for which K_eff and damping mean nothing
@@ -135,8 +137,7 @@ struct CycleView {
 CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
-// Also takes over the faults of the record's signals. The cycles of the blocks that a fault makes unusable do not
-// count.
+// Also copies the faults of the record's signals. The cycles of the blocks that a fault makes unusable do not count.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);

@@ -49,7 +49,8 @@ std::vector<double> mean_cycle(std::span<double const> values, std::span<Cycle c
   return mean;
 }
 
-// A centred moving average over `width` parts of a mean cycle, which repeats.
+// A centred moving average over `width` parts of a mean cycle. Past its end it goes on at its start, because cycles
+// repeat.
 std::vector<double> averaged(std::vector<double> const& cycle, std::size_t width) {
   auto const size = cycle.size() - 1;
   std::vector<double> result(size + 1);

@@ -18,10 +18,10 @@ struct Remainder {
   std::vector<double> at;      // where the faults are: in s, or sample indices if the record has no time
 };
 
-// Subtracts from each sample the mean of the block's cycles at the same phase. The first cycle, in which rubber
-// softens, is not in the mean if the block has three or more. Where an oscillation was found, the mean is averaged over
-// its period, since an oscillation may come back with every cycle. nullopt if the record has no finding of such a
-// fault, or if the block has fewer than two whole cycles.
+// Subtracts from each sample the mean of the block's cycles at the same phase. If the block has three or more cycles,
+// the first one, in which rubber softens, is not in the mean. If an oscillation was found, the mean is averaged over
+// the oscillation's period, so that an oscillation that repeats in every cycle stays in the remainder. nullopt if the
+// record has no finding of such a fault, or if the block has fewer than two whole cycles.
 std::optional<Remainder> remainder(TestRecord const& record, Properties const& properties);
 
 }  // namespace isolaw::data

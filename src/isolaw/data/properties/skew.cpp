@@ -35,7 +35,7 @@ constexpr double least_growth = 0.03;    // rad; a delay that changes by less wi
 constexpr double most_apart = 0.004;     // rad; largest difference of skew between the wide and narrow window
 constexpr double quiet = 0.0005;         // fraction of the amplitude; less noise needs no smoothing
 constexpr double too_noisy = 0.01;       // fraction of the amplitude; noisier records give no skew
-constexpr double smoothed_over = 0.06;   // fraction of a cycle on each side; takes 0.02 % off a sine
+constexpr double smoothed_over = 0.06;   // fraction of a cycle on each side; smoothing over it takes 0.02 % off a sine
 constexpr double hold_band = 0.005;      // fraction of the amplitude; a hold stays within it
 constexpr double noise_band = 8.0;  // the extremes of a hold may be this many standard deviations of the noise apart
 constexpr std::size_t most_smoothed = 100;  // samples on each side; more bring little and cost time
@@ -45,7 +45,7 @@ struct Reversal {
   double cycle = 0.0;   // samples in a cycle
   double tip_mm = 0.0;  // displacement at the reversal
   double reach_mm = 0.0;
-  double friction_kN = 0.0;  // friction changes from plus to minus this at the reversal
+  double friction_kN = 0.0;  // at the reversal, friction changes from plus this value to minus this value
 };
 
 // The fit has six unknowns: force at the tip, two coefficients of a parabola before it and three of a cubic after it.
@@ -79,7 +79,8 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// Mean squared residual of the fit for one shift. Shifts displacement, since interpolating force would lower its noise.
+// Mean squared residual of the fit for one shift. Shifts displacement and not force, because interpolation would lower
+// the noise of the force.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -137,7 +138,7 @@ bool is_held(std::span<double const> x, double at, double tip, Cycle const& cycl
   };
   double const share = std::acos(std::max(-1.0, 1.0 - width / cycle.amplitude_mm)) / std::numbers::pi;
   double const lingers = share * (cycle.last - cycle.first);
-  return stays(-1) + stays(1) > longer * lingers + 1.0;  // one sample more, since samples rarely lie on the tip
+  return stays(-1) + stays(1) > longer * lingers + 1.0;  // one sample more, because the tip rarely lies on a sample
 }
 
 std::vector<Cycle const*> chosen_cycles(Properties const& properties) {

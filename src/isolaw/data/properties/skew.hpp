@@ -1,9 +1,9 @@
 // Estimates the time skew between force and displacement from the reversals of a record. At a reversal the force of a
-// rate-independent device turns together with displacement. The skew is the shift at which force comes closest to a
-// parabola in displacement before the reversal and a cubic after it, which meet at the tip (least squares). If the
-// force turns late, its channel is late. If it turns early, the other channel may be late, or the device may be viscous
-// or have friction. Known friction is subtracted. Noisy displacement is smoothed first, because the loop is steep after
-// a reversal, where noise of displacement looks like an early force.
+// rate-independent device turns together with displacement. Near a reversal, a parabola in displacement before it and a
+// cubic after it, which meet at the tip, are fitted to the force (least squares). The skew is the shift with the best
+// fit. If the force turns late, the force channel is late. If it turns early, the displacement channel may be late, or
+// the device may be viscous or have friction. Known friction is subtracted. Noisy displacement is smoothed first,
+// because the loop is steep after a reversal, where noise of displacement looks like an early force.
 #pragma once
 
 #include <optional>
@@ -32,11 +32,12 @@ struct Skew {
   double growth = 0.0, growth_uncertainty = 0.0;  // in the unit of force_late; uncertainty is two standard errors
   double growth_phase = 0.0;                      // the angle of `growth` in a cycle, rad
   int growth_reversals = 0;
-  bool is_followed = true;  // the fit is within noise; if not, a sharp loop may only make the force look late
+  bool is_followed = true;  // the fit misses only noise; if not, a sharp loop may only seem late
 
-  // Whether most reversals agree and the skew exceeds four standard errors (more if reversals are few) and a limit. The
-  // limit is a little above the skew that the shape of a loop alone can imitate: 0.04 rad early, 0.015 rad late, or
-  // 0.045 rad and a sampling interval late if not is_followed: the corners of a steep loop lie between samples.
+  // Whether the skew is real: most reversals agree, and it exceeds four standard errors (more if reversals are few) and
+  // a limit. The limit is a little above the skew that the shape of a loop alone can imitate: 0.04 rad if early, 0.015
+  // rad if late. If not is_followed, it is 0.045 rad and a sampling interval late, because the corners of a steep loop
+  // lie between samples.
   bool significant() const;
   // Whether the delay changes by more than 0.03 rad and by more than chance brings about.
   bool grows() const;
@@ -45,8 +46,8 @@ struct Skew {
 // Whether displacement stays at an extreme for longer than a sine would. During such a hold the force may relax.
 bool held_at_extreme(std::span<double const> disp_mm, Cycle const& cycle, bool upper, double noise_mm);
 
-// First subtracts friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles give a value, or if
-// the noise of displacement exceeds 1 % of the smallest amplitude.
+// Estimates the skew after subtracting friction_kN of rig friction. nullopt if fewer than 4 reversals of counted cycles
+// give a value, or if the noise of displacement exceeds 1 % of the smallest amplitude.
 std::optional<Skew> estimate_skew(CycleView const& view, Properties const& properties, double friction_kN = 0.0);
 
 }  // namespace isolaw::data

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double share_of_largest = 0.8;
 
-// The integral over the displacement of the force less its chord. It is positive if the device loses energy: the force
-// then lies above the chord on the way up, and below it on the way down.
+// The area between the force of a swing and its chord. It is positive if the device loses energy: the force then lies
+// above the chord on the way up, and below it on the way down.
 double area_above_chord(Swing const& swing, std::span<double const> x, std::span<double const> F) {
   double area = 0.0;
   for (auto i = swing.first; i < swing.last; ++i) area += 0.5 * (F[i] + F[i + 1]) * (x[i + 1] - x[i]);

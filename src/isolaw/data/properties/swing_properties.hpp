@@ -11,8 +11,9 @@
 
 namespace isolaw::data {
 
-// Two neighbouring swings stand for a cycle. A pair is used if the mean of its half ranges is at least 0.8 of that of
-// the largest pair. The sums below are over both swings of every pair used, so a swing in two pairs enters twice.
+// Two neighbouring swings stand for a cycle. A pair is used if the mean of its half ranges is at least 0.8 times that
+// of the largest pair. The sums below are over both swings of every pair used, so a swing that belongs to two pairs
+// enters twice.
 struct SwingProperties {
   std::size_t pairs = 0;
   double amplitude_mm = 0.0;     // mean of the half ranges

@@ -133,7 +133,8 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// The secant from the last time at the lower load to the first at the upper load. Leaves out creep under held loads.
+// The secant from the last time at the lower load to the first time at the upper load. So the creep of displacement
+// while a load is held has no effect.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;
   Secant secant;

@@ -1,8 +1,8 @@
-// The vertical stiffness of a device from its compression test: K_v = F_v/d_v (NTC 2018, 11.9.7), as the secant of one
-// loading between two loads. The settling of joints below the lower load and the zero of displacement then have no
-// effect. A test loads three times. The third loading is used, from 30 % to 100 % of its largest load, as EN 15129 and
-// ISO 22762-1 are commonly applied (neither text was at hand). `loads` gives another range, such as 0.7 to 1.3 times
-// the design load.
+// The vertical stiffness of a device from its compression test: K_v = F_v/d_v (NTC 2018, 11.9.7). It is the slope of
+// the secant between two loads of one loading, so the settling of joints below the lower load and the zero of
+// displacement have no effect. A test loads three times. The third loading is used, from 30 % to 100 % of its largest
+// load, as EN 15129 and ISO 22762-1 are commonly applied (neither text was at hand). `loads` gives another range, such
+// as 0.7 to 1.3 times the design load.
 #pragma once
 
 #include <optional>

@@ -26,18 +26,19 @@ constexpr double flat_thirds = 0.197;   // hump of a parabola (see Plateau) over
 constexpr double least_turn = 0.08;  // times stiffness times depth; if displacement is clipped, Plateau::turn is larger
 constexpr double slower = 0.85;      // times the fastest speed; just before its plateau a clipped sine moves slower
 constexpr double short_plateau = 0.24;  // times half a cycle; the rig's holds are longer
-constexpr double past_the_tip = 0.006;  // times the amplitude; while force is clipped, displacement comes back by more
+constexpr double past_the_tip = 0.006;  // times the amplitude; displacement comes back by more while force is clipped
 constexpr double top_deviations = 4.0;  // standard deviations of the noise by which a sample may be off its plateau
 constexpr double least_third = 4.0;     // samples in one third of a plateau, summed over all noisy plateaus
 constexpr double most_window = 0.2;     // times the half range; the slope before a plateau is taken over this at most
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;     // times the half range of force; clipping in noise cuts off more
-constexpr double most_uneven = 0.15;   // times the force cut off; the mean forces of a plateau's thirds differ by less
-constexpr double same_level = 0.002;   // times the clipping level; a plateau farther from it was not clipped there
-constexpr double least_return = 0.12;  // times the way back that clipping causes on a plateau; less is no clipping
-constexpr double most_bend = 1.5;      // largest ratio of the slopes in two successive windows before a plateau
-constexpr double least_corner = 5.0;   // slope^2 before a plateau / (earlier slope x slope on it); 1 without a corner
-constexpr double least_back = 0.1;     // times the way to the peak; with less way back, the force is only late
+constexpr double least_cut = 0.01;    // times the half range of force; clipping in noise cuts off more
+constexpr double most_uneven = 0.15;  // times the force cut off; the mean forces of a plateau's thirds differ by less
+constexpr double same_level = 0.002;  // times the clipping level; a plateau farther from it was not clipped there
+// times the return that clipping causes on a plateau; with less, nothing is clipped
+constexpr double least_return = 0.12;
+constexpr double most_bend = 1.5;  // the slopes in two successive windows before a plateau differ at most by this ratio
+constexpr double least_corner = 5.0;  // slope^2 before a plateau / (earlier slope x slope on it); 1 without a corner
+constexpr double least_back = 0.1;    // times the way to the peak; with less way back, the force is only late
 
 class Clipping {
  public:
@@ -175,8 +176,10 @@ class Clipping {
     return true;
   }
 
-  // Whether force leaves a plateau where the motion turns, while a clipped force would stay at its level for six
-  // samples more. Had it gone on with the slope `into`, it would come back to its level with the slope `leaves`.
+  // Whether force leaves a plateau because the motion turns. A clipped force would have gone on rising with the slope
+  // `into` until the motion turns. It would come back to the level of the plateau, with the slope `leaves`, only after
+  // displacement has returned by `expected`. If displacement has not done so six samples after the turn, but the force
+  // has left the plateau, the force is not clipped.
   bool turns_with_motion(double sign, SampleRange const& run, double into, double leaves) const {
     auto const x = [&](std::size_t i) { return sign * pair_.disp.x[i]; };
     auto tip = run.first;
@@ -185,7 +188,7 @@ class Clipping {
     double const expected = into * (x(tip) - x(run.first)) / leaves;
     bool const told = expected > std::max(32.0 * pair_.disp.noise, 3.0 * pair_.disp.quantum);
     auto const later = std::min(tip + 6, pair_.size() - 1);
-    bool const is_turn = x(run.last + 1) <= x(tip);  // the force of a viscous device falls before
+    bool const is_turn = x(run.last + 1) <= x(tip);  // the force of a viscous device falls before the motion turns
     return told && is_turn && run.last <= tip + 1 && x(tip) - x(later) < expected;
   }
 
@@ -201,8 +204,8 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // The last step before the plateau is compared too, since a yielding device may rise to its plateau within that
-      // step. Clipping never makes this step steeper.
+      // Two slopes before the plateau are compared, and the steeper one counts. The second one is that of the last
+      // step, in which a yielding device may rise to its plateau. Clipping never makes this step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       double const leaves = std::max(slope(run.last, run.last + reach), 1e-12);
       ratios.push_back(into.back() / leaves);
@@ -266,7 +269,8 @@ class Clipping {
     return level;
   }
 
-  // Noise may move a sample below `low`, so one or two such samples do not end a plateau.
+  // The plateaus in which the force is above `low`. Noise may move one or two samples below it, so these do not end a
+  // plateau.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -323,8 +327,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // A clipped force reaches its level at a corner, keeps that level beyond the reversal of motion and then drops more
-  // steeply than the force of a yielding device.
+  // Finds a clipped force whose noise hides that its level is exact. Such a force reaches its level at a corner, keeps
+  // that level beyond the reversal of motion and then drops more steeply than the force of a yielding device.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);
@@ -362,7 +366,8 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // A force cut by `depth` stays level until displacement has come back by `expected`. Noise may hide a small return.
+    // A force that is cut off by `depth` stays level until displacement has come back by `expected`. Noise may hide a
+    // small return.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

@@ -17,7 +17,7 @@ constexpr std::size_t fewest_passes = 4, most_passes = 64;
 constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // samples whose noise is compared
 constexpr double outlines_alike = 0.03;   // error of the outline relative to the force, both as standard deviations
 constexpr double rounding_apart = 1e-4;   // the same for whole records that differ by rounding only
-constexpr double noise_stands_out = 5.0;  // correlation of the noise, relative to that of records out of step
+constexpr double noise_stands_out = 5.0;  // times the correlation out of step; in step, a copy's noise correlates more
 
 // The value at a fractional position, by a cubic through four samples (Catmull, Rom 1974).
 double cubic_at(std::span<double const> values, double position) {
@@ -56,7 +56,7 @@ void find_passes(Trace& trace) {
 }
 
 struct Line {
-  double factor = 1.0, offset = 0.0, error = 0.0;  // error: of y, relative to its standard deviation
+  double factor = 1.0, offset = 0.0, error = 0.0;  // error: rms distance of y from the line, over its deviation
 };
 
 Line fit_line(std::span<double const> x, std::span<double const> y) {  // y = factor x + offset
@@ -72,11 +72,13 @@ Line fit_line(std::span<double const> x, std::span<double const> y) {  // y = fa
   return {factor, mean_y - factor * mean_x, std::sqrt(std::max(0.0, 1.0 - factor * xy / yy))};
 }
 
-// Number of passes of `one` before the first one of `other` for which the outlines agree best, or nullopt if none do.
+// By how many passes `other` must be moved along `one` so that their outlines agree best; nullopt if they agree
+// nowhere.
 std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   auto const n = static_cast<std::ptrdiff_t>(one.passes.size()), m = static_cast<std::ptrdiff_t>(other.passes.size());
   std::optional<std::ptrdiff_t> best;
-  // The forces of a copy differ by the noise that was added, and because this noise moves the passes.
+  // The outlines of a copy and its original differ because noise was added to the force, and because noise of the
+  // displacement moves the passes.
   double least = std::min(outlines_alike, 0.001 + 3.0 * std::max(one.noise_share, other.noise_share));
   for (std::ptrdiff_t step = -m; step <= n; ++step) {
     if ((step % 2 == 0) != (one.rises_first == other.rises_first)) continue;
@@ -215,7 +217,8 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const passes = std::span(other.passes).subspan(first, count);
   auto const own_passes = std::span(one.passes).subspan(from, count);
   auto scale = fit_line(passes, own_passes);
-  if (std::abs(scale.factor - 1.0) < 0.005)  // both have one clock: the difference comes from noise at the passes
+  // both records have the same time scale: noise at the passes makes the difference
+  if (std::abs(scale.factor - 1.0) < 0.005)
     scale = {.offset = num::moments(own_passes).mean - num::moments(passes).mean};
   auto const index = [&](double instant) { return std::ranges::lower_bound(other.time, instant) - other.time.begin(); };
   auto const picked = [&, begin = index(passes.front()), end = index(passes.back())](std::vector<double> const& all) {
@@ -235,17 +238,18 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
           cubic_at(signal, position_of(one.time, scale.offset + scale.factor * (instant + shift * interval), hint)));
     return values;
   };
-  // The passes lay the records upon one another to within a sample. The shift that is left follows from the forces.
+  // The passes bring the records together to within a sample. The shift that remains follows from the forces.
   double shift = 0.0;
   for (int i = 0; i < 3; ++i) shift += shift_between(laid(one.force, shift), force);
   if (!(std::abs(shift) < 2.0)) return false;
   auto const own_force = laid(one.force, shift);
   auto const line = fit_line(own_force, force);
-  // Without noise, as in computed records, only an equal force shows a copy: two devices may differ by a factor.
+  // Two devices may have forces that differ by a factor. So in records without noise, such as computed ones, only an
+  // equal force shows a copy.
   if (line.error < rounding_apart && std::abs(line.factor - 1.0) < rounding_apart) return true;
   auto const left = left_of(force, own_force, line);
   if (root_mean_square(left) > root_mean_square(noise) && !is_white(left)) return false;
-  // If the sampling differs, the noise of both is taken from values at the same instants.
+  // If the records have different sampling, the noise of both is computed from values at the same instants.
   bool const same_sampling = finer < 1.1;
   double const cycle = 2.0 * (passes.back() - passes.front()) / static_cast<double>(count - 1) / interval;
   auto const own = same_sampling ? laid(one.noise, shift) : noise_of(own_force, 1);

@@ -1,9 +1,9 @@
 // Finds a record that was made from another one: scaled, with noise added, thinned, resampled or shifted in time.
-// Method: both records are laid on one time scale by the instants at which the displacement passes through the middle
-// of its range. If the forces then agree but for a factor and an offset, the noise decides. The noise of a copy holds
-// that of the original, so the two correlate in step and not out of step; the noises of two tests do not correlate. If
-// much noise was added to the force alone, the same is asked of the displacement. docs/records.md says how many copies
-// are found.
+// Method: a pass is an instant at which the displacement passes through the middle of its range. The passes bring both
+// records to one time scale. If the forces then agree but for a factor and an offset, the noise decides. A copy
+// contains the noise of the original, so the noises of the two correlate in step and not out of step; the noises of two
+// tests do not correlate. If much noise was added to the force alone, the noise of the displacement decides in the same
+// way. docs/records.md says how many copies are found.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct Trace {                            // the features by which a record is c
   std::vector<double> passes;             // instants at which the displacement passes through the middle of its range
   bool rises_first = true;                // whether the displacement rises at the first of them
   std::vector<double> outline;            // the force at points between these instants
-  // Noise of the displacement, and of the force without what follows from that of the displacement.
+  // Noise of the displacement, and noise of the force without the part that the noise of the displacement causes.
   std::vector<double> disp_noise, noise;
   std::size_t stride = 1;    // distance in samples from one sample that is compared to the next
   double noise_share = 0.0;  // standard deviation of `noise` relative to that of the force
@@ -33,8 +33,8 @@ bool is_altered_copy(Trace const& one, Trace const& other);
 
 // Whether two records have the same samples or, if neither has any, the same file.
 bool is_same_record(TestRecord const& one, TestRecord const& other);
-// Among more records only the same ones are looked for, because the time to find altered ones grows with the square of
-// the number of records.
+// If there are more records than this, only identical ones are looked for, because the time to find altered copies
+// grows with the square of the number of records.
 inline constexpr std::size_t most_compared = 1000;
 // Groups of two or more records, as rising indices, that are the same as the first of the group or were made from it.
 std::vector<std::vector<std::size_t>> groups_of_copies(std::span<TestRecord const* const> records);

@@ -75,8 +75,8 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
-// Friction changes its sign at sample `at`, near a peak of displacement. At that sample, friction keeps its earlier
-// sign if `there` is 1, and is zero if `there` is 0.
+// Friction changes its sign at sample `at`, near a peak of displacement. Exactly at this sample, friction keeps the
+// sign that it had before if `there` is 1, and is zero if `there` is 0.
 struct Turn {
   std::size_t at;
   double there;

@@ -71,7 +71,8 @@ class DropoutSearch {
     double const step = std::max(largest_step(x_, run.first > reach ? run.first - reach : 0, run.first),
                                  largest_step(x_, run.last + 1, run.last + 1 + reach));
     if (!(jump > gone_steps * step)) return false;
-    // After a dropout the channel goes on at a value that it can have reached at its usual speed.
+    // After a dropout, the channel must go on at a value that it can reach at its usual speed in the time of the
+    // dropout.
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})
@@ -86,7 +87,7 @@ class DropoutSearch {
            std::max({other_goes_on * other_size_.half_range, 4.0 * other_size_.noise, 2.0 * other_size_.quantum});
   }
 
-  // A force with friction also jumps at a turn of the motion and back at the next turn, which is no dropout.
+  // A force with friction jumps at a turn of the motion and jumps back at the next turn. This is no dropout.
   bool turns_at_both_ends(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(4, run.size());
     auto const begin = run.first - 1 - std::min(run.first - 1, lag);

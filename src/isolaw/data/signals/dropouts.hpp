@@ -1,4 +1,5 @@
-// Finds dropouts: stretches of one value that begin and end with a jump while the other channel moves.
+// Finds dropouts: three or more samples in a row that have one value, and begin and end with a jump, while the other
+// channel moves.
 #pragma once
 
 #include <span>
@@ -14,8 +15,8 @@ struct Dropout {
   double before = 0.0, after = 0.0;  // the values just before and after the dropout
 };
 
-// Whether the other channel must move during a dropout. It must if the channel is a force, because a force may truly
-// vanish while the device rests.
+// Whether the other channel must move during a dropout. It must if the searched channel is a force, because a force may
+// truly vanish while the device rests.
 enum class Other { moves, may_stand };
 // bridged() draws a straight line across each dropout. docs/properties.md has the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);

@@ -20,7 +20,7 @@ namespace {
 constexpr double one_signed = 0.02;  // fraction of the range; without its sign a channel hardly crosses zero
 constexpr double clear_force = 0.3;  // fraction of the largest force; a smaller force has no clear sign
 constexpr double small_stage =
-    0.5;  // times the half range of the record; only smaller stages are searched on their own
+    0.5;  // times the half range of the record; only smaller stages are searched by themselves
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
@@ -31,8 +31,8 @@ SignalFault without_sign(std::string channel, std::string_view unit, std::vector
           .finding = std::move(finding)};
 }
 
-// Finds a channel that lost its sign. Displacement did if all its peaks are on one side of zero while the force at them
-// has both signs. Force did if it has one sign at peaks of displacement on both sides.
+// Finds a channel that lost its sign. A displacement lost it if all peaks are on one side of zero while the force at
+// these peaks has both signs. A force lost it if it has one sign at the peaks of displacement on both sides of zero.
 std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   auto const& turns = pair.turns;
   if (turns.size() < 4) return {};
@@ -96,7 +96,7 @@ std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
       {.kind = FaultKind::wrapped, .channel = "force", .samples = std::move(samples), .finding = std::move(finding)}};
 }
 
-// Counts the samples of a fault from the start of the record, after a stage was searched by itself.
+// After a stage was searched by itself: makes the sample numbers of its fault count from the start of the record.
 void shift(SignalFault& fault, std::size_t by) {
   for (auto& sample : fault.samples) sample += by;
   for (auto& number : fault.finding.numbers)

@@ -26,12 +26,13 @@ std::string_view said_of(
 // The kind of fault that a finding is about; nullopt for any other finding.
 std::optional<FaultKind> fault_kind(FindingKind kind);
 
-// A finding with the count of `samples` (from 0) and the first five (from 1): "sample", "time_s", "sample_2", etc.
+// A finding that says how many `samples` there are (the argument counts them from 0) and names the first five (counted
+// from 1): "sample", "time_s", "sample_2", etc.
 Finding finding_at(FindingKind kind, std::string const& channel, std::string_view unit,
                    std::span<std::size_t const> samples, std::span<double const> time_s);
 
-// The stages of a test, as ranges of samples, that are much smaller than the whole motion. Spikes and dropouts must
-// have been taken out of the displacement. Empty if the record is not cyclic.
+// The stages of a test, as ranges of samples, that are much smaller than the whole motion. `disp_mm` must be without
+// its spikes and dropouts. Empty if the record is not cyclic.
 std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<double const> time_s);
 // The spikes of a channel: those of the whole record, and those that stand out only within their own stage.
 std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange const> stages);

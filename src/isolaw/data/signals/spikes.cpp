@@ -18,12 +18,13 @@ constexpr double spike_quanta = 2.5;
 constexpr double spike_contrast = 10.0;
 constexpr double edge_contrast = 2.0;  // times spike_contrast near an end, where most neighbours are on one side
 constexpr double on_one_side = 0.5;    // times a spike's size; a sample closer to its neighbours' line is no spike
-// A signal is rough if more than 24 samples, and more than one in 75, look like spikes. If so many of the largest are
-// set aside, a fault must be larger by a quarter than the largest that is left.
+// In a rough signal many samples look like spikes: more than 24, and more than one in 75. The largest 24, or one in 75,
+// are then set aside, and a fault must exceed the largest of the others by a quarter.
 constexpr double beyond_others = 1.25;
 constexpr std::size_t fewest_others = 24;
 constexpr std::size_t samples_an_other = 75;
-// If more than 6 spikes, and more than one in 150 samples, are found, they belong to the signal: none is reported.
+// If more than 6 samples, and more than one in 150, are found to be spikes, they are part of the signal, and none is
+// reported as a fault.
 constexpr std::size_t fewest_texture = 6;
 constexpr std::size_t samples_a_spike = 150;
 
@@ -110,24 +111,28 @@ std::vector<Spike> spikes(std::span<double const> values) {
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
     auto const neighbours = neighbours_of(values, i);
     double const off = std::abs(values[i] - neighbours.expected);
-    // A sample beside a jump or a corner is no spike. It lies on the line through two samples before or after it.
+    // A sample beside a jump or a corner is no spike. Such a sample lies on the line through the two samples before it,
+    // or the two after it.
     auto const on_line = [&](std::size_t near, std::size_t far) {
       return std::abs(values[i] - (2.0 * values[near] - values[far])) < on_one_side * off;
     };
     bool const at_an_end = i < 3 || i + 3 >= values.size();
-    // Near an end, a corner beside the sample may lie where too few samples follow to show a line.
+    // Near an end, too few samples may follow a corner to show the line after it. There a spike must be higher or lower
+    // than both neighbours.
     if (at_an_end && (values[i] - values[i - 1]) * (values[i + 1] - values[i]) >= 0.0) continue;
     double const contrast = spike_contrast * (at_an_end ? edge_contrast : 1.0) * neighbours.left;
     if ((i >= 2 && on_line(i - 1, i - 2)) || (i + 2 < values.size() && on_line(i + 1, i + 2))) continue;
     if (off > contrast / 3.0) others.push_back(off);
     if (off > least && off > contrast) found.push_back({.at = i, .value = values[i], .expected = neighbours.expected});
   }
-  // A logger may write one value, such as 0, wherever it has none. A few spikes may stand beside these.
+  // A logger may write one fixed value, such as 0, where it has no measurement. If nine tenths of the spikes have one
+  // value, all are faults, even if they are many.
   for (auto const& spike : found) {
     auto const alike = std::ranges::count(found, spike.value, &Spike::value);
     auto const all = static_cast<std::ptrdiff_t>(found.size());
     if (alike >= static_cast<std::ptrdiff_t>(fewest_texture) && alike >= all - all / 10) return found;
-    if (&spike - found.data() > all / 10) break;  // one of the first tenth and one must have the value
+    // at most a tenth of the spikes has another value, so one of those looked at has the fixed one
+    if (&spike - found.data() > all / 10) break;
   }
   auto const most = std::max(fewest_texture, values.size() / samples_a_spike);
   auto const rank = std::max(fewest_others, values.size() / samples_an_other);

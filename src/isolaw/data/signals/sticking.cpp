@@ -110,8 +110,8 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches in which `stands` shows only noise while `other` moves on, and at whose end `stands` jumps while
-  // `other` does not. A true jump moves both.
+  // Finds stretches in which the channel `stands` shows only noise while `other` moves on, and at whose end `stands`
+  // jumps while `other` does not. In a true jump, both move.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -138,8 +138,9 @@ class Sticking {
     return found;
   }
 
-  // Whether the force differs clearly at other times when the motion passes the end of this stretch in the same
-  // direction. The force of a device with play, or of one that yields and stiffens again, is the same in every cycle.
+  // Whether the force in this stretch differs clearly from the force at other times when the motion passes the same
+  // displacement in the same direction. In a device with play, or one that yields and stiffens again, the force repeats
+  // in every cycle and is not stuck.
   bool is_elsewhere(SampleRange const& run) const {
     auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);
     double const at = pair_.disp.x[run.last - lag], way = pair_.disp.x[run.last] - at;
@@ -159,8 +160,8 @@ class Sticking {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     auto const keep = [&](SampleRange const& run) {
-      // A channel that is sampled slowly makes many stretches, each shorter than half a cycle. `covered` is the number
-      // of samples in such stretches.
+      // A channel with a slow sampling rate repeats its values, which makes many stretches shorter than half a cycle.
+      // `covered` counts the samples in such stretches. If they are too many, the channel is slow and not stuck.
       if (run.size() < pair_.half_cycle) covered += run.size();
       first.push_back(run.first);
       longest = std::max(longest, run.size());
@@ -204,7 +205,8 @@ class Sticking {
       auto const end = begin + static_cast<std::ptrdiff_t>(run.size());
       auto const [low, high] = std::minmax_element(begin, end);
       if (!(*high - *low > least)) continue;
-      // How far the motion goes out and back in the stretch. If the device yielded, the stretch would end at the turn.
+      // How far the motion goes out and comes back within the stretch. The force of a yielding device would change at
+      // the turn, and the stretch would end there.
       double const there_and_back =
           std::max(std::min(*high - *begin, *high - *(end - 1)), std::min(*begin - *low, *(end - 1) - *low));
       auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);

@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// Leaves out a channel that is clipped.
+// A channel that is clipped, as the arguments say, is not searched.
 std::vector<SignalFault> stuck_channels(SignalPair const& pair, bool clipped_disp, bool clipped_force);
 
 }  // namespace isolaw::data

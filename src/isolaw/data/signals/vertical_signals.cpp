@@ -18,9 +18,9 @@ constexpr double standing_noise = 6.0;      // standard deviations of the noise 
 constexpr double standing_quanta = 1.5;
 constexpr double goes_beyond = 0.03;   // times the range; during clipping, the other channel rises by more
 constexpr double goes_on = 0.1;        // times the range; while one channel is stuck, the other moves by more
-constexpr double width_of_both = 4.0;  // times a plateau's noise, as part of the range; the other channel moves by more
-constexpr double carries = 0.1;        // times the load's range above the least load; from there the device is loaded
-constexpr double load_jump = 0.05;     // times the load's range; a stuck load ends with a larger jump
+constexpr double width_of_both = 4.0;  // times width / range of the plateau's channel; the other channel moves by more
+constexpr double carries = 0.1;     // times the load's range above the least load; with more load, the device is loaded
+constexpr double load_jump = 0.05;  // times the load's range; a stuck load ends with a larger jump
 
 struct VerticalChannel {
   std::string name, unit;
@@ -138,7 +138,8 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// Keeps the spikes that are faults. Spikes in both channels are a real load, and at low load the press may lift off.
+// Keeps the spikes that are faults. A spike in both channels is a real change of load. At low load a spike downwards
+// may be the press lifting off.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
                           std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);
