@@ -201,8 +201,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   std::vector<std::vector<double>> refits(n);
   double const tail = 0.5 * (1.0 - options.level);
   double const normal_reach = std::numbers::sqrt2 * boost::math::erf_inv(options.level);
-  double reach = normal_reach;  // half the interval over the standard deviation
-  double widening = 1.0;        // factor on the bootstrap's intervals
+  double reach = normal_reach;  // half the length of a linear interval, divided by the standard deviation
+  double widening = 1.0;        // factor on the lengths of the bootstrap's intervals
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {

@@ -1,4 +1,5 @@
-// Computes a campaign in parallel: the runs of every law on every device, then the analyses. Each is stored when done.
+// Computes a campaign in parallel: the runs of every law on every device, then the analyses. Each result is stored as
+// soon as it is computed.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +28,7 @@ struct RunOptions {
   int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // called between generations or starts, from any thread
-  std::function<void(int)> short_of_threads = {};  // called at the end if fewer threads were given, with their number
+  std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if less than `jobs`
   Profile* profile = nullptr;                      // time and work of the phases are added to it
   std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
 };

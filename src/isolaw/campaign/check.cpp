@@ -20,8 +20,9 @@
 namespace isolaw::campaign {
 namespace {
 
-// Objectives below this one are compared with the tolerance that it has. They may consist of rounding errors, if the
-// law itself computed the record.
+// Two objectives are close if they differ by at most evaluation_tolerance, relative to the larger one or, if that is
+// below this value, to this value. A smaller objective may consist of rounding errors: it arises if the law itself
+// computed the record.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
@@ -54,7 +55,8 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
-// A stored curve that has changed is a fault in any build. The stiffness found from the curve may depend on the build.
+// A stored curve that no longer has its hash is a fault. A stiffness that differs from the stored one goes to `found`
+// instead, because it may only mean that another build computed it.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))

@@ -311,7 +311,8 @@ class DeviceReader {
     return test;
   }
 
-  // The first key of the test's table that is about conditions, or nullptr. All of them then count as known.
+  // The first key of the test's table that is about conditions, or nullptr. table.find() marks each of these keys as
+  // known, so that table.refuse_unknown() does not complain about them.
   static toml::node const* condition_key_in(TomlTable& table) {
     auto const* first = table.find("aged");
     for (auto const& option : test_table())
@@ -319,8 +320,8 @@ class DeviceReader {
     return first;
   }
 
-  // Puts the tests in their order, and chooses the one that stands for the device elsewhere: the test with stands-for =
-  // "acceptance", else the first one at the reference temperature that is not aged, else the first one.
+  // Sorts the tests by their `order`. Then chooses the one test to which a campaign fits laws: the test with stands-for
+  // = "acceptance", else the first one at the reference temperature that is not aged, else the first one.
   void take_history(TomlTable& table, toml::table const& source, DeviceInput& device) const {
     auto& all = device.history = std::move(device.tests);
     device.tests.clear();

@@ -31,14 +31,14 @@ struct TestInput {                           // one test before its record is re
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::string shown_file;                    // the name in reports
   data::ReadOptions read;
-  StatedTest stated = {};  // under which condition; only in a lot file with [conditions]
+  StatedTest stated = {};  // the condition of the test; only in a lot file with [conditions]
 };
 
 struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
-  // All tests of the device in their order, if the lot file has a table [conditions]. `tests` then holds the one that
-  // stands for the device.
+  // All tests of the device in the order in which they were made, if the lot file has a table [conditions]. `tests`
+  // then holds only one of them, to which a campaign fits laws.
   std::vector<TestInput> history = {};
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
   DeviceInfo info;

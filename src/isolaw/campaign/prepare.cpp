@@ -219,7 +219,7 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
                       ? std::string("its one device is not usable")
                       : fmt::format("none of its {} devices is usable", contents.devices.size())}};
     for (auto const& device : contents.devices) {
-      // A refusal mostly begins with the name of the file, which may be that of the device.
+      // A refusal mostly begins with the name of the file. If the device has the same name, it is not said twice.
       bool const named = device.refusal.starts_with(device.name + ":");
       complaints.push_back({.where = named ? "" : device.name, .found = device.refusal});
     }

@@ -30,8 +30,9 @@ class Store {
   // Calls visit(device, law, number) for every run, sorted by these three.
   static void for_each_run(std::filesystem::path const& file,
                            std::function<void(std::size_t, std::string const&, int)> const& visit);
-  // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
-  // values of series are not compared, since read() takes them as they are.
+  // `contents` is what read() returned for this file. Returns a sentence for each table whose rows differ from those
+  // that this program would write for `contents`. The values of series are not compared, since read() takes them as
+  // they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
   // Adds a run or an analysis in one transaction; not thread-safe. Stores nothing and throws std::logic_error if read()
   // would refuse it.
@@ -47,8 +48,8 @@ class Store {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies from another store of this campaign, which must have every run, all analyses that are missing here, or none
-  // if it throws. Returns how many.
+  // Copies all analyses that are missing here from another store of this campaign, and returns how many. The other
+  // store must have every run. If it throws, it has copied none.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.
