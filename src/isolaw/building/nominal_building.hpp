@@ -38,8 +38,8 @@ struct Checked {
   std::string outcome;
   Coupling coupling = Coupling::coupled;
   double step_s = 0.0;
-  // Empty if the analysis stopped. `missed_mm` is the error of isolator_mm due to the step, by richardson().
-  // `draws_error_percent` is the error of isolator_mm by the integrator of the draws.
+  // Empty if the analysis stopped before its end. `missed_mm` is the error of isolator_mm that is due to the step, by
+  // richardson(). `draws_error_percent` is how far the value of the draws' integrator is from isolator_mm.
   std::optional<double> isolator_mm = {}, balance = {}, missed_mm = {}, draws_error_percent = {};
   // Results of the equivalent linear analysis; `equivalent_mm` is the displacement of the centre. Empty if
   // equivalent_linear() has no result.
@@ -53,7 +53,7 @@ struct NominalResult {
   Checked checked = {};
   NominalHistory history = {};
   std::vector<std::vector<double>> spectra_g = {};  // [diaphragm][period], divided by the number of motions
-  double farthest_mm = 0.0;                         // largest displacement of a bearing, up to where the run ended
+  double farthest_mm = 0.0;                         // largest displacement of a bearing, even of a run that stopped
 };
 
 // A study keeps these results in its store, so that nothing is integrated again if only the limits change. kept_text()

@@ -140,7 +140,8 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
                             joined(different, "; "),
                    .allowed = "the same, which is continued",
                    .advice = "--fresh to start over, or another --out"});
-    // Two builds may give different numbers, and two instruction sets differ in the last digits.
+    // A study must not mix runs of two builds, which may give different numbers, or of two instruction sets, which
+    // differ in the last digits.
     auto const me = building_maker();
     for (auto const& maker : campaign::read_makers(db))
       if (!same_build(maker, me) || maker.instruction_set != me.instruction_set)
@@ -164,7 +165,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// The same for a text that is kept for a law at a place of the table `nominal`.
+// The same kind of hash for a text that RunStore::keep() stores.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }
@@ -413,7 +414,8 @@ Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws)
     for (auto const& motion : study.file.motions) {
-      // Motions under which the law acts alike share their devices, and so the populations that are estimated again.
+      // If the law has the same coupling as under the motion before, the Devices are copied. The copies share the
+      // populations that are estimated again, so these are made only once.
       bool const alike =
           &motion != study.file.motions.data() && devices_.back().coupling() == coupling_under(motion, law);
       alike ? devices_.push_back(devices_.back()) : void(devices_.emplace_back(law, study.file, motion));
@@ -474,7 +476,8 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   };
   Runs const runs(study, stop);
   auto const& blocks = runs.blocks();
-  // The runs that are made together, as many as the lanes hold, or each by itself. Those that are finished are kept.
+  // The runs that the store lacks, in groups that are computed together: as many as there are lanes, or a single run if
+  // runs are integrated one by one.
   std::vector<Blocks::Block> left;
   RunProgress progress;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
@@ -504,7 +507,7 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
     try {
       take(runs.of(some));
     } catch (InterruptedRun const&) {
-      // The numbers of these runs are not kept, and stop() ends all others.
+      // These runs were interrupted and have no result. stop() ends the runs of the other threads too.
     }
   };
   try {

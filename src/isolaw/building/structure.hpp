@@ -89,7 +89,8 @@ class Structure {
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:
-  // `deformation` maps the degrees of freedom to the storeys' deformations, `rigid` the base's motion to the floors'.
+  // `deformation` maps the displacements of the degrees of freedom to the deformations of the storeys. `rigid` maps the
+  // base's motion to the motion of the floors.
   void find_modes(num::Matrix const& deformation, num::Matrix const& rigid);
 
   Frame frame_;

@@ -43,7 +43,7 @@ struct Device {
   std::string refusal = {};                // why the device is left out; empty for a usable one
   std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
   data::TestRecord raw = {};
-  data::TestRecord uncorrected = {};  // the channels of `raw` without corrections by hand; empty if it has none
+  data::TestRecord uncorrected = {};  // `raw` without the corrections that the user asked for; empty if there are none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
   // Not empty if this device is a copy: another device has the same record, or the record from which this one was made.

@@ -101,8 +101,8 @@ data::TestRecord read_tests(DeviceInput const& input) {
   return data::record_of_tests(std::move(tests));
 }
 
-// Reads the files of a device's tests a second time, without the corrections by hand. Returns an empty record if this
-// fails.
+// Reads the files of a device's tests a second time, without the corrections that the user asked for. Returns an empty
+// record if this fails.
 data::TestRecord read_uncorrected(DeviceInput input) {
   for (auto& test : input.tests)
     if (auto as_it_is = data::without_corrections(test.read)) test.read = *std::move(as_it_is);

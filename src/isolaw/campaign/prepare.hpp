@@ -21,7 +21,7 @@ Contents prepare(Lot const& lot);
 struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
-  data::TestRecord uncorrected = {};  // `record` without corrections by hand; empty if it has none or this is not known
+  data::TestRecord uncorrected = {};  // see Device::uncorrected; also empty if the uncorrected record is not known
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };

@@ -18,7 +18,7 @@ enum class Role {
   best_of_both,   // the only law on the front
   most_accurate,  // the law of smallest objective on the front
   most_robust,    // the law of smallest beta on the front, among laws whose beta the search box does not decide
-  compromise,     // between these two on the front, and nearest to the least objective and the least beta
+  compromise,     // on the front between the two laws above, and nearest to the least objective and the least beta
   between,        // on the front, and none of the roles above
   held_by_box,    // on the front, but only because its parameters lie at bounds of the box
   dominated,
