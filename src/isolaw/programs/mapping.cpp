@@ -178,8 +178,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 }
 
 // HystereticAsym allows no limit curve that softens (beta1 < 0) and no hysteretic force of 0. A law that softens is
-// therefore the difference of two such materials. The first has 1.1 times the law's hysteretic force. The second, which
-// is subtracted, has 0.1 times the law's hysteretic force and a limit curve that hardens.
+// therefore written as the difference of two such materials. The first has 1.1 times the law's hysteretic force. The
+// second, which is subtracted, has the surplus of 0.1 times this force and a limit curve that hardens.
 constexpr double surplus = 0.1;
 
 // In HystereticAsym the hardening term has the coefficient 1, whatever the unit of force. For a law that hardens,

@@ -1,4 +1,5 @@
-// Expresses a law by commands of a program: exactly if a replay agrees with the law, otherwise by a fitted substitute.
+// Expresses a law by commands of an analysis program. The commands count as exact if a replay of them, computed here,
+// agrees with the law. Without such commands, another law that was fitted to this one (a substitute) takes its place.
 #pragma once
 
 #include <optional>
@@ -40,7 +41,7 @@ struct Realised {
   std::vector<std::pair<std::string, Form>> draws =
       {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
   Deviation from_law = {};  // the largest over all histories, in steps of at most replayed_step_mm
-  // The same with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
+  // As from_law, with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
   std::optional<Deviation> finer = {};
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute

@@ -1,6 +1,6 @@
-// Checks an exported law on motions that differ from the tested cycle. A substitute law is checked at smaller
-// amplitudes and at another rate. Other checks use larger amplitudes, larger time steps, or a circle in plan with two
-// springs for a bearing. Each check drives two equal cycles from rest and uses the second.
+// Checks an exported law on motions that differ from the tested cycle: a substitute at smaller amplitudes and another
+// rate, the law at larger amplitudes, a form in larger steps, and two springs in place of a bearing on a circle in
+// plan. Each check drives two equal cycles from rest and uses the second.
 #pragma once
 
 #include <functional>
@@ -47,10 +47,10 @@ struct StepsNeeded {
 };
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
-// Compares two springs at right angles, moved around a circle of the tested amplitude, with one spring moved along its
-// axis at that amplitude. `force` is the largest resultant of the two springs divided by the peak force of the one.
-// `energy` is the work of the two in one turn divided by pi/2 times the work of the one in a cycle. For a coupled
-// bearing of constant strength, `energy` would be 1.
+// Compares two springs at right angles, which move around a circle of the tested amplitude, with a single spring that
+// moves along its axis at this amplitude. `force` is the largest resultant of the two springs, divided by the peak
+// force of the single one. `energy` is the work of the two springs in one turn, divided by pi/2 times the work of the
+// single one in a cycle. For a coupled bearing of constant strength, `energy` would be 1.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -61,8 +61,8 @@ void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen)
       chosen.block = block.number;
 }
 
-// Chooses the block of a record that is assessed. With a rule set it may be a faulty block, with which the device cannot
-// pass (why_withheld()).
+// Chooses the block of a record that is assessed. With a rule set it may be a faulty block, with which the device
+// cannot pass (why_withheld()).
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design, bool has_rules) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
