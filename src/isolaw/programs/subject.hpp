@@ -46,7 +46,7 @@ struct Fitted : study::Range {
 // on the whole force.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;  // factor on the whole force, for programs that cannot scale the parts
+  double overall = 1.0;   // factor on the whole force, for programs that cannot scale the parts
   bool separate = false;  // true if the rules give separate factors
 };
 
