@@ -108,8 +108,8 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
 
 constexpr double variance_over_box = 1.0 / 12.0;  // variance of a uniform distribution over [0, 1]
 
-// Covariance H^-1 V H^-1 in the unit box. The variance along an eigenvector of H is at most that of a uniform
-// distribution.
+// Covariance H^-1 V H^-1 in the unit box. The variance along an eigenvector of H is limited to that of a uniform
+// distribution over the box, since no parameter can be less certain than that.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);

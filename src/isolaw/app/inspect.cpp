@@ -145,8 +145,8 @@ struct Recognition {
   std::vector<Complaint> complaints = {};  // about files that cannot be read
 };
 
-// Reads a test and prints what was recognised. `device` gets the recognised layout and the facts that its file states
-// about it, and is added to found.devices.
+// Reads a test and prints what was recognised in it. Puts the recognised layout and the facts that the file states
+// about the device into `device`, and adds this to found.devices.
 void recognise(campaign::DeviceInput& device, Recognition& found) {
   auto& test = device.tests.front();
   auto const& file = test.files.front();

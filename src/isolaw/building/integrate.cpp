@@ -135,7 +135,8 @@ class ImplicitRun {
       if (!(std::abs(work) > enough) || i == most) return share;
       (work < 0.0 ? low : high) = share;
       (work < 0.0 ? of_low : of_high) = work;
-      // The interpolation keeps away from the ends, so that the interval shrinks by a tenth at least.
+      // The next share lies between `low` and `high`, but not near them, so that this interval shrinks by at least a
+      // tenth each time.
       share = high == 0.0 ? 2.0 * share
                           : low + (high - low) * std::clamp(of_low / (of_low - of_high), i % 2 == 0 ? 0.1 : 0.5, 0.9);
     }

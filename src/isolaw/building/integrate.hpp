@@ -48,8 +48,8 @@ struct History {
   std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
   std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
   std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
-  std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; empty without bearing_forces
-  std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], absolute, mm/s2, x and y of diaphragms
+  std::vector<std::vector<double>> bearing_kN;    // [sample][2 * bearings], x, y of each; empty without bearing_forces
+  std::vector<std::vector<double>> acceleration;  // [sample][2 * (1 + floors)], absolute, mm/s2, x, y of each diaphragm
 };
 
 struct Response {

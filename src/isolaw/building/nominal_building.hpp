@@ -64,7 +64,7 @@ std::string kept_text(BearingLoops const& loops);
 NominalResult nominal_result_of(std::string_view text);
 BearingLoops loops_of(std::string_view text);
 
-// Keeps every n-th sample; the last sample may be left out.
+// Keeps every n-th sample, with n such that at most most_of_history remain. The last sample may be left out.
 NominalHistory thinned(History const& history, double step_s);
 // The loops under one motion, of the first drawn building if `drawn`, else of the nominal one.
 BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,

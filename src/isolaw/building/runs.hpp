@@ -80,7 +80,8 @@ class RunStore {
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;
   void add(std::vector<Row> const& rows);
-  // Throws Error for a run whose numbers have changed since it was stored.
+  // Calls take(place, measured) for each stored run of this law under this motion. Throws Error for a run whose numbers
+  // have changed since it was stored.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
   // keep() stores a text of kept_text() (nominal_building.hpp), and kept() returns it. `place` is the index of the

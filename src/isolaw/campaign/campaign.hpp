@@ -30,7 +30,7 @@ struct RunOptions {
   std::function<bool()> interrupted;               // called between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if less than `jobs`
   Profile* profile = nullptr;                      // time and work of the phases are added to it
-  std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
+  std::optional<Part> share = {};                  // the part of the analyses to make: see AnalyseOptions
 };
 
 // Computes the runs and analyses that `store` does not hold yet and adds them. The result of a run depends only on

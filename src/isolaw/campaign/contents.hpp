@@ -107,7 +107,7 @@ struct LotAnalysis {  // one parameter vector for all devices that count and hav
   std::string law;
   int refinement = 1;                          // the largest refinement of the devices
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
-  analysis::OneLaw mean = {};                  // the law of least mean objective; its `objectives` are as `devices`
+  analysis::OneLaw mean = {};                  // law of least mean objective; objectives[i] is on devices[i]
   analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
   std::optional<fit::AsSprings> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
   std::size_t maker = 0;
@@ -161,7 +161,8 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. No result depends on it.
+// One of the `of` parts into which the runs of a campaign are divided, so that several machines can compute them.
+// `number` counts from 1. No result depends on how the runs are divided.
 struct Part {
   int number = 1, of = 1;
 

@@ -132,7 +132,7 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // they must be made again, with springs
+  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // makes all of them again, with springs
   if (!same_lot || devices.empty()) {
     stored.lot_analyses.clear();
     stored.left_out.clear();

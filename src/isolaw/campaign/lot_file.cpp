@@ -194,7 +194,7 @@ std::string name_of(std::vector<TestInput> const& tests) {
 // Reads the tables of a device. Files outside the lot file's folder are refused unless the user allows them.
 class DeviceReader {
  public:
-  // `conditions` are those of the lot file, or nullptr.
+  // `conditions` is the table [conditions] of the lot file, or nullptr if the lot file has none.
   DeviceReader(std::filesystem::path directory, LotFileOptions const& options, std::string file,
                StatedConditions const* conditions, std::vector<Complaint>& complaints)
       : directory_(std::move(directory)),

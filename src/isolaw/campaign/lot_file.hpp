@@ -89,7 +89,7 @@ std::string name_of_tests(std::span<data::TestSource const> tests);
 using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
 
 // Makes all records of a lot tests of one device, which is named after them. Returns the facts that the records state
-// differently, with the name of each record. The device has no value for these.
+// differently, with the name of each record. The device gets no value for such a fact.
 StatedFacts make_one_device(Lot& lot);
 
 struct LotFileRemarks {             // comments for the person who edits the file

@@ -109,7 +109,7 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   try {
     return read_tests(input);
   } catch (Error const&) {
-    return {};  // FindingKind::uncorrected_not_known says so
+    return {};  // reports then have FindingKind::uncorrected_not_known
   }
 }
 

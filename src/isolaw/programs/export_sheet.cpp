@@ -184,7 +184,8 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // Adds a row of the table. `get` takes the number from the nominal, lower and upper values, in kN^force mm^length.
+  // Adds a row of the table: get(values) of the nominal, the lower and the upper values. These numbers have the unit
+  // kN^force mm^length; the row shows them in the units of the page.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {

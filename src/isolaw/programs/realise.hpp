@@ -40,7 +40,7 @@ struct Realised {
   std::optional<Form> lower = {}, upper = {};
   std::vector<std::pair<std::string, Form>> draws =
       {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
-  Deviation from_law = {};  // the largest over all histories, in steps of at most replayed_step_mm
+  Deviation from_law = {};  // deviation from the law, largest over all histories, in steps up to replayed_step_mm
   // As from_law, with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
   std::optional<Deviation> finer = {};
   std::optional<Deviation> from_measured = {};  // deviation from the measured force

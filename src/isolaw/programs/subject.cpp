@@ -313,9 +313,9 @@ History tested_cycles(Subject const& subject) {
 
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {
   constexpr double pi = std::numbers::pi;
-  // In a law with a dead band (laws/memory/followed.hpp), the followed motion rests after a turn until the motion has
-  // gone back by two bands, and has caught up after six. The small loop goes back by four bands, where the force
-  // depends on the band's width.
+  // A law with a dead band computes its force from a motion that follows the real one (laws/memory/followed.hpp). After
+  // a turn, the following motion rests until the real one has gone back by two bands, and has caught up after six. The
+  // small loop goes back by four bands, so that its force depends on the width of the band.
   double const tremor = 4.0 * dead_band_mm / tested_mm, step_s = 1.0 / (protocol_steps * frequency_Hz);
   History history{.device = {}, .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
   double from = 0.0;

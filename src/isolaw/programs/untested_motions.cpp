@@ -54,8 +54,8 @@ std::optional<double> percent_of(double value, double truth) {
   return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite_difference;
 }
 
-// The steepest fall of the force while the motion goes outwards beyond a displacement. `slope` is negative there, or 0
-// if the force falls nowhere.
+// The steepest fall of the force while the motion goes outwards beyond `beyond_mm`. `slope` is negative, or 0 if the
+// force falls nowhere there.
 struct Fall {
   double slope = 0.0, at_mm = 0.0;
 };

@@ -38,8 +38,8 @@ bool marked(std::vector<OtherCycle> const& cycles);
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The smallest of 20, 40, ..., 1280 steps per cycle whose energy differs from that with 2560 steps by no more than
-// step_energy_percent, and this difference in percent.
+// The number of steps per cycle that a form needs: the smallest of 20, 40, ..., 1280 with which the energy of a cycle
+// differs from that with 2560 steps by at most step_energy_percent. `energy` is this difference in percent.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;

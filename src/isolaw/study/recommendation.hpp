@@ -49,7 +49,7 @@ struct Recommendation {
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
-  std::vector<Finding> reach;       // up to which displacement the tests show the law, and how far laws differ beyond
+  std::vector<Finding> reach;       // the largest displacement where the tests show the law, how far laws differ beyond
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 

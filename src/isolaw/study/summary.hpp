@@ -88,7 +88,7 @@ struct DeviceFit {
   double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
   std::string success_reference;  // where the least objective of `success_share` comes from
   std::optional<double> optimum;  // least objective that the analyses found
-  std::optional<double> rise;     // how far the objective may rise within a parameter's range
+  std::optional<double> rise;     // how far the objective rises to the ends of a parameter's open range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;

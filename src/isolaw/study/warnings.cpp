@@ -304,7 +304,7 @@ class Collector {
 };
 
 // If the measured stiffness is `ratio` times the design value, a mistake of the user may explain it, such as a wrong
-// unit. Returns the question whether he made this mistake, or "" if no known mistake gives this ratio.
+// unit. Returns a question that asks the user about this mistake, or "" if no known mistake gives this ratio.
 std::string_view mistake_of(double ratio) {
   struct Mistake {
     double ratio, within;
