@@ -33,8 +33,8 @@ bool close(double a, double b) {
          std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-// Two series are close if no two values differ by more than evaluation_tolerance times the largest value of the first
-// series. Relative to the single values, differences would be large wherever a value is near zero.
+// Two series are close if they differ nowhere by more than evaluation_tolerance times the largest magnitude in the
+// first series. Relative to the single values, differences would be large wherever a value is near zero.
 bool close(std::vector<double> const& a, std::vector<double> const& b) {
   double size = 0.0;
   for (double const value : a) size = std::max(size, std::abs(value));

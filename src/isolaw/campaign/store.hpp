@@ -49,7 +49,7 @@ class Store {
   };
   Taken take_runs(std::filesystem::path const& other);
   // Copies all analyses that are missing here from another store of this campaign, and returns how many. The other
-  // store must have every run. If it throws, it has copied none.
+  // store must have every run. If take_analyses() throws, it has copied none.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

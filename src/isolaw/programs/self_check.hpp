@@ -16,7 +16,7 @@ inline constexpr double check_tolerance = 1e-8;
 
 // For a check of the law itself: the motion, rounded as in the file, and the force that the law's exported code gives.
 // This force is not taken from law_force(): for a law with an exact flow (laws/flows/), the exported code reads the
-// law's curve from a table and law_force() does not, so they differ slightly.
+// law's curve from a table and law_force() does not, so the two forces differ slightly.
 struct LawCheck {
   std::vector<double> disp, velocity, force;
 };
