@@ -30,9 +30,9 @@ struct LawAnswer {
   std::size_t collapsed = 0;                // draws with a failed run; they count as outside of all bounds
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
-  std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty; none without draws
+  std::vector<Coverage> coverage;           // one for each quantity whose `uncovered` is empty; none without draws
   Judged reach = {};                        // displacement of a bearing as codes use it for design, without a limit
-  std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
+  std::vector<Judged> judged;               // one for each limit of the building file, one for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
   // How many of this law's draws the bound analyses of another law would cover: the share of the draws whose bearing
   // displacement lies between the bounds of the study's first law with a result. Empty for that first law and without
@@ -70,7 +70,7 @@ struct Answers {
   std::vector<Finding> warnings;          // about the analyses of the building
   std::vector<Finding> calibration;       // doubts about the laws' calibration, each once
   std::vector<std::string> assumed;       // the assumptions, a sentence each
-  std::vector<Point> corners;             // of the slab, where displacements are measured
+  std::vector<Point> corners;             // corners of the slab, where displacements are measured
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});

@@ -28,7 +28,7 @@ Histogram histogram(std::vector<double> const& values);
 
 struct Distribution {
   double nominal = 0.0, lower = 0.0, upper = 0.0;  // nominal and the two bound analyses, means over the motions
-  std::array<double, 4> fractiles{};               // at `shares`, of the draws' means over the motions
+  std::array<double, 4> fractiles{};               // fractiles at `shares`, of the draws' means over the motions
   // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance, and
   // the share of the lot in the variance of ln(response). All three are NaN if fewer than least_finite_share of the
   // draws have finite numbers under some motion.

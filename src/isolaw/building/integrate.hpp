@@ -55,7 +55,7 @@ struct History {
 struct Response {
   Outcome outcome = Outcome::completed;
   std::string why;                                                          // why the run did not complete
-  std::vector<double> measured;                                             // as Layout orders them
+  std::vector<double> measured;                                             // measures in the order of Layout
   double step_s = 0.0;                                                      // integration step
   std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps by tangents at rest
   History history;
@@ -66,7 +66,7 @@ struct Response {
 // Points in plan, in the axes of the structure.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // of the slab; empty: of the rectangle around the bearings
+  std::vector<Point> corners = {};  // corners of the slab; if empty, of the rectangle around the bearings
 };
 
 // A structure and its plan. The object owns the arrays that arrays() points to.

@@ -16,7 +16,7 @@ namespace isolaw::building {
 inline constexpr std::size_t motions_for_a_mean = 7;
 
 struct LimitInfo {
-  std::string_view key;       // in [limits] of a building file
+  std::string_view key;       // the limit's key in [limits] of a building file
   std::string_view quantity;  // Quantity::key of the response that it limits
   std::optional<double> ResponseLimits::*value;
   std::string_view help;

@@ -21,7 +21,7 @@ namespace isolaw::building {
 struct Study {
   BuildingFile file;
   std::vector<LawSource> laws;
-  std::string_view report_units = record_units.id;  // those of the campaign's reports; no result depends on them
+  std::string_view report_units = record_units.id;  // units of the campaign's reports; no result depends on them
 
   UnitSystem const& units() const { return find_unit_system(report_units); }
 };

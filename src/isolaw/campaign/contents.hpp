@@ -24,7 +24,7 @@ namespace isolaw::campaign {
 struct Maker {  // the program that computed a part of a campaign
   std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
-  std::string instruction_set;  // that of the search; empty if not known
+  std::string instruction_set;  // the instruction set of the searches; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
@@ -186,7 +186,7 @@ struct Contents {
   std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
   std::vector<Maker> makers = {};                    // the first of them read the records; empty: this program alone
   std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
-  EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
+  EarlierAnalyses held_over = {};                    // analyses made before the campaign grew; not stored
 
   std::size_t expected_runs() const;  // the runs of all parts together; a refused search has none
   std::size_t expected_here() const;  // the runs of this part

@@ -23,7 +23,7 @@ class Store {
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
   // Reads what a campaign begins with: settings, devices and boxes, without the records' series.
   static Contents read_beginning(std::filesystem::path const& file);
-  static Contents read_beginning_and_series(std::filesystem::path const& file);  // with the records' series
+  static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the records' series
   // For each table that holds what the campaign began with, series included: its name and a hash of its rows. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);

@@ -26,7 +26,7 @@ std::string_view name(Fidelity fidelity);
 
 // How far a force differs from a reference force.
 struct Deviation {
-  double largest = 0.0;                 // in percent of the reference's peak force
+  double largest = 0.0;                 // largest difference, in percent of the reference's peak force
   std::optional<double> at_s;           // time of the largest difference; empty for a record without times
   std::size_t at_sample = 0;            // number of the sample with the largest difference, from 1
   double rms = 0.0;                     // root mean square of the samples, in percent of the reference's peak force

@@ -33,7 +33,7 @@ struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
   std::optional<double> load_min_kN, load_max_kN;
-  std::optional<double> load_mean_kN;  // in the reported cycle; for a lot the mean over the devices
+  std::optional<double> load_mean_kN;  // mean load in the reported cycle; for a lot the mean over the devices
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
@@ -82,13 +82,13 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;  // from the device's record; for a lot the largest of its records
+  double dead_band_mm = 0.0;  // that of the device's record; for a lot the largest of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
   std::optional<Model> model;               // only for targets that write a whole building
-  std::vector<data::GroundMotion> motions;  // under which a re-fit is compared with the law (response.hpp)
+  std::vector<data::GroundMotion> motions;  // to compare a re-fit with the law (response.hpp)
 };
 
 // Makes two sine cycles, without forces. The first has the amplitude first_mm, the second has second_mm. The velocity

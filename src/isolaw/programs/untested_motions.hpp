@@ -19,7 +19,7 @@ using ForceOf = std::function<std::vector<double>(History const&)>;
 // Differences of a substitute from the exported law in the energy and the peak force of one cycle, in percent of the
 // law's value. A difference is empty if the law's value is not finite and above 0.
 struct OtherCycle {
-  double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
+  double amplitude_share = 1.0, rate_share = 1.0;  // amplitude and rate as shares of the tested ones
   std::optional<double> energy, peak;
   double largest() const;  // the larger of |energy| and |peak|
 };

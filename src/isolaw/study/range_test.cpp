@@ -74,8 +74,9 @@ Measured measured_on(DeviceResult const& device) {
 struct Cycles {
   SteadyCycle tested, asked;
   std::array<SteadyCycle, 4> inside;  // at inner_shares of the tested displacement
-  std::optional<SteadyCycle>
-      at_tested_speed;  // at the tested displacement and speed, if the building's cycles have another speed
+  // At the tested displacement and a tested speed. Only for a law that depends on the velocity, and only if the
+  // building's cycles are faster or slower than all tests.
+  std::optional<SteadyCycle> at_tested_speed;
 };
 constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
 

@@ -17,7 +17,7 @@ inline constexpr double period_of_building_s = 2.0;
 // The limits of (value at the displacement that the design asks for) / (value at the largest tested displacement).
 inline constexpr double least_stiffness_ratio = 0.45, most_stiffness_ratio = 3.0;
 inline constexpr double least_damping_ratio = 0.15, most_damping_ratio = 3.0;
-inline constexpr double most_damping = 0.70;  // at the tested amplitude; a rectangular loop has 2 / pi
+inline constexpr double most_damping = 0.70;  // largest damping at the tested amplitude; a rectangular loop has 0.64
 // The damping at the tested amplitude may be at most most_times_measured times the measured one plus
 // damping_above_measured.
 inline constexpr double most_times_measured = 1.5, damping_above_measured = 0.02;

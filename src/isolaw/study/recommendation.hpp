@@ -53,7 +53,7 @@ struct Recommendation {
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
-  std::vector<Finding> const& weak() const { return standings.front().weak; }  // of the law that is taken
+  std::vector<Finding> const& weak() const { return standings.front().weak; }  // doubts about the law that is taken
 };
 
 bool compares_laws(Summary const& summary);

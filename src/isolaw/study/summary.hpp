@@ -140,7 +140,7 @@ constexpr std::string_view name(PredictionGrade grade) {
 struct BeyondTests {
   double tested_mm = 0.0;  // the largest displacement of the tests
   double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
-  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;       // at asked_mm
+  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;       // stiffness and energy of a cycle at asked_mm
   double stiffness_ratio = 0.0, damping_ratio = 0.0;  // value at asked_mm / value at tested_mm
 };
 
@@ -198,10 +198,10 @@ struct DeviceResult {
   // For each sample of `record`, whether it lies in the large swings that laws predict from a fit to the small ones.
   // Empty if the laws predict none.
   std::vector<bool> in_large_swings;
-  data::Properties properties;                      // of the raw record
-  std::optional<data::Properties> uncorrected;      // of the raw record without the corrections that the user asked for
+  data::Properties properties;                      // properties of the raw record
+  std::optional<data::Properties> uncorrected;      // the same without the corrections that the user asked for, if any
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
-  std::optional<data::VerticalStiffness> vertical;  // of the raw test
+  std::optional<data::VerticalStiffness> vertical;  // vertical stiffness from the raw compression test
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
   std::vector<data::Effect> effects;                // the whole error budget, for JSON
   DeviceAcceptance acceptance;
@@ -240,7 +240,7 @@ struct Summary {
   std::size_t expected_here = 0;            // runs of this part, or of the whole campaign
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
-  UnitSystem const& units() const { return find_unit_system(asked.report_units); }  // in which reports show values
+  UnitSystem const& units() const { return find_unit_system(asked.report_units); }  // units of reports
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 
