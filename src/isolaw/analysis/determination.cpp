@@ -193,7 +193,9 @@ class Examination {
     double end = 0.0;   // coordinate where the objective has risen by rise_, or the edge of the box
     bool open = false;  // the objective does not rise by rise_ inside the box
   };
-  struct Sides {  // the profile of a parameter below and above the optimum; it is broken off at a lower objective
+  // The profile of a parameter below and above the optimum. If it meets an objective lower than the optimum's, it stops
+  // there and keeps the point in `lower_at` and the objective in `lower`.
+  struct Sides {
     Side below = {}, above = {};
     int evaluations = 0;
     Point lower_at = {};
@@ -229,7 +231,9 @@ class Examination {
   }
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, Sides& sides) const {
-    constexpr double rises_shown = 4.0;  // goes on up to this many rise_, so that figures show more than the open range
+    // The profile goes on until the objective has risen by this many times rise_, so that figures show more than the
+    // open range.
+    constexpr double rises_shown = 4.0;
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
     double distance = 0.0, step = 0.5 * reach;
@@ -275,8 +279,8 @@ class Examination {
     return {std::move(found.best), found.best_value};
   }
 
-  // Finds the coordinate where the objective has risen by rise_. Interpolates the square root of the rise, because it
-  // grows nearly linearly with the coordinate.
+  // Finds the coordinate where the objective has risen by rise_. Interpolates the square root of the rise, because the
+  // rise grows about with the square of the distance from the optimum.
   void find_end(Side& side, std::size_t k, double sign) const {
     double before_u = best_[k], before = 0.0;
     for (auto const& [u, value] : side.points) {

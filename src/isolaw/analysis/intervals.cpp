@@ -108,8 +108,8 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
 
 constexpr double variance_over_box = 1.0 / 12.0;  // variance of a uniform distribution over [0, 1]
 
-// Covariance H^-1 V H^-1 in the unit box. The variance along an eigenvector of H is at most that of a uniform
-// distribution.
+// Covariance H^-1 V H^-1 in the unit box. The variance along an eigenvector of H is limited to that of a uniform
+// distribution over the box, since no parameter can be less certain than that.
 Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   auto const [values, axes] = num::symmetric_eigen(H);
   double const least = 1e-10 * std::max(values.cwiseAbs().maxCoeff(), 1e-300);
@@ -201,8 +201,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   std::vector<std::vector<double>> refits(n);
   double const tail = 0.5 * (1.0 - options.level);
   double const normal_reach = std::numbers::sqrt2 * boost::math::erf_inv(options.level);
-  double reach = normal_reach;  // half the interval over the standard deviation
-  double widening = 1.0;        // factor on the bootstrap's intervals
+  double reach = normal_reach;  // half the length of a linear interval, divided by the standard deviation
+  double widening = 1.0;        // factor on the lengths of the bootstrap's intervals
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {

@@ -31,7 +31,7 @@ namespace isolaw::analysis {
 
 struct ParameterInterval {
   std::size_t parameter = 0;                      // index among the law's parameters
-  double linear_lower = 0.0, linear_upper = 0.0;  // by linearisation, inside the box and in the law's units
+  double linear_lower = 0.0, linear_upper = 0.0;  // interval by linearisation, inside the box, in the law's units
   std::optional<double> bootstrap_lower = {}, bootstrap_upper = {};
 };
 
@@ -61,7 +61,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
 // which falls to zero beyond the lags where it is significant. Fewer than twelve values are taken as independent.
 struct Serial {
   double block = 1.0;
-  std::vector<double> correlation = {1.0};  // for lags 0, 1, 2, ...
+  std::vector<double> correlation = {1.0};  // autocorrelation for lags 0, 1, 2, ...
 };
 Serial serial(std::span<double const> series, double mean);
 

@@ -1,4 +1,5 @@
-// Fits a law to the small swings of a device's tests and judges it on the large ones (data/cycles/swing_sizes.hpp).
+// Fits a law to the small swings of a device's tests and judges it on the large ones. A swing is the motion from one
+// turning point to the next; data/cycles/swing_sizes.hpp tells small ones from large ones.
 #pragma once
 
 #include <optional>
@@ -31,7 +32,7 @@ struct LargerSwings {
   std::vector<double> parameters;  // all parameters of the law
   double fitted = 0.0;             // mean objective of the tests on their small swings
   double predicted = 0.0;          // mean objective on the large swings: the largest among the equally good fits
-  double least_predicted = 0.0;    // the least among them
+  double least_predicted = 0.0;    // mean objective on the large swings: the least among the equally good fits
   int evaluations = 0;             // each evaluation counts once for every test
 };
 // Two fits of the small swings are equally good if their objectives differ by at most this share of the least one.

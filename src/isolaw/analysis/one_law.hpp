@@ -46,7 +46,7 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
 // optima of other devices, those with the smallest mean objective.
 struct LeftOut {
   std::vector<double> parameters;
-  double objective = 0.0;  // on the device that was left out
+  double objective = 0.0;  // objective on the device that was left out
   int evaluations = 0;
 };
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,

@@ -30,7 +30,7 @@ struct BuildingWork {
   int jobs = 0;                                         // number of threads; 0 for one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
   bool fresh = false;                                   // discards a study that the directory holds
-  building::StudyPart part = {};  // computes only this share of the runs; a part needs a directory
+  building::StudyPart part = {};                        // computes only this part of the runs; a part needs a directory
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };

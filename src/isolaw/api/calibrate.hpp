@@ -20,7 +20,7 @@ struct CalibrateOptions {
   std::string title = {};                               // title of the lot in the reports
   campaign::Acceptance acceptance =
       {};  // rule set and design values that the tests are judged by; see complete_acceptance()
-  std::optional<campaign::Part> part = {};  // computes only this share of the runs, for merge(); needs a directory
+  std::optional<campaign::Part> part = {};  // computes only this part of the runs, for merge(); needs a directory
 };
 
 struct Calibrated : campaign::Contents {  // a campaign, and what a continued campaign added

@@ -56,7 +56,7 @@ std::string load_letterhead(std::string const& file) {
     return fmt::format("data:{};base64,{}", picture->type, base64(bytes));
   }
   auto text = data::to_utf8(bytes);
-  text.resize(text.find_last_not_of(" \t\r\n") + 1);  // npos + 1 is 0
+  text.resize(text.find_last_not_of(" \t\r\n") + 1);  // npos + 1 is 0: a text of blanks only becomes empty
   auto const lines = 1 + std::ranges::count(text, '\n');
   if (text.empty()) throw refuse("the file is empty");
   if (lines > most_lines) throw refuse(fmt::format("the file has {} lines", lines));

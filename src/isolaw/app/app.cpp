@@ -64,7 +64,8 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// Adds the options for reading records, or for reading a motion. Leaves out a name that the command already uses.
+// Adds the options for reading records, or for reading a motion. Leaves out an option whose name the command already
+// uses for another one.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;

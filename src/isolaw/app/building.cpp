@@ -153,7 +153,7 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
   for (std::size_t i = 0; i < laws.front().judged.size(); ++i) {
     auto line = limit_text(laws.front().judged[i], units);
     for (auto const& law : laws) {
-      // The laws may come from different tests, and a law may have no tested displacement.
+      // The laws may come from different tests, so one of them may lack the limit of the tested displacement.
       auto const found = std::ranges::find(law.judged, laws.front().judged[i].limit, &building::Judged::limit);
       if (found == law.judged.end()) {
         line += fmt::format("  {:<{}}", "", width);
@@ -294,7 +294,7 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
       all = all && completed;
       auto const numbers = fmt::format("{:.6g},{:.6g},{:.6g},{:.2e}", run.of(building::Measure::isolator),
                                        acceleration(0), acceleration(floors), run.of(building::Measure::balance));
-      // An analysis that stopped early reached values that are no response of the building.
+      // The values that an analysis reached before it stopped are no response of the building, so they are not printed.
       print(fmt::format("{},{},{},{},{}\n", law.law, printable(motion.name), building::name(run.outcome),
                         completed ? numbers : ",,,", file));
       measured.back().push_back(completed ? run.measured : std::vector<double>());

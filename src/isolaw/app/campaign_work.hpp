@@ -17,7 +17,7 @@ namespace isolaw::app {
 struct HowToWork {
   std::filesystem::path directory;
   int jobs = 0;
-  std::optional<campaign::Part> share = {};  // if given, compute only this share of the analyses and write no report
+  std::optional<campaign::Part> share = {};  // if given, make only this part of the analyses and write no report
   render::FigureChoice figures = {};
   bool json = false, details = false;
 };
@@ -31,7 +31,7 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Returns whether all runs and analyses are there. They may be even if the user asked for an interruption.
+  // Returns whether all runs and analyses are there. They may all be there even if the user asked for an interruption.
   bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
   int write_reports(std::filesystem::path const& file, HowToWork const& how);
 

@@ -17,16 +17,16 @@ constexpr double stretch_mm = 208.0;
 struct ConditionTest {
   char const* name;
   double temperature_C = 20.0, frequency_Hz = 0.5, load_kN = 2000.0;
-  double off_percent = 0.0;  // of this test's forces
+  double off_percent = 0.0;  // how far this test's forces are off the formulas, apart from ConditionDevice::off
   double rest_h = 24.0;
   bool aged = false, acceptance = false;
   int cycles = 5;
-  bool keeps_softening = false;  // beyond cycle 3
+  bool keeps_softening = false;  // the forces fall beyond cycle 3 too; otherwise they stay as in cycle 3
 };
 
 struct ConditionDevice {
   char const* name;
-  double off;  // ln of the device's forces over the mean
+  double off;  // ln(forces of this device / forces by the formulas)
   std::vector<ConditionTest> tests;
 };
 

@@ -90,7 +90,8 @@ void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   for (auto& device : lot.devices) device.tests.front().read = read;
 }
 
-// Makes a device for each test of each file. If a file holds several tests, the names get the sheet and the number.
+// Makes a device for each test of each file. If a file holds several tests, sheet and number of the test are added to
+// the names of these devices.
 campaign::Lot lot_of_tests(InitArguments const& arguments) {
   auto lot = campaign::lot_of_files(records_of(arguments.files));
   if (arguments.like) take_over(*arguments.like, lot);
@@ -144,8 +145,8 @@ struct Recognition {
   std::vector<Complaint> complaints = {};  // about files that cannot be read
 };
 
-// Reads a test and prints what was recognised. `device` gets the recognised layout and the facts that its file states
-// about it, and is added to found.devices.
+// Reads a test and prints what was recognised in it. Puts the recognised layout and the facts that the file states
+// about the device into `device`, and adds this to found.devices.
 void recognise(campaign::DeviceInput& device, Recognition& found) {
   auto& test = device.tests.front();
   auto const& file = test.files.front();
@@ -194,8 +195,8 @@ Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   return found;
 }
 
-// Looks at the lot size that --like copied from another lot. It is dropped if this lot has more devices. Otherwise the
-// user is told that it was taken over.
+// --like has copied the lot size of another lot. Drops it if this lot has more devices, and otherwise tells the user
+// that it was taken over.
 void review_lot_size(campaign::Lot& lot, InitArguments const& arguments) {
   auto& size = lot.acceptance.lot_size;
   if (size && static_cast<std::size_t>(*size) < lot.devices.size()) {

@@ -108,7 +108,8 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// Options that may be repeated add to the lot file's values. A value for the same parameter replaces the lot file's.
+// An option that may be repeated does not replace the lot file's list of values. Its values are added to the list, and
+// each replaces a value of the list that is for the same parameter.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();

@@ -108,7 +108,8 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
                                     .parts = arguments.count,
                                     .jobs = jobs,
                                     .instruction_set = std::string(fit::name(fit::instruction_set())),
-                                    // The merge's few runs for each law and motion take about as long as one block.
+                                    // After a merge a few analyses remain for each law and motion. Together they take
+                                    // about as long as one block of runs.
                                     .needs = {.part_s = all_s / arguments.count / jobs,
                                               .merge_s = blocks_s * static_cast<double>(study.file.motions.size()),
                                               .memory_bytes = memory_bytes(jobs)}});

@@ -1,4 +1,5 @@
-// The progress line: share of all work done, time left, count of runs or analyses, law and device of the latest.
+// The progress line: share of all work done, time left, count of runs or analyses, and law and device of the latest run
+// or analysis.
 #pragma once
 
 #include <chrono>
@@ -21,7 +22,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
   [[maybe_unused]] bool terminal_;
   bool drawn_ = false;
-  [[maybe_unused]] std::size_t told_ = 0;  // how many of the finished runs were printed
+  [[maybe_unused]] std::size_t told_ = 0;  // how many of the finished runs the browser version has printed
   Clock::time_point last_ = Clock::now();
 };
 

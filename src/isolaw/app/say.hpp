@@ -15,8 +15,8 @@
 
 namespace isolaw::app {
 
-// Flushes standard output first, so that a message never interrupts a line of results in a common file. Ignores
-// failures, so that a campaign ends in good order after its terminal was closed.
+// Flushes standard output first: if both streams go to one file, a message then never interrupts a line of results.
+// Ignores failures, so that a campaign ends in good order after its terminal was closed.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   fmt::memory_buffer text;  // a message of usual length needs no allocation, which could fail when memory is full

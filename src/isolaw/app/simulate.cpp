@@ -289,8 +289,8 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
         law.dead_band_mm));
   // The comparison below needs the law's own parameters. Parameters that were fitted to springs are different ones.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
-  // The largest speed on a figure of eight is sqrt(2) times that of a sine of the same period. With a period sqrt(2)
-  // times as long, it is that of the user's motion.
+  // A sine of the period `cycle` is as fast as the user's motion. A figure of eight of the same period would be sqrt(2)
+  // times as fast, so its period is taken sqrt(2) times as long.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
   auto const [peak, work] = fit::spread_of(rules);

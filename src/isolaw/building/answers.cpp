@@ -23,8 +23,9 @@ bool has_draws(Study const& study) {
          std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
-// The displacement of a bearing that 95 % of the draws keep below, under the strongest motion or as a mean over the
-// motions. If no draw has numbers, or there are none, it is that of the nominal building under the strongest motion.
+// The displacement of a bearing that 95 % of the draws do not exceed: the largest such value under any one motion, or
+// that of the means over the motions if it is larger still. Without draws that have numbers, it is the largest
+// displacement of the nominal building under any motion.
 Finding farthest(LawAnswer const& law, Study const& study, double tested_mm) {
   auto const& moves = law.distributions.front();
   constexpr std::size_t p95 = 3;
@@ -80,7 +81,7 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
                   .words = {{"holds", std::string(answer)},
                             {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
   if (answer != name(Keeps::open)) return finding;
-  // The number of draws is said only if it is known for every limit that is open.
+  // "wanted" is the number of draws that would settle all open limits. It is left out if it is unknown for one of them.
   std::size_t wanted = 0;
   for (auto const& each : law.judged) {
     if (each.limit == tested_mm || each.keeps != Keeps::open) continue;
@@ -92,7 +93,8 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
 }
 
 // Adds a finding if the law gave no finite numbers in the nominal building, a bound analysis or a draw. Such an
-// analysis counts as outside of every limit. The reader must learn that the law failed, and not the building.
+// analysis counts as outside of every limit. This finding tells the user that the law may be to blame for that, and not
+// the building.
 void add_failing(LawAnswer const& law, std::vector<Finding>& verdict) {
   auto const& moves = law.distributions.front();
   bool const nominal = std::isnan(moves.nominal), bounds = std::isnan(moves.lower) || std::isnan(moves.upper);
@@ -109,7 +111,7 @@ void add_failing(LawAnswer const& law, std::vector<Finding>& verdict) {
   verdict.push_back(std::move(failing));
 }
 
-// Adds numbers that are finite. A sentence leaves out its part about a number that it does not find.
+// Adds the finite ones of these numbers. The sentence of a finding leaves out the clause of a number that is missing.
 void add_finite(Finding& finding, std::initializer_list<FindingNumber> numbers) {
   for (auto const& number : numbers)
     if (std::isfinite(number.value)) finding.numbers.push_back(number);
@@ -179,8 +181,8 @@ std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
                                       {"draws", static_cast<double>(law.draws)},
                                       {"collapsed", static_cast<double>(law.collapsed)}};
   };
-  // The answer opens with the law that it is about. This is the first law, unless its bounds cover its own draws but
-  // not those of another law; then it is the other law.
+  // The answer opens with the law that decides it. `own` is true if this is the first law. It is false if the first
+  // law's bounds cover the first law's draws but not those of another law; then the other law decides.
   bool const own = c.inside < wanted_share || answers.bounds_are_enough != false;
   Finding cover{.kind = FindingKind::building_bounds_cover,
                 .law = first.law,
@@ -297,7 +299,8 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
   return sentences;
 }
 
-using Kept = std::vector<std::vector<std::vector<double>>>;  // [motion][quantity][case]
+// The responses of a law's runs as [motion][quantity][case]. A case is one choice of bearings, for example a draw.
+using Kept = std::vector<std::vector<std::vector<double>>>;
 
 // Reads the runs of one law. Puts each bearing's means, and the largest error of the energy balance, into `out`.
 Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, CasePlaces const& places,
@@ -331,8 +334,9 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   return kept;
 }
 
-// Adds the distribution of every quantity, and the coverage of those that bound analyses can cover. `first` is the
-// answer of the study's first law with a result. It is null if `out` is the answer of that law or no law has a result.
+// Adds to `out` the distribution of every quantity, and how well the bound analyses cover each quantity that they can
+// cover. `first` is the answer of the study's first law with a result. It is null if `out` is the answer of that law or
+// no law has a result.
 void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& places, Settings const& settings,
                        LawAnswer const* first) {
   for (std::size_t q = 0; q < quantities().size(); ++q) {
@@ -405,8 +409,8 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
     checked.equivalent_damping = linear->damping;
     checked.equivalent_error_percent = 100.0 * (linear->displacement_mm / run.of(Measure::centre) - 1.0);
   }
-  // The verdict and its warnings already say how far the draws go beyond the tests. The 0.0 for the tested displacement
-  // therefore leaves out the doubt about this.
+  // 0.0 for the tested displacement leaves out the doubt that a bearing moves farther than in the tests. The verdict
+  // and its warnings say this already, for the draws.
   checked.doubts = run_doubts(run, source.law, motion.name, 0.0);
   if (std::abs(*checked.draws_error_percent) > largest_difference_percent)
     checked.doubts.push_back(
@@ -522,7 +526,8 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const& settings = study.file.settings;
   CasePlaces places(settings);
-  if (!has_draws(study)) places.draws = 0;  // a building file without draws has none; a study made by hand may have
+  // In a building file without bearings that are draws, `draws` is 0. A Study that a caller fills in may differ.
+  if (!has_draws(study)) places.draws = 0;
   Answers answers;
   answers.weight_kN = model.structure().weight_kN();
   for (double const w : model.structure().frequency_rad_s())

@@ -22,25 +22,27 @@ namespace isolaw::building {
 
 struct LawAnswer {
   std::string law;
-  Coupling coupling = Coupling::coupled;    // springs if it differs between motions
-  bool mixed = false;                       // true if it differs: Coupling::separate under motions along x alone
+  Coupling coupling = Coupling::coupled;    // how the law acts in the plane; springs if this differs between motions
+  bool mixed = false;                       // true if it differs: then it is `separate` under motions along x alone
   bool fitted_as_springs = false;           // true if the springs' parameters were fitted as springs around the circle
   std::size_t draws = 0;                    // 0: no bearing is drawn
   std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
-  std::size_t collapsed = 0;                // draws with such a run; they count as outside of all bounds
+  std::size_t collapsed = 0;                // draws with a failed run; they count as outside of all bounds
   double worst_balance = 0.0;               // largest error of the energy balance over all runs
   std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
-  std::vector<Coverage> coverage;           // for each quantity whose `uncovered` is empty; none without draws
-  Judged reach = {};                        // displacement of a bearing as it counts for design; has no limit
-  std::vector<Judged> judged;               // for each limit of the building file, then for the tested displacement
+  std::vector<Coverage> coverage;           // one for each quantity whose `uncovered` is empty; none without draws
+  Judged reach = {};                        // displacement of a bearing as codes use it for design, without a limit
+  std::vector<Judged> judged;               // one for each limit of the building file, one for the tested displacement
   std::vector<Finding> doubts;              // about the law's calibration
-  // Share of the draws whose bearing displacement lies between the bounds of the study's first law with a result. Empty
-  // for that law itself, and without draws.
+  // How many of this law's draws the bound analyses of another law would cover: the share of the draws whose bearing
+  // displacement lies between the bounds of the study's first law with a result. Empty for that first law and without
+  // draws.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // [motion]
-  // [bearing] means over draws and motions of the largest displacement, and of the share of the work on all bearings;
-  // without draws of the nominal building. NaN if fewer than least_finite_share of these runs have numbers.
+  // For each bearing its largest displacement, and its share of the work on all bearings: means over draws and motions,
+  // or over the motions of the nominal building if there are no draws. NaN if fewer than least_finite_share of these
+  // runs have numbers.
   std::vector<double> bearing_mm, bearing_energy_share;
   BearingLoops loops = {};
   std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
@@ -68,7 +70,7 @@ struct Answers {
   std::vector<Finding> warnings;          // about the analyses of the building
   std::vector<Finding> calibration;       // doubts about the laws' calibration, each once
   std::vector<std::string> assumed;       // the assumptions, a sentence each
-  std::vector<Point> corners;             // of the slab, where displacements are measured
+  std::vector<Point> corners;             // corners of the slab, where displacements are measured
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});

@@ -11,7 +11,7 @@
 namespace isolaw::building {
 namespace {
 
-// The stiffness of the devices on their places, and its first moments about the centre.
+// The sum of the devices' stiffnesses, and its first moments about the centre with each device on its place.
 struct Sums {
   double k = 0.0, x = 0.0, y = 0.0;
   Sums with(double stiffness, Point const& at) const {

@@ -15,7 +15,7 @@ namespace isolaw::building {
 inline constexpr double most_tried = 5e4;
 struct Arrangement {
   std::vector<std::size_t> device;                  // [place]
-  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // as arranged here, and with the devices in order
+  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // as arranged here, and with the devices in the order given
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 

@@ -40,8 +40,9 @@ class InPlaneBearing final : public Bearing {
 // A bearing that has never moved farther than this from its start counts as at rest.
 constexpr double rest_mm = 1e-6;
 
-// Replaces the law by its tangents at rest until the bearing first moves beyond `rest_mm`. At rest the bearing moves by
-// rounding only, and laws with a power of the displacement then give Newton's method no useful tangent.
+// The law in one direction. Until the bearing first moves beyond `rest_mm`, the law's tangents at rest replace it. At
+// rest the bearing moves by rounding errors only, where laws with a power of the displacement give Newton's method no
+// useful tangent.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)
@@ -74,10 +75,10 @@ bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
   return law.trial(rest, 0.0).force > much * slope * rest;
 }
 
-// Springs around the circle, as laws::Springs, for a law without a slope at rest. A spring at right angles to the
-// motion moves by rounding only, and the law's force would be noise there. So each spring follows the chord of the law
-// from 0 to `rest_mm` until it first moves beyond `rest_mm`. Exactly at 0 it still gives the law's own tangent, from
-// which the longest integration step is chosen.
+// Springs around the circle, as laws::Springs, for a law for which has_no_slope_at_rest() is true. A spring at right
+// angles to the motion moves by rounding errors only, and the law's force would be noise there. So each spring follows
+// the chord of the law from 0 to `rest_mm` until it first moves beyond `rest_mm`. Exactly at 0 its tangent is still the
+// law's own one, from which the longest integration step is chosen.
 class RestingSprings final : public Bearing {
  public:
   RestingSprings(laws::Online const& law, laws::LawInfo const& info)
@@ -125,7 +126,7 @@ class RestingSprings final : public Bearing {
   struct Spring {
     std::array<double, 2> along;
     laws::Online law;
-    bool went = false, goes = false;  // whether it has gone beyond rest, before the trial and with it
+    bool went = false, goes = false;  // whether the spring has moved beyond rest: before the trial; with the trial
   };
   std::vector<Spring> springs_;
   laws::SpringShares share_ = laws::spring_shares(laws::usual_springs);

@@ -1,4 +1,5 @@
-// A bearing with any law, as integrators use it: force and tangents at the end of a straight step. Units kN, mm, s.
+// A bearing with any law. It gives an integrator the force and its derivatives after a step in which the bearing moves
+// along a straight line. Units kN, mm, s.
 #pragma once
 
 #include <memory>
@@ -20,7 +21,8 @@ struct BearingForce {
 class Bearing {
  public:
   virtual ~Bearing() = default;
-  // The force after a straight step of duration dt from the last committed place to `to`, with `velocity` at `to`.
+  // The force after a step of duration dt along a straight line to the displacement `to`, with `velocity` at its end.
+  // The step begins where commit() was last called, so an integrator may try several steps before it commits one.
   virtual BearingForce trial(Vector const& to, Vector const& velocity, double dt) = 0;
   virtual void commit() = 0;
   virtual std::unique_ptr<Bearing> copy() const = 0;
@@ -35,9 +37,9 @@ enum class Coupling {
 };
 // Coupling::coupled if the law has a two-dimensional form with these parameters, else Coupling::springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);
-// Makes a virgin bearing at rest. `dead_band_mm` and `parts`, the integration steps of a trial, are those of
-// laws::Online; coupled forms have neither. Throws Error for an unknown law, a wrong coupling or a wrong number of
-// parameters.
+// Makes a virgin bearing at rest. laws::Online explains `dead_band_mm` and `parts`, the number of integration steps in
+// a trial; bearings with Coupling::coupled use neither. Throws Error for an unknown law, a wrong coupling or a wrong
+// number of parameters.
 std::unique_ptr<Bearing> make_bearing(std::string_view law, std::span<double const> parameters, Coupling coupling,
                                       double dead_band_mm = 0.0, int parts = 1);
 

@@ -571,7 +571,8 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   if (in_place.motions.empty() && root.find(motion_info.name) == nullptr)
     root.complain("no motions", "[[motion]], or --motion FILES", "isolaw building --template");
   throw_complaints(std::move(complaints), name);
-  // Without a bearing that is drawn all draws would be the nominal building. Without draws a population has no median.
+  // If no bearing is a draw, all draws would equal the nominal building, so none are computed. Populations that are
+  // estimated again serve only to compare medians of draws, so there are none either.
   auto& settings = file.settings;
   if (settings.draws == 0 ||
       std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())

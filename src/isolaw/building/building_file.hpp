@@ -21,8 +21,8 @@ struct Settings {
   std::string title;
   std::vector<std::string> laws;  // empty: the law that the campaign recommends
   int draws = 500;
-  // How often the population is estimated again, to show how uncertain the medians are because few devices were tested.
-  // Below 2 nothing is shown.
+  // How often the population is estimated again (population_again()), to show how uncertain the medians are because few
+  // devices were tested. Below 2 nothing is shown.
   int populations = 0;
   int draws_of_each = 20;
   int seed = 1;
@@ -59,9 +59,10 @@ struct BuildingFile {
   Plan plan() const;
 };
 
-// The tables of a building file, in the file's units. For a list such as [[floor]] they hold the table being read or
-// written. The member of a required key starts with the value that building_template() shows, except for the files of
-// motions and the factors of [building].
+// Slab to FileTables: the tables of a building file, in the file's units. FileTables has one member for each table. For
+// a list such as [[floor]] it holds the one table of the list that is being read or written. The members of required
+// keys begin with the values that building_template() shows, except for the files of motions and the factors of
+// [building].
 struct Slab {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -126,8 +127,8 @@ std::vector<Motion> read_motions(std::vector<std::string> const& files, isolaw::
 // Throws Error for fewer than two samples, values that are not finite, a step not in (0, 10] s, and components of
 // different length.
 void require_sound(Motion const& motion);
-// Both functions throw one Error with all complaints and their lines. Paths of motions are relative to the folder of
-// `file`, or to `folder`.
+// read_building() and read_building_text() throw one Error with all complaints and their lines. Paths of motions are
+// relative to the folder of `file`, or to `folder`.
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place = {});

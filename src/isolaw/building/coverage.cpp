@@ -68,7 +68,7 @@ namespace {
 
 using Binomial = boost::math::binomial_distribution<>;
 
-// The lower end of the interval. The number of those found need not be whole.
+// The lower end of the confidence interval of the share found / trials. `found` need not be a whole number.
 double lower_end(double found, double trials, double level) {
   return found > 0.0 ? Binomial::find_lower_bound_on_p(trials, found, 0.5 * (1.0 - level)) : 0.0;
 }

@@ -21,13 +21,13 @@ struct Coverage {
   std::string_view quantity;                       // Quantity::key
   double inside = 0.0;                             // share of the draws between both bound analyses
   double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;  // shares of the draws below and above both; one that is not finite counts as above
+  double below = 0.0, above = 0.0;  // shares of the draws below both and above both; a draw that is not finite is above
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic = {};  // the remark of `monotony`, in kN and mm
+  std::string not_monotonic = {};  // the sentence of `monotony`, in kN and mm
 };
 Finding covering_factors(Coverage const& coverage);
 
@@ -38,8 +38,9 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
 
 // Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
-// The least number of draws for which the interval of the share found / trials begins at wanted_share or above, if the
-// share stays as it is. nullopt if a hundred thousand are too few.
+// The number of draws that would show that at least wanted_share of all buildings keep a limit, if the share that keeps
+// it stays at found / trials: with so many draws, the confidence interval of this share begins at wanted_share or
+// above. nullopt if a hundred thousand are too few.
 std::optional<std::size_t> draws_that_tell(std::size_t found, std::size_t trials);
 
 }  // namespace isolaw::building

@@ -27,19 +27,19 @@ struct Histogram {
 Histogram histogram(std::vector<double> const& values);
 
 struct Distribution {
-  double nominal = 0.0, lower = 0.0, upper = 0.0;  // the three analyses without draws, means over the motions
-  std::array<double, 4> fractiles{};               // at `shares`, of the draws' means over the motions
+  double nominal = 0.0, lower = 0.0, upper = 0.0;  // nominal and the two bound analyses, means over the motions
+  std::array<double, 4> fractiles{};               // fractiles at `shares`, of the draws' means over the motions
   // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance, and
   // the share of the lot in the variance of ln(response). All three are NaN if fewer than least_finite_share of the
   // draws have finite numbers under some motion.
   double motion_std_ln = 0.0, lot_std_ln = 0.0, lot_share = 0.0;
   std::optional<double> uncertain_std_ln;        // standard deviation of ln(median) over the re-estimated populations
-  std::vector<std::array<double, 4>> by_motion;  // [motion] fractiles of the draws
+  std::vector<std::array<double, 4>> by_motion;  // [motion] fractiles of the draws at `shares`
   std::vector<double> nominal_by_motion;
   Histogram histogram = {};  // counts the draws' means over the motions that are finite
 };
 
-// The list that cases_of() returns, and where each kind of case begins in it.
+// The list that cases_of() returns, and the index at which each kind of case begins in it.
 struct CasePlaces {
   explicit CasePlaces(Settings const& settings);
   std::vector<Case> cases;

@@ -121,9 +121,10 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // Finds how far to go along the vector `way`, as a share of its length: far enough that the work of the residual
-  // along `way` is at most half as large as at the start. Gives up after some 40 trials. `at(share)` computes the
-  // residual, and is called last with the share that is returned.
+  // Finds how far to go along the vector `way`, as a share of its length: so far that the work of the residual along
+  // `way` is at most half as large as at the start, where the residual is `start`. If some 40 trials do not find such a
+  // share, returns the last one. `at(share)` computes the residual there. Its last call is for the share that is
+  // returned, so that what it leaves behind belongs to that share.
   template <class At>
   static double share_along(Vector3 const& way, Vector3 const& start, At const& at) {
     double const enough = 0.5 * std::abs(way.dot(start));
@@ -134,7 +135,8 @@ class ImplicitRun {
       if (!(std::abs(work) > enough) || i == most) return share;
       (work < 0.0 ? low : high) = share;
       (work < 0.0 ? of_low : of_high) = work;
-      // The interpolation keeps away from the ends, so that the interval shrinks by a tenth at least.
+      // The next share lies between `low` and `high`, but not near them, so that this interval shrinks by at least a
+      // tenth each time.
       share = high == 0.0 ? 2.0 * share
                           : low + (high - low) * std::clamp(of_low / (of_low - of_high), i % 2 == 0 ? 0.1 : 0.5, 0.9);
     }
@@ -151,9 +153,9 @@ class ImplicitRun {
     }
     modes_freely(run_, arrays_, modes, on_base);
     Vector3 const ground(g1[0], g1[1], 0.0), speed = as_vector(v0), before = as_vector(a0);
-    // The unknown is the part of the displacement that the acceleration at the end adds. The inertial force follows
-    // from this part. The whole displacement can be ten thousand times as large, so its rounding would spoil that
-    // force.
+    // The unknown is the part of the displacement that depends on the acceleration at the end of the step. The inertial
+    // force is proportional to this part. If the whole displacement were the unknown, which can be ten thousand times
+    // as large, its rounding would spoil the inertial force.
     Vector3 const steady = dt * speed + 0.25 * dt * dt * before;
     Vector3 const load = condensed_ * ground + as_vector(on_base);
     Matrix3 const inertia = condensed_ * (4.0 / (dt * dt));
@@ -180,8 +182,8 @@ class ImplicitRun {
     auto const is_balanced = [&](Vector3 const& residual) {
       Vector3 const inertial = inertia * unknown;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
-      // The forces are balanced if the residual's share of the largest force is at most `all`. They are balanced too if
-      // this share is at most `sufficient` and the last iteration did not cut the residual to a tenth.
+      // The forces count as balanced if the residual, divided by the largest force, is at most `all`. A quotient up to
+      // `sufficient` will do if iterations no longer help: if the last one did not cut the residual to a tenth.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       bool const balanced = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;
@@ -363,7 +365,7 @@ Matrix3 Model::stiffness(std::span<std::array<double, 4> const> bearings) const 
 }
 
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s) {
-  // The 1e-6 keeps a motion's step whole if it exceeds the longest step by rounding only.
+  // Without the 1e-6, a motion's step that exceeds the longest step by a rounding error would be cut in two.
   auto const parts = static_cast<std::size_t>(std::max(1.0, std::ceil(motion.step_s / longest_step_s - 1e-6)));
   Steps steps{.parts = parts, .dt = motion.step_s / static_cast<double>(parts)};
   auto const samples = motion.x_mm_s2.size() + static_cast<std::size_t>(std::llround(rest_s / motion.step_s));

@@ -27,14 +27,14 @@ struct Motion {
   double step_s = 0.0;
   std::vector<double> x_mm_s2;
   std::vector<double> y_mm_s2 = {};  // empty: no motion along y
-  std::vector<Finding> notes = {};   // what was done to it when it was read
+  std::vector<Finding> notes = {};   // how the motion was changed when it was read
 };
 
 struct Options {
   double longest_step_s = 0.005;
   double rest_s = 0.0;                             // time to continue after the motion
   bool histories = false, bearing_forces = false;  // bearing_forces needs histories
-  Vector pulled_to = {0.0, 0.0};                   // the base is pulled straight to this place and released
+  Vector pulled_to = {0.0, 0.0};                   // before the motion the base is pulled to here [mm] and released
   int most_halvings = 10;                          // how often one step may be halved
   std::function<bool()> interrupted = {};  // asked during a run; if it returns true, the run throws InterruptedRun
 };
@@ -48,14 +48,14 @@ struct History {
   std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
   std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
   std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
-  std::vector<std::vector<double>> bearing_kN;    // [sample][2 bearings], x and y; empty without bearing_forces
-  std::vector<std::vector<double>> acceleration;  // [sample][2 (1 + floors)], absolute, mm/s2, x and y of diaphragms
+  std::vector<std::vector<double>> bearing_kN;    // [sample][2 * bearings], x, y of each; empty without bearing_forces
+  std::vector<std::vector<double>> acceleration;  // [sample][2 * (1 + floors)], absolute, mm/s2, x, y of each diaphragm
 };
 
 struct Response {
   Outcome outcome = Outcome::completed;
   std::string why;                                                          // why the run did not complete
-  std::vector<double> measured;                                             // as Layout orders them
+  std::vector<double> measured;                                             // measures in the order of Layout
   double step_s = 0.0;                                                      // integration step
   std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps by tangents at rest
   History history;
@@ -66,7 +66,7 @@ struct Response {
 // Points in plan, in the axes of the structure.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // of the slab; empty: of the rectangle around the bearings
+  std::vector<Point> corners = {};  // corners of the slab; if empty, of the rectangle around the bearings
 };
 
 // A structure and its plan. The object owns the arrays that arrays() points to.
@@ -97,12 +97,14 @@ Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 // The bearings start in their present state and keep the state at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-bool asks(void const* interrupted);  // a function for Ground::asked; `interrupted` points to Options::interrupted
+// For Ground::asked: calls the Options::interrupted to which `interrupted` points.
+bool asks(void const* interrupted);
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,
                               Motion const& motion, Options const& options = {});
-// Estimates the step error of each measure of `coarse`. `fine` is the same run with half the step. The method is of
-// second order, so the error of `fine` is a third of their difference, and that of `coarse` four thirds.
+// Estimates the error of each measure of `coarse` that is due to its step. `fine` is the same run with half the step.
+// The method is of second order, so halving the step divides the error by four. The error of `coarse` is therefore four
+// thirds of the difference between the two runs.
 std::vector<double> richardson(Response const& coarse, Response const& fine);
 
 }  // namespace isolaw::building

@@ -25,7 +25,9 @@ struct LaneRun {
 struct LaneKernel {
   std::string_view law;
   void (*run)(LaneRun const&) = nullptr;
-  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;  // state_bytes: one bearing's state and parameters
+  // LaneRun::memory needs state_bytes for each bearing's state and parameters, and memory_bytes_a_scalar for each of
+  // the run_scalars() numbers.
+  std::size_t memory_bytes_a_scalar = 0, state_bytes = 0;
 };
 
 }  // namespace isolaw::building

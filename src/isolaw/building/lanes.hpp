@@ -13,8 +13,8 @@
 
 namespace isolaw::building {
 
-// Finds the function that integrates buildings with this law in SIMD lanes. Returns nullptr for `scalar`, and for a law
-// without a two-dimensional form.
+// Finds the function that integrates buildings with this law in SIMD lanes. Returns nullptr if `set` is `scalar`, and
+// for a law without a two-dimensional form.
 LaneKernel const* lane_kernel(num::InstructionSet set, std::string_view law);
 // Returns the measures [draw][measure] of `draws` [draw][bearing][parameter], with parameters in the law's order and
 // units. A draw that failed has measures that are not finite. If `coupling` is not `coupled`, each draw is integrated

@@ -7,7 +7,7 @@
 namespace isolaw::building {
 namespace {
 
-// [case] the response for design; NaN if the building collapsed under a motion.
+// For each case the response that codes use for design (see Judged). NaN if the building collapsed under a motion.
 std::vector<double> for_design(Responses const& responses) {
   if (responses.by_motion.size() >= motions_for_a_mean) return responses.mean;
   auto most = responses.by_motion.front();

@@ -16,7 +16,7 @@ namespace isolaw::building {
 inline constexpr std::size_t motions_for_a_mean = 7;
 
 struct LimitInfo {
-  std::string_view key;       // in [limits] of a building file
+  std::string_view key;       // the limit's key in [limits] of a building file
   std::string_view quantity;  // Quantity::key of the response that it limits
   std::optional<double> ResponseLimits::*value;
   std::string_view help;
@@ -46,16 +46,16 @@ struct Judged {
   std::optional<double> p95;    // 95 % fractile of the draws, if bearings are drawn
   // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
   std::optional<double> kept, kept_low, kept_high;
-  // No: the nominal building or a bound analysis breaks the limit, or fewer than wanted_share of the draws keep it.
-  // Open: the draws are too few to tell.
+  // `no` if the nominal building or a bound analysis breaks the limit, or if fewer than wanted_share of the draws keep
+  // it. `open` if the draws are too few to tell whether wanted_share of all buildings keep it.
   Keeps keeps = Keeps::open;
   // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed" if
   // this analysis gave no finite numbers. Empty if the limit is kept or open.
   std::string_view broken_by = {};
   std::optional<std::size_t> draws_wanted = {};  // if open: draws_that_tell()
 };
-// With `places`, `responses` holds all its cases. Without it, `responses` holds the nominal building, which is judged
-// alone.
+// Judges one limit. If `places` is given, `responses` holds all cases of places->cases. If not, `responses` holds the
+// nominal building only, and only this is judged.
 Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
               CasePlaces const* places = nullptr, bool has_draws = false);
 

@@ -72,8 +72,9 @@ Effective effective(Devices const& devices, std::span<double const> bearings, do
   return all;
 }
 
-// Iterates to the displacement D and the period T for which a linear oscillator with the bearings' effective stiffness
-// and damping at D and T has the peak displacement D and the period T.
+// Looks for the displacement D and the period T that reproduce themselves: a linear oscillator with the bearings'
+// effective stiffness and damping at D and T must have the peak displacement D and the period T. Repeats from the last
+// result until it no longer changes.
 std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
                                                   std::vector<double> const& bearings, double mass) {
   EquivalentLinear linear;

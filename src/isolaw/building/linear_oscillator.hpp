@@ -24,8 +24,8 @@ Effective effective(Devices const& devices, std::span<double const> bearings, do
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };
-// `bearings` as above; `mass` is that of the building in kN s2/mm. Returns nullopt if the effective stiffness is not
-// above 0 at a displacement that the iteration meets, because then there is no such oscillator.
+// `bearings` is as for effective(); `mass` is that of the building in kN s2/mm. Returns nullopt if the search comes to
+// a displacement at which the effective stiffness is not above 0, because then there is no such oscillator.
 std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
                                                   std::vector<double> const& bearings, double mass);
 

@@ -9,7 +9,8 @@
 namespace isolaw::building {
 namespace {
 
-// The members of a result under their names in its text, for writing and for reading.
+// Calls take(name, member) for each member of a result, with the member's name in the text of kept_text(). Writing and
+// reading this text share the list.
 void each_member(NominalResult& result, auto&& take) {
   auto& [checked, history, spectra_g, farthest_mm] = result;
   take("coupling", checked.coupling), take("outcome", checked.outcome), take("step_s", checked.step_s);

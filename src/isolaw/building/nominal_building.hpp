@@ -38,8 +38,8 @@ struct Checked {
   std::string outcome;
   Coupling coupling = Coupling::coupled;
   double step_s = 0.0;
-  // Empty if the analysis stopped. `missed_mm` is the error of isolator_mm due to the step, by richardson().
-  // `draws_error_percent` is the error of isolator_mm by the integrator of the draws.
+  // Empty if the analysis stopped before its end. `missed_mm` is the error of isolator_mm that is due to the step, by
+  // richardson(). `draws_error_percent` is how far the value of the draws' integrator is from isolator_mm.
   std::optional<double> isolator_mm = {}, balance = {}, missed_mm = {}, draws_error_percent = {};
   // Results of the equivalent linear analysis; `equivalent_mm` is the displacement of the centre. Empty if
   // equivalent_linear() has no result.
@@ -53,7 +53,7 @@ struct NominalResult {
   Checked checked = {};
   NominalHistory history = {};
   std::vector<std::vector<double>> spectra_g = {};  // [diaphragm][period], divided by the number of motions
-  double farthest_mm = 0.0;                         // largest displacement of a bearing, up to where the run ended
+  double farthest_mm = 0.0;                         // largest displacement of a bearing, even of a run that stopped
 };
 
 // A study keeps these results in its store, so that nothing is integrated again if only the limits change. kept_text()
@@ -64,7 +64,7 @@ std::string kept_text(BearingLoops const& loops);
 NominalResult nominal_result_of(std::string_view text);
 BearingLoops loops_of(std::string_view text);
 
-// Keeps every n-th sample; the last sample may be left out.
+// Keeps every n-th sample, with n such that at most most_of_history remain. The last sample may be left out.
 NominalHistory thinned(History const& history, double step_s);
 // The loops under one motion, of the first drawn building if `drawn`, else of the nominal one.
 BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,

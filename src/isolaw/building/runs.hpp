@@ -1,5 +1,6 @@
-// Runs the analyses of a building on several threads and stores them in one SQLite file. An interrupted study is
-// continued. Several machines may share a study: their parts are merged into the file that one machine would have made.
+// Runs the analyses of a building on several threads and stores them in one SQLite file. If a study is interrupted, the
+// next call continues it. Several machines may compute parts of a study. merge() joins their files to the file that one
+// machine would have made.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace isolaw::building {
 struct Study {
   BuildingFile file;
   std::vector<LawSource> laws;
-  std::string_view report_units = record_units.id;  // those of the campaign's reports; no result depends on them
+  std::string_view report_units = record_units.id;  // units of the campaign's reports; no result depends on them
 
   UnitSystem const& units() const { return find_unit_system(report_units); }
 };
@@ -30,7 +31,8 @@ struct StudyProperty {
   std::string kind, name, value;  // kind: setting, building, motion or law
   bool operator==(StudyProperty const&) const = default;
 };
-// Everything that the numbers depend on besides the program and its instruction set: settings by value, inputs by hash.
+// Everything on which the runs' numbers depend besides the program and its instruction set: settings by value, inputs
+// by hash.
 std::vector<StudyProperty> properties_of(Study const& study);
 
 // The part of a study that a store holds (nullopt: all of it), and the paths of the study's input files. A merge is
@@ -42,7 +44,8 @@ struct StudyPart {
   isolaw::Values stated = {};  // what the user stated about the motions: options of stated_table()
 };
 
-// Cuts the runs of a study into blocks of cases of one law and motion. Parts share out whole blocks.
+// Cuts the runs of a study into blocks. A block holds some of the cases of one law under one motion. Each part of a
+// study computes whole blocks.
 class Blocks {
  public:
   Blocks(std::size_t laws, std::size_t motions, std::size_t cases) : laws_(laws), motions_(motions), cases_(cases) {}
@@ -77,11 +80,13 @@ class RunStore {
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;
   void add(std::vector<Row> const& rows);
-  // Throws Error for a run whose numbers have changed since it was stored.
+  // Calls take(place, measured) for each stored run of this law under this motion. Throws Error for a run whose numbers
+  // have changed since it was stored.
   void each(std::size_t law, std::size_t motion,
             std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
-  // The text of kept_text() (nominal_building.hpp) with results for the nominal building. `place` is a motion, or the
-  // number of motions for the loops. Returns an empty text if none is kept, and throws Error for a changed one.
+  // keep() stores a text of kept_text() (nominal_building.hpp), and kept() returns it. `place` is the index of the
+  // motion to which the text belongs. The text of the BearingLoops has the number of motions as its place. If there is
+  // no text, kept() returns an empty one. If the text has changed since it was stored, kept() throws Error.
   std::string kept(std::size_t law, std::size_t place) const;
   void keep(std::size_t law, std::size_t place, std::string const& text) const;
 
@@ -93,7 +98,7 @@ campaign::StoreKind const& building_store();
 
 struct CheckedRuns {
   std::size_t runs = 0, expected = 0;
-  std::vector<std::string> faults;  // a clause for each run whose stored numbers are not those that were computed
+  std::vector<std::string> faults;  // a text for each run whose numbers have changed since they were computed
 };
 // Compares each run in the store with the hash that was stored with it. Throws Error like StoreKind::read().
 CheckedRuns check_runs(std::filesystem::path const& file);
@@ -121,7 +126,7 @@ class Runs {
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;
-  // Whether the block's runs are integrated implicitly, one by one. This is so unless the law acts in its coupled form.
+  // Whether the block's runs are integrated implicitly, one by one. This is so unless its coupling is `coupled`.
   bool one_by_one(Blocks::Block const& block) const { return devices_[place(block)].coupling() != Coupling::coupled; }
 
  private:
@@ -143,7 +148,7 @@ struct RunAllOptions {
   std::function<bool()> interrupted = {};                 // asked between and during runs, from any thread
 };
 // Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
-// constructor of Runs. If a run throws, the runs that have finished are stored first.
+// constructor of Runs. If a run throws, run_all() first stores the runs that have finished and then throws on.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
 // The options of a law's runs under a motion. The step is the smaller of the settings' step and longest_explicit_step()
 // for the bearings of the upper bound analysis at rest. Throws Error if a run would take more than most_steps.

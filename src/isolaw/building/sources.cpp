@@ -78,8 +78,8 @@ lot::Population population_again(lot::Population const& population, num::Stream 
       for (std::size_t j = 0; j < values.size(); ++j) estimate.covariance[i][j] *= unit(i) * unit(j);
     estimates.push_back(std::move(estimate));
   }
-  // A parameter that no test determined has a std of 0 in `population`. The new estimate leaves such parameters out
-  // too.
+  // A parameter that no test determined has the standard deviation 0 in `population`. The new estimate must give it no
+  // scatter either.
   std::vector<std::size_t> without;
   for (std::size_t i = 0; i < population.std.size(); ++i)
     if (population.std[i] == 0.0) without.push_back(i);

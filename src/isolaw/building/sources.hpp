@@ -23,7 +23,7 @@ struct LawSource {
   std::string law;
   std::vector<double> lot;                             // the lot's law
   std::map<std::string, std::vector<double>> devices;  // tested devices, by name
-  lot::Population population;                          // without a covariance no bearing may be a draw
+  lot::Population population;                          // from which bearings are drawn, if it has a covariance
   // [parameter] index of the parameter in the population; nullopt if all devices have the value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
@@ -36,7 +36,8 @@ struct LawSource {
 // The parameters, in the law's units, of a device whose forces are `factor` times as large.
 std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
-// Which bearings an analysis has. Bearings that are not drawn differ between analyses only by a factor on forces.
+// Which bearings an analysis has. In all kinds, a bearing that is not a draw has the same parameters, except that
+// `lower`, `upper` and `factor` multiply its forces too.
 enum class CaseKind {
   nominal,  // bearings that are draws have the population's median parameters
   lower,    // as nominal, with all forces times Settings::lower (or upper)
@@ -59,9 +60,10 @@ inline double grid_factor(std::uint32_t i) {
 std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
-// Coupling::coupled if all parameter sets of the law have a coupled form. Otherwise springs, or separate under a motion
-// along x alone and for a law that springs do not follow (laws::springs_follow). The choice depends on the law and on
-// this motion only, so the response to the motion is the same alone and among other motions.
+// How the law acts in the plane under a motion. Coupling::coupled if all its parameter sets have a coupled form. If
+// not, Coupling::separate under a motion along x alone and for a law that springs do not reproduce
+// (laws::springs_follow), else Coupling::springs. The choice depends on the law and on this motion only, so the
+// response to the motion does not depend on the other motions of the study.
 Coupling coupling_under(Motion const& motion, LawSource const& source);
 
 // The bearings of one law under one motion. A random number depends on (seed, law, population, draw, bearing) only.

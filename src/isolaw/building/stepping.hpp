@@ -18,12 +18,14 @@
 
 #include "isolaw/num/scalar.hpp"
 
-// Functions without T in their type must be inlined: the linker could take a copy made for another instruction set.
+// For functions whose type does not contain T: they must be inlined, since the linker could otherwise take a copy that
+// was compiled for another instruction set.
 #define ISOLAW_AWAY __attribute__((always_inline))
 
 namespace isolaw::building {
 
-// A structure and its bearings as plain arrays. Structure's functions of the same names give the dimensions.
+// A structure and its bearings as plain arrays. See the functions of the same names in class Structure for their
+// contents and dimensions.
 struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
@@ -251,9 +253,9 @@ inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
   return sum;
 }
 
-// Takes the roots of the measures that are kept as squares, and computes the balance: input energy less kinetic, strain
-// and damped energy and the bearings' work, as a share of the larger of the input energy and the bearings' work. An
-// exact integration gives 0.
+// Takes the roots of the measures that are kept as squares, and computes the error of the energy balance. This is the
+// input energy minus the kinetic, strain and damped energies and the bearings' work, divided by the larger of the input
+// energy and the bearings' work. An exact integration gives 0.
 template <class T>
 inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;

@@ -76,7 +76,7 @@ class Structure {
   Matrix3 const& mass() const { return mass_; }            // whole building, rigid, about the base's centre of mass
   Matrix3 const& base_mass() const { return base_mass_; }  // the base slab only
   double weight_kN() const;
-  std::vector<double> const& frequency_rad_s() const { return frequency_; }  // on a fixed base, ascending
+  std::vector<double> const& frequency_rad_s() const { return frequency_; }  // of the modes on a fixed base, ascending
   std::vector<double> const& damping() const { return damping_; }
   std::vector<double> const& participation() const { return participation_; }  // Gamma [mode][3]
   // A floor's centre of mass has the absolute acceleration rigid A + shape q''.
@@ -89,7 +89,8 @@ class Structure {
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:
-  // `deformation` maps the degrees of freedom to the storeys' deformations, `rigid` the base's motion to the floors'.
+  // `deformation` maps the displacements of the degrees of freedom to the deformations of the storeys. `rigid` maps the
+  // base's motion to the motion of the floors.
   void find_modes(num::Matrix const& deformation, num::Matrix const& rigid);
 
   Frame frame_;

@@ -18,7 +18,8 @@ struct SyntheticMotion {
   bool two_components = true;
 };
 
-// Generates motion `index` of the family `seed`. Machines differ only in the last digits of cos and exp.
+// Generates motion `index` of those that belong to `seed`. On two machines it differs only as far as their cos and exp
+// differ in the last digits.
 Motion synthetic_motion(std::uint64_t seed, std::uint32_t index, SyntheticMotion const& wanted = {});
 
 // The motions of `isolaw example DIR --building`, from 0 to 6.

@@ -61,8 +61,8 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // After a campaign was continued with more runs, keeps each earlier analysis whose best runs are still runs that the
-  // campaign had before.
+  // An analysis starts from the best run of a device and law. If a campaign was continued with more runs, an analysis
+  // that was made before stays valid unless a new run is better. Keeps the valid ones and drops the others.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {
@@ -259,8 +259,9 @@ class Analysis {
     if (options_.profile != nullptr) options_.profile->mark(ended);
   }
 
-  // Calls work(i, meter) for every i below `count` from several threads, stores what it returns and adds it to
-  // `results`, which `work` must not read. Time that `work` assigns to no phase itself counts for `part.phase`.
+  // Calls work(i, meter) for every i below `count` from several threads. Puts each result into the store and appends it
+  // to `results`. work() must not read `results`, since other threads append to it meanwhile. Computing time that
+  // work() does not assign to a phase by meter.lap() counts for `part.phase`.
   struct Part {
     Phase phase;
     TaskKind kind;

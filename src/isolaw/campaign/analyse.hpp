@@ -20,15 +20,16 @@ fit::SearchBox examined_box(Search const& search);
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
-// The law on the small and on the large swings of the device's tests (data/cycles/swing_sizes.hpp). nullopt if the
-// tests do not show how well a law predicts larger swings.
+// The law on the device's tests, once judged by the small swings alone and once by the large ones. A swing is the
+// motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests have too little of one
+// of the two sizes.
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 
 struct AnalysisProgress {
   std::size_t done = 0, total = 0;
   std::string_view law;               // of the latest analysis
-  std::optional<std::size_t> device;  // of that analysis; nullopt if it is of the lot
+  std::optional<std::size_t> device;  // of the latest analysis; nullopt if it fitted the law to the whole lot
 };
 
 struct AnalyseOptions {
@@ -37,8 +38,8 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                      // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // analyse() makes only this share of the analyses of laws on devices. Once the analyses of all shares are in the
-  // store, it fits only this share of the laws to the lot.
+  // If given, several processes divide the analyses among them, and analyse() makes only those of part `number` of
+  // `of`: the analyses of laws on devices and, once the store holds these of all parts, the fits of laws to the lot.
   std::optional<Part> share = {};
 };
 

@@ -1,6 +1,6 @@
-// Converts a DeviceAnalysis, LotAnalysis or LeftOutAnalysis to the JSON text that the store holds, and back. Numbers
-// keep their last digit; numbers that are not finite become null. Device, law and maker are not in the text, since the
-// store has columns for them.
+// Converts a DeviceAnalysis, LotAnalysis or LeftOutAnalysis to the JSON text that the store holds, and back. Finite
+// numbers come back exactly; the others are written as null and come back as NaN. Device, law and maker (the build that
+// computed the analysis) are not in the text, since the store has columns for them.
 #pragma once
 
 #include <string>

@@ -22,7 +22,8 @@
 namespace isolaw::campaign {
 namespace {
 
-// A law to be fitted to a device. Its LawOnRecord is a hundred times larger, so it is made only while a task runs.
+// A law to be fitted to a device. The LawOnRecord that evaluates this law on the device's record takes a hundred times
+// as much memory as a Target, so it is made only while a task runs.
 struct Target {
   std::size_t place;  // index in Contents::searches
   Search const* search;
@@ -131,7 +132,7 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;
-  // A wider box is kept only if the objective falls by more than this share of itself plus this amount.
+  // A wider box is kept only if the objective falls by more than least_gain times itself plus visible_gain.
   constexpr double least_gain = 1e-3, visible_gain = 1e-5;
   constexpr double decisive_gain = 0.1;
   if (settings.method != Method::best || settings.box != fit::BoxKind::scaled || !run.usable()) return true;
@@ -280,7 +281,8 @@ class Computation {
       for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
-    // Nothing may fail after this: a task that runs out of memory is repeated, and would store its run a second time.
+    // From here on, nothing may run out of memory. for_each_in_parallel() repeats a task that does, and the repetition
+    // would store the run a second time.
     store_.add(run);
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);
@@ -327,7 +329,7 @@ class Computation {
   std::size_t jobs_;
   Progress progress_;
   Estimate estimate_;
-  std::optional<std::size_t> too_few_threads_;  // the fewest that worked, if the system gave fewer than wanted
+  std::optional<std::size_t> too_few_threads_;  // the smallest number that worked, if it was ever less than wanted
   std::atomic<bool> stop_ = false;
   std::mutex one_writer_;
 };

@@ -1,4 +1,5 @@
-// Computes a campaign in parallel: the runs of every law on every device, then the analyses. Each is stored when done.
+// Computes a campaign in parallel: the runs of every law on every device, then the analyses. Each result is stored as
+// soon as it is computed.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ struct Progress {
   bool analysis = false;               // whether `done` and `total` count analyses
   std::map<std::string, double> best;  // best objective so far, by law
   std::span<Run const> runs = {};      // all finished runs, those stored earlier too
-  std::string law = {}, device = {};   // of the latest result; no device for a result on the lot
+  std::string law = {}, device = {};   // of the latest result; `device` is empty if it is about the lot
   double share = 0.0;                  // estimated share of all work that is done, including work stored earlier
   double left_s = 0.0;                 // estimated time until all runs and analyses are done
 };
@@ -27,9 +28,9 @@ struct RunOptions {
   int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
   std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
   std::function<bool()> interrupted;               // called between generations or starts, from any thread
-  std::function<void(int)> short_of_threads = {};  // called at the end if fewer threads were given, with their number
+  std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if less than `jobs`
   Profile* profile = nullptr;                      // time and work of the phases are added to it
-  std::optional<Part> share = {};                  // the share of the analyses to make: see AnalyseOptions
+  std::optional<Part> share = {};                  // the part of the analyses to make: see AnalyseOptions
 };
 
 // Computes the runs and analyses that `store` does not hold yet and adds them. The result of a run depends only on

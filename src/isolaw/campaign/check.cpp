@@ -20,8 +20,9 @@
 namespace isolaw::campaign {
 namespace {
 
-// Objectives below this one are compared with the tolerance that it has. They may consist of rounding errors, if the
-// law itself computed the record.
+// Two objectives are close if they differ by at most evaluation_tolerance, relative to the larger one or, if that is
+// below this value, to this value. A smaller objective may consist of rounding errors: it arises if the law itself
+// computed the record.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
@@ -32,7 +33,8 @@ bool close(double a, double b) {
          std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-// Compares differences with the largest value of the channel, because the value of a single sample may be near zero.
+// Two series are close if they differ nowhere by more than evaluation_tolerance times the largest magnitude in the
+// first series. Relative to the single values, differences would be large wherever a value is near zero.
 bool close(std::vector<double> const& a, std::vector<double> const& b) {
   double size = 0.0;
   for (double const value : a) size = std::max(size, std::abs(value));
@@ -54,7 +56,8 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
-// A stored curve that has changed is a fault in any build. The stiffness found from the curve may depend on the build.
+// A stored curve that no longer has its hash is a fault. A stiffness that differs from the stored one goes to `found`
+// instead, because it may only mean that another build computed it.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))

@@ -74,7 +74,8 @@ void require_search(Contents const& campaign, Search const& s) {
   }
 }
 
-// Limits the words about a build, because they are printed and written into input files of other programs.
+// Checks length and characters of the texts that identify a build, because isolaw prints them and writes them into
+// input files of other programs.
 void require_words(Maker const& maker) {
   constexpr std::size_t longest = 64;
   for (auto const& word : {maker.version, maker.build, maker.instruction_set})

@@ -1,5 +1,6 @@
-// Checks that the indices and lengths in Contents fit together, as its readers expect. A store is checked whenever it
-// is read. Contents are checked before they are written, so that nothing is stored that a reader would refuse.
+// Checks that the indices and lengths in Contents fit together, as all code that uses Contents takes for granted. Every
+// store is checked when it is read. Contents are checked before they are written too, so that no store is written that
+// could not be read again.
 #pragma once
 
 #include "isolaw/campaign/contents.hpp"

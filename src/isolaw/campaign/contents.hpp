@@ -25,7 +25,7 @@ namespace isolaw::campaign {
 struct Maker {  // the program that computed a part of a campaign
   std::string version;
   std::string build;            // a hash of the sources that determine numbers; empty if not known
-  std::string instruction_set;  // that of the search; empty if not known
+  std::string instruction_set;  // the instruction set of the searches; empty if not known
 
   bool operator==(Maker const&) const = default;
 };
@@ -44,11 +44,12 @@ struct Device {
   std::string refusal = {};                // why the device is left out; empty for a usable one
   std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
   data::TestRecord raw = {};
-  data::TestRecord uncorrected = {};  // the channels of `raw` without corrections by hand; empty if it has none
+  data::TestRecord uncorrected = {};  // `raw` without the corrections that the user asked for; empty if there are none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
-  // The device with the same record, or with the one that this record was made from, which counts instead of this one
-  // in every statistic over devices; else empty. Not stored: Contents::find_copies() sets it.
+  // Not empty if this device is a copy: another device has the same record, or the record from which this one was made.
+  // It is the name of that other device, and statistics over devices count only that one. Not stored:
+  // Contents::find_copies() sets it.
   std::string copy_of = {};
 
   bool usable() const { return refusal.empty(); }
@@ -59,8 +60,8 @@ struct Search {  // a law that is fitted to a device: its box, or the reason why
   std::size_t device = 0;
   std::string law;
   std::string refusal = {};
-  fit::SearchBox first_box = {};  // in which every run begins
-  fit::SearchBox box = {};        // of the best run, which may be wider; the first one if there is no usable run
+  fit::SearchBox first_box = {};  // the box in which every run begins
+  fit::SearchBox box = {};        // the box of the best run, which may be wider; first_box if there is no usable run
 };
 
 // A run of Method::best ends with confirmed, budget_spent or no_finite_value, and a run of Method::genetic with
@@ -107,7 +108,7 @@ struct LotAnalysis {  // one parameter vector for all devices that count and hav
   std::string law;
   int refinement = 1;                          // the largest refinement of the devices
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
-  analysis::OneLaw mean = {};                  // the law of least mean objective; `objectives` follow `devices`
+  analysis::OneLaw mean = {};                  // law of least mean objective; objectives[i] is on devices[i]
   analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
   std::optional<fit::AsSprings> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
   std::size_t maker = 0;
@@ -120,7 +121,7 @@ struct LeftOutAnalysis {  // the law fitted to the lot without one device, judge
   std::size_t maker = 0;
 };
 
-fit::SearchBox box_of(Search const& search, Run const& run);  // in which this run ended
+fit::SearchBox box_of(Search const& search, Run const& run);  // the box in which this run ended
 
 inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
@@ -135,8 +136,8 @@ struct EarlierAnalyses {
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// How far the tests of devices may differ and still count as made under one condition. Percentages are of the largest
-// value.
+// How far the tests of devices may differ and still count as made under one condition. A percentage relates to the
+// largest of the compared values.
 struct Alike {
   // isolaw's own tolerances, where neither the rule set nor the user states one
   static constexpr double own_temperature_C = 2.0, own_frequency_percent = 10.0, own_load_percent = 10.0,
@@ -155,13 +156,14 @@ struct Acceptance {
   std::optional<int> lot_size;       // number of devices in the production lot, tested or not
   std::string letterhead = {};       // a picture as a data: address, or lines of text; empty if there is none
   std::string letterhead_file = {};  // name or path of its file
-  Alike alike = {};                  // for conditions for which the rule set has no tolerance
+  Alike alike = {};                  // tolerances that the user gives where the rule set states none
   std::string_view report_units = record_units.id;  // id of the unit system in which reports show values
 
   bool operator==(Acceptance const&) const = default;
 };
 
-// A share of a campaign's runs for one of several machines: part `number` of `of`. No result depends on it.
+// One of the `of` parts into which the runs of a campaign are divided, so that several machines can compute them.
+// `number` counts from 1. No result depends on how the runs are divided.
 struct Part {
   int number = 1, of = 1;
 
@@ -184,22 +186,22 @@ struct Contents {
   std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // sorted by law
   std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
-  std::vector<Maker> makers = {};                    // the first read the records; an empty list means this program
+  std::vector<Maker> makers = {};                    // the first of them read the records; empty: this program alone
   std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
-  EarlierAnalyses held_over = {};                    // from before the campaign grew; not stored
+  EarlierAnalyses held_over = {};                    // analyses made before the campaign grew; not stored
 
-  std::size_t expected_runs() const;  // in all parts together, without refused searches
+  std::size_t expected_runs() const;  // the runs of all parts together; a refused search has none
   std::size_t expected_here() const;  // the runs of this part
   // The number of analyses that the whole campaign makes from the present runs; 0 if the settings ask for none. A part
-  // makes none itself.
+  // of the runs has no analyses: they need the best of all runs and are made after the merge.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }
 
   Run const* best_run(std::size_t device, std::string_view law) const;  // the usable run of least objective, or nullptr
   void take_boxes_of_best_runs();                                       // sets Search::box; needed after runs are added
-  // Sets Device::copy_of; needed after devices are added. Of devices with one record, the first with cyclic properties
-  // counts or, if none has any, the first that is usable.
+  // Sets Device::copy_of; needed after devices are added. Among devices with the same record, the first that has cyclic
+  // properties counts, and the others are its copies. If none has any, the first usable one counts.
   void find_copies();
   DeviceAnalysis const* analysis_of(std::size_t device, std::string_view law) const;
   // The index of the named device, or nullopt for `whole_lot` if no device has that name. Throws Error for other names.

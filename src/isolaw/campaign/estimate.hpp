@@ -39,7 +39,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
 
   using Clock = std::chrono::steady_clock;
   Contents const& contents_;
-  std::vector<std::array<Tasks, task_kinds.size()>> tasks_;  // [place in settings.laws][kind]
+  std::vector<std::array<Tasks, task_kinds.size()>> tasks_;  // [index in settings.laws][kind]
   double before_s_ = 0.0, done_s_ = 0.0;
   Clock::time_point start_ = Clock::now();
 };

@@ -42,7 +42,8 @@ std::optional<std::size_t> place_of(Contents const& contents, std::string_view d
 }
 
 bool same_record(Device const& there, Device const& now) {
-  // A history that was joined from several files may have the same hash as these files read as several tests.
+  // The hash alone is not enough: it may be the same whether several files were joined to one history or read as
+  // several tests. The starts differ then.
   return there.raw.sha256 == now.raw.sha256 && there.raw.starts == now.raw.starts && there.refusal == now.refusal;
 }
 
@@ -131,7 +132,7 @@ void take_over(Contents stored, Contents& asked) {
   asked.runs = moved(std::move(stored.runs));
   asked.makers = std::move(stored.makers);
   auto devices = moved(std::move(stored.device_analyses));
-  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // they must be made again, with springs
+  if (asked.settings.springs && !stored.settings.springs) devices.clear();  // makes all of them again, with springs
   if (!same_lot || devices.empty()) {
     stored.lot_analyses.clear();
     stored.left_out.clear();

@@ -9,7 +9,8 @@
 
 namespace isolaw::campaign {
 
-// The reasons why the stored campaign is not the one asked for and cannot grow to it. Empty if it is or can.
+// The reasons why the campaign asked for cannot use the results of the stored one. Empty if both are the same campaign,
+// or if the stored one can grow to the one asked for.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
 // All that is asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or

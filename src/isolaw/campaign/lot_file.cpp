@@ -194,7 +194,7 @@ std::string name_of(std::vector<TestInput> const& tests) {
 // Reads the tables of a device. Files outside the lot file's folder are refused unless the user allows them.
 class DeviceReader {
  public:
-  // `conditions` are those of the lot file, or nullptr.
+  // `conditions` is the table [conditions] of the lot file, or nullptr if the lot file has none.
   DeviceReader(std::filesystem::path directory, LotFileOptions const& options, std::string file,
                StatedConditions const* conditions, std::vector<Complaint>& complaints)
       : directory_(std::move(directory)),
@@ -317,7 +317,8 @@ class DeviceReader {
     return test;
   }
 
-  // The first key of the test's table that is about conditions, or nullptr. All of them then count as known.
+  // The first key of the test's table that is about conditions, or nullptr. table.find() marks each of these keys as
+  // known, so that table.refuse_unknown() does not complain about them.
   static toml::node const* condition_key_in(TomlTable& table) {
     auto const* first = table.find("aged");
     for (auto const& option : test_table())
@@ -325,8 +326,8 @@ class DeviceReader {
     return first;
   }
 
-  // Puts the tests in their order, and chooses the one that stands for the device elsewhere: the test with stands-for =
-  // "acceptance", else the first one at the reference temperature that is not aged, else the first one.
+  // Sorts the tests by their `order`. Then chooses the one test to which a campaign fits laws: the test with stands-for
+  // = "acceptance", else the first one at the reference temperature that is not aged, else the first one.
   void take_history(TomlTable& table, toml::table const& source, DeviceInput& device) const {
     auto& all = device.history = std::move(device.tests);
     device.tests.clear();

@@ -31,14 +31,14 @@ struct TestInput {                           // one test before its record is re
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::string shown_file;                    // the name in reports
   data::ReadOptions read;
-  StatedTest stated = {};  // under which condition; only in a lot file with [conditions]
+  StatedTest stated = {};  // the condition of the test; only in a lot file with [conditions]
 };
 
 struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
-  // All tests of the device in their order, if the lot file has a table [conditions]. `tests` then holds the one that
-  // stands for the device.
+  // All tests of the device in the order in which they were made, if the lot file has a table [conditions]. `tests`
+  // then holds only one of them, to which a campaign fits laws.
   std::vector<TestInput> history = {};
   StatedDevice stated = {};         // only in a lot file with [conditions]
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
@@ -90,7 +90,7 @@ std::string name_of_tests(std::span<data::TestSource const> tests);
 using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
 
 // Makes all records of a lot tests of one device, which is named after them. Returns the facts that the records state
-// differently, with the name of each record. The device has no value for these.
+// differently, with the name of each record. The device gets no value for such a fact.
 StatedFacts make_one_device(Lot& lot);
 
 struct LotFileRemarks {             // comments for the person who edits the file

@@ -55,7 +55,8 @@ class Merge {
   virtual void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) = 0;
   virtual void tell_missing(Path const& file, Merged& merged) = 0;  // sets `missing` and `missing_of`
   virtual bool has_every_run(Path const& file) = 0;
-  // Called when no run is missing. `whole` are the given stores that are not parts.
+  // Called when no run is missing, to finish the merged store `file`, for example with analyses. `whole` are the given
+  // stores that are not parts.
   virtual void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) = 0;
 
  private:

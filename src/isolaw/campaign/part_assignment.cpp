@@ -16,7 +16,7 @@ Costs in_order(Costs costs) {  // costliest first
   return costs;
 }
 
-Costs dearest_first(Contents const& contents) {  // costs of the searches that were not refused
+Costs dearest_first(Contents const& contents) {  // costs of the searches that were not refused, the costliest first
   Costs searches;
   for (std::size_t s = 0; s < contents.searches.size(); ++s)
     if (contents.searches[s].refusal.empty()) searches.emplace_back(relative_cost(contents, contents.searches[s]), s);

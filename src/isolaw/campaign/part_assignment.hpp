@@ -1,5 +1,6 @@
 // Assigns the runs and analyses of a campaign to its parts, so that parts cost about the same. Runs are sorted by
-// estimated cost and dealt in turn. No cost is measured, so every machine gets the same assignment.
+// estimated cost and dealt in turn. The costs are estimated from the settings and records and not measured, so that
+// every machine finds the same assignment.
 #pragma once
 
 #include <cstddef>

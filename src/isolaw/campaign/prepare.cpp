@@ -101,15 +101,15 @@ data::TestRecord read_tests(DeviceInput const& input) {
   return data::record_of_tests(std::move(tests));
 }
 
-// Reads the files of a device's tests a second time, without the corrections by hand. Returns an empty record if this
-// fails.
+// Reads the files of a device's tests a second time, without the corrections that the user asked for. Returns an empty
+// record if this fails.
 data::TestRecord read_uncorrected(DeviceInput input) {
   for (auto& test : input.tests)
     if (auto as_it_is = data::without_corrections(test.read)) test.read = *std::move(as_it_is);
   try {
     return read_tests(input);
   } catch (Error const&) {
-    return {};  // FindingKind::uncorrected_not_known says so
+    return {};  // reports then have FindingKind::uncorrected_not_known
   }
 }
 
@@ -220,7 +220,7 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
                       ? std::string("its one device is not usable")
                       : fmt::format("none of its {} devices is usable", contents.devices.size())}};
     for (auto const& device : contents.devices) {
-      // A refusal mostly begins with the name of the file, which may be that of the device.
+      // A refusal mostly begins with the name of the file. If the device has the same name, it is not said twice.
       bool const named = device.refusal.starts_with(device.name + ":");
       complaints.push_back({.where = named ? "" : device.name, .found = device.refusal});
     }

@@ -11,7 +11,8 @@
 
 namespace isolaw::campaign {
 
-// The key of the word in a record's first finding that holds the options it was read with, as a JSON object.
+// The first finding of a record has a word with this key. It holds the options with which the record was read, as a
+// JSON object.
 inline constexpr std::string_view given_options = "given_options";
 
 // A device that cannot be used is kept, with the reason. Throws Error if no device is usable or a setting is not
@@ -21,7 +22,7 @@ Contents prepare(Lot const& lot);
 struct NamedRecord {  // a record in memory; its name must suit a lot file
   std::string name;
   data::TestRecord record;
-  data::TestRecord uncorrected = {};  // `record` without corrections by hand; empty if it has none or this is not known
+  data::TestRecord uncorrected = {};  // see Device::uncorrected; also empty if the uncorrected record is not known
   DeviceInfo info = {};
   VerticalInput vertical = {};
 };

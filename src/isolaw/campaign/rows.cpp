@@ -447,7 +447,7 @@ void read_runs(Connection const& db, std::function<void(Run)> const& visit) {
     run.read(r.evaluations, r.failed_evaluations, r.failure, r.history, r.box, r.maker);
     r.outcome = outcome_from(outcome);
     auto const key = std::tie(r.device, r.law, r.number);
-    while (more && owner < key) next_parameter();  // parameters of a run that is not in the store
+    while (more && owner < key) next_parameter();  // skips parameters of a run that is not in the store
     for (; more && owner == key; next_parameter()) r.parameters.push_back(value);
     visit(std::move(r));
   }
@@ -481,7 +481,8 @@ Contents read_contents(Connection const& db) {
   contents.device_analyses = std::move(analyses.devices);
   contents.lot_analyses = std::move(analyses.lots);
   contents.left_out = std::move(analyses.left_out);
-  // A store of an earlier build may have laws of the lot that were made with copies of records. They count as missing.
+  // An earlier build may have fitted a law of the lot to devices that are copies of others (Device::copy_of). Such a
+  // law is dropped here, so that it counts as missing and is fitted again.
   std::set<std::string, std::less<>> stale;
   for (auto const& lot : contents.lot_analyses)
     if (std::ranges::any_of(lot.devices, [&](std::size_t device) { return !contents.devices[device].counts(); }))

@@ -27,7 +27,7 @@ void write_row(sqlite::Connection const& db, LotAnalysis const& analysis);
 void write_row(sqlite::Connection const& db, LeftOutAnalysis const& analysis);
 // Reads all but series, runs and analyses. Throws Error or nlohmann::json::exception for rows that do not fit Contents.
 Contents read_campaign(sqlite::Connection const& db);
-void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // by device, law, number
+void read_runs(sqlite::Connection const& db, std::function<void(Run)> const& visit);  // in the order of Contents::runs
 struct Analyses {
   std::vector<DeviceAnalysis> devices = {};
   std::vector<LotAnalysis> lots = {};

@@ -118,7 +118,9 @@ class Transaction {  // rolls back when destroyed without commit()
 bool is_plain(std::filesystem::path const& file);                     // whether it has no log or journal beside it
 std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of a new version while it is written
 void remove_unfinished(std::filesystem::path const& file);  // removes such a version, even of a killed program
-class Unfinished {  // removes the unfinished new version of `file`; declare it before connections to that version
+// Removes the unfinished new version of `file` in its destructor. Declare it before any connection to that version, so
+// that the connection closes first.
+class Unfinished {
  public:
   explicit Unfinished(std::filesystem::path file) : file_(std::move(file)) {}
   Unfinished(Unfinished const&) = delete;

@@ -38,9 +38,10 @@ void require_readable(Require&& require) {
   }
 }
 
-Run const& stored(Run const& run) {  // as read() will return it
+Run const& stored(Run const& run) {  // the run as read() will return it: unchanged
   return run;
 }
+// The analysis as read() will return it: numbers that are not finite become NaN.
 template <class Analysis>
 Analysis stored(Analysis const& analysis) {
   Analysis read = analysis;
@@ -109,8 +110,8 @@ Contents Store::read(std::filesystem::path const& file) {
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
-  // Every part that is merged changes pages all over the database. The log may therefore grow long: a page that several
-  // parts change is then written into the file once, not once for each part.
+  // Every part that is merged changes pages all over the database. With a long log, SQLite writes a page that several
+  // parts change into the file once, and not once for each part.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);
@@ -232,7 +233,7 @@ std::vector<std::string> Store::foreign_rows(std::filesystem::path const& file, 
   fill(ours, contents, contents.makers);
   write_results(ours, contents);
   std::vector<std::string> faults;
-  // These two may lack rows that read() does not require.
+  // The stored file may lack rows of these two tables, since read() assumes a value for a missing one.
   char const *settings = "key, json FROM setting", *meta = "key, value FROM meta WHERE key <> 'schema'";
   for (auto const* table : {settings, meta, "* FROM maker", "* FROM device", "device, kind, channel, count FROM series",
                             "* FROM search", "* FROM search_parameter", "* FROM run", "* FROM run_parameter",

@@ -23,15 +23,16 @@ class Store {
   static Contents read(std::filesystem::path const& file);  // everything; the file is not changed; throws as open()
   // Reads what a campaign begins with: settings, devices and boxes, without the records' series.
   static Contents read_beginning(std::filesystem::path const& file);
-  static Contents read_beginning_and_series(std::filesystem::path const& file);  // with the records' series
+  static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the records' series
   // For each table that holds what the campaign began with, series included: its name and a hash of its rows. The hash
   // does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
   // Calls visit(device, law, number) for every run, sorted by these three.
   static void for_each_run(std::filesystem::path const& file,
                            std::function<void(std::size_t, std::string const&, int)> const& visit);
-  // A sentence for each table with rows that this program would not write for `contents`, which read() returned. The
-  // values of series are not compared, since read() takes them as they are.
+  // `contents` is what read() returned for this file. Returns a sentence for each table whose rows differ from those
+  // that this program would write for `contents`. The values of series are not compared, since read() takes them as
+  // they are.
   static std::vector<std::string> foreign_rows(std::filesystem::path const& file, Contents const& contents);
   // Adds a run or an analysis in one transaction; not thread-safe. Stores nothing and throws std::logic_error if read()
   // would refuse it.
@@ -47,8 +48,8 @@ class Store {
     std::size_t added = 0, there = 0;
   };
   Taken take_runs(std::filesystem::path const& other);
-  // Copies from another store of this campaign, which must have every run, all analyses that are missing here, or none
-  // if it throws. Returns how many.
+  // Copies all analyses that are missing here from another store of this campaign, and returns how many. The other
+  // store must have every run. If take_analyses() throws, it has copied none.
   std::size_t take_analyses(std::filesystem::path const& other);
   // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
   // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.

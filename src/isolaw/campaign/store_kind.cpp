@@ -89,7 +89,7 @@ std::string StoreKind::lost_with(std::filesystem::path const& file) const {
     return fmt::format("{} was damaged, or no store of isolaw: its {} bytes are lost", file.string(), bytes);
   }
   if (theirs.empty()) return fmt::format("{} was a database without tables: nothing is lost", file.string());
-  // Stores of all schemas have the table meta, which isolaw creates first.
+  // The table meta is the same in every schema of isolaw's stores, so it tells a store of isolaw from other databases.
   if (auto const own = theirs.find("meta"); own != theirs.end() && own->second == ours_.at("meta")) return {};
   std::vector<std::string> names;
   for (auto const& [name, declaration] : theirs) names.push_back(in_quotes(name));

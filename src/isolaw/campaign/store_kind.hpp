@@ -68,7 +68,7 @@ class StoreKind {
   }
 
  private:
-  using Declarations = std::map<std::string, std::string>;  // by name
+  using Declarations = std::map<std::string, std::string>;  // by the name of the table
   // The declarations of all tables, and of whatever other programs added.
   static Declarations declarations(sqlite::Connection const& db, std::filesystem::path const& file);
   [[noreturn]] static void refuse_unreadable(std::filesystem::path const& file);

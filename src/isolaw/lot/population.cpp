@@ -172,8 +172,9 @@ Vector alone(Matrix const& C) {
   return num::apply(Matrix(parts.vectors.cwiseAbs2()), inverse).cwiseInverse().cwiseProduct(scale.cwiseAbs2());
 }
 
-// Takes a parameter out of the scatter S between devices if the tests do not determine it and its estimates scatter no
-// more than their error, whose covariance is C: then nothing shows that devices differ in it.
+// Sets the row and column of a parameter in S, the covariance of the estimates, to zero if the tests do not determine
+// the parameter and its estimates scatter no more than their errors, whose covariance is C. Nothing then shows that
+// devices differ in this parameter.
 void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
   Vector const error = alone(C);
   for (auto const parameter : undetermined) {

@@ -76,10 +76,11 @@ struct Population {
 // mean without covariance, no device gives neither, and `note` says so. Throws one Error with all complaints: vectors
 // and matrices that do not fit names, values or squares of values that are not finite, and negative variances.
 // `undetermined` holds indices of parameters that no device's test determines. The variance of such a parameter's
-// estimates is compared with the variance that its error would have if all other parameters were known. If it is not
-// larger, the row and column of S become zero, so that the parameter has no scatter. Otherwise chance correlations with
-// other parameters would give it a scatter in a lot of a dozen devices. If a law depends only on the product of two
-// parameters, both keep their scatter. Cost: n^3 + devices n^2.
+// estimates is compared with the variance that its error would have if all other parameters were known. If the
+// estimates vary no more than that error, the row and column of S become zero, so that the parameter has no scatter.
+// Otherwise chance correlations with other parameters would give it a scatter in a lot of a dozen devices. If a law
+// depends only on the product of two parameters, both keep their scatter, since each has a small error once the other
+// is known. Cost: n^3 + devices n^2.
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
@@ -95,9 +96,9 @@ struct Sample {
 };
 inline constexpr std::uint32_t most_tries = 100;
 // Draws `count` devices from N(mu, Sigma) as mu + Sigma^(1/2) z, with all parameters of a device together. The root is
-// the symmetric one, which does not jump where eigenvalues coincide. Device i takes its random numbers from the places
-// (i, try) of the stream, so it does not depend on `count`. A draw outside `limits` (one pair per parameter, or none)
-// is repeated. After `most_tries` the last draw is moved towards the medians on a straight line in transformed
+// the symmetric one, which does not jump where eigenvalues coincide. The random numbers of device i depend on i and on
+// the number of the try only, so they do not depend on `count`. A draw outside `limits` (one pair per parameter, or
+// none) is repeated. After `most_tries` the last draw is moved towards the medians on a straight line in transformed
 // coordinates, because this keeps to the directions in which devices differ. If many draws are repeated or moved, the
 // limits shape the sample more than the tests do. Throws Error for a population without covariance, if the number of
 // limits is wrong, and if a median is outside its limits.

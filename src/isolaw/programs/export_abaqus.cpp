@@ -16,8 +16,9 @@
 namespace isolaw::programs {
 namespace {
 
-// Numbers of state variables (SVARS). The first is enough for the largest state without turning points. A law that
-// remembers turning points gets the second in addition, for the most that it keeps, with up to five numbers each.
+// The number of state variables (SVARS) that the element asks for. fixed_variables are enough for the largest state of
+// a law that stores no turning points. A law that stores them gets turning_variables in addition: up to five numbers
+// for each of the turning points that it can keep.
 constexpr int fixed_variables = 64, turning_variables = 5 * static_cast<int>(laws::OpenBranches::most);
 
 }  // namespace

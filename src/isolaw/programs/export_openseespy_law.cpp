@@ -17,7 +17,7 @@
 namespace isolaw::programs {
 namespace {
 
-// The largest force of each variant along the path of the check, as items of a dict.
+// The largest force of each variant (nominal, lower and upper bound) along the path of the check, as items of a dict.
 std::string peaks(Subject const& subject, LawCheck const& check) {
   double nominal = 0.0;
   for (double const force : check.force) nominal = std::max(nominal, std::abs(force));

@@ -52,16 +52,17 @@ std::string python_isolator(ModelNumbers const& n) {
 }
 
 // How the law itself acts in two horizontal directions, as in isolaw.building: by its own form for two directions, if
-// it has one, else as springs around a circle. Such springs round off the loop's knee and need a law that is odd. With
-// a motion along x alone, or a law that is not odd, one spring along each axis follows the law instead.
+// it has one, else as springs around a circle. Such springs round off the loop's knee and need an odd law, whose force
+// in one direction mirrors that in the other. With a motion along x alone, or a law that is not odd, one spring along
+// each axis follows the law instead.
 building::Coupling coupling_in_model(Subject const& subject) {
   auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);
   bool const springs = laws::springs_follow(subject.law->info.id) && subject.model->motions.size() > 1;
   return coupling == building::Coupling::springs && !springs ? building::Coupling::separate : coupling;
 }
 
-// True if the bearings are springs around a circle with the parameters that the campaign fitted to such springs. It
-// fits none for drawn laws.
+// True if the bearings are springs around a circle with the parameters that the campaign fitted to such springs. For
+// drawn laws there are no parameters that were fitted to springs.
 bool as_fitted_springs(Subject const& subject) {
   return coupling_in_model(subject) == building::Coupling::springs && subject.springs && subject.model->draws.empty();
 }

@@ -116,7 +116,7 @@ Memories scaled(Memories v, BoundFactors const& factors) {
   return v;
 }
 
-// Bouc-Wen values with beta = gamma and an exponent from 1 to 20, which Plastic (Wen) requires.
+// The values for Plastic (Wen), which is a Bouc-Wen law with beta = gamma and an exponent from 1 to 20.
 WenSet plastic_wen(Subject const& subject, BuildingOnLaw const& building) {
   if (auto const v = bilinear_values(*subject.law, subject.parameters)) {
     auto const s = sharp(*v);
@@ -184,7 +184,8 @@ class Page {
     text_ += "|---|---|---:|";
     text_ += std::string(subject_.bounds.lower ? "---:|" : "") + (subject_.bounds.upper ? "---:|" : "") + "---|\n";
   }
-  // Adds a row of the table. `get` takes the number from the nominal, lower and upper values, in kN^force mm^length.
+  // Adds a row of the table: get(values) of the nominal, the lower and the upper values. These numbers have the unit
+  // kN^force mm^length; the row shows them in the units of the page.
   template <class Values, class Get>
   void row(std::string_view symbol, double force, double length, Set<Values> const& set, Get&& get,
            std::string_view note = {}) {
@@ -349,7 +350,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;  // the last one computed; any would do, since all are of the same building
+  RefitResponse response;  // the last one computed: all are for the same building, and only its facts are used below
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);

@@ -82,7 +82,8 @@ constexpr std::array all{
     Target{.name = "abaqus",
            .write = [](Subject const& s, UnitSystem const& units, Remarks&) { return abaqus_element(s, units); },
            .is_named = true},
-    // The JSON contains the law itself and the error of each substitute, so a poor substitute is no reason to refuse.
+    // The JSON contains the law itself and the error of each substitute, so a poor substitute is no reason to refuse
+    // this export.
     Target{.name = "json",
            .write =
                [](Subject const& s, UnitSystem const& units, Remarks& remarks) {

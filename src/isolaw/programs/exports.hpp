@@ -51,8 +51,8 @@ std::string opensees_model(Subject const& subject, Realisation const& realisatio
 std::string openseespy_model(Subject const& subject, Realisation const& realisation, UnitSystem const& units);
 std::string openseespy_law(Subject const& subject, UnitSystem const& units);
 // Returns Python code that uses the law itself through isolaw.opensees: the law's parameters and bounds, and the
-// functions arguments(), material() and self_check(). All names begin with `prefix` ("" or "law_"), those of constants
-// with its capitals. The module must have imported `ops` and `isolaw`.
+// functions arguments(), material() and self_check(). The names of functions begin with `prefix` ("" or "law_"), and
+// those of constants with `prefix` in capitals. The module must have imported `ops` and `isolaw`.
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix);
 std::string cpp_header(Subject const& subject, UnitSystem const& units);
 std::string opensees_material(Subject const& subject, UnitSystem const& units);

@@ -53,7 +53,8 @@ bool is_a_number(std::string_view name) {
   return name == "T" || name == "X" || name == "N" || name == "Dual";
 }
 
-// Returns a template's head without the parameters that an export replaces by numbers. Empty if no parameter is left.
+// Returns the head of a template without the template parameters for which an export writes fixed types. Empty if no
+// template parameter is left.
 std::string template_head(std::string_view line) {
   auto const head = without_indent(line);
   auto arguments = head.substr(10, head.size() - 11);
@@ -71,7 +72,8 @@ bool is_template_head(std::string_view line) {
   return line.starts_with("template <") && line.ends_with('>');
 }
 
-// True for a literal or a name with members, with or without a minus sign: these need no cast to double.
+// True for a literal or a name such as p.alpha, with or without a minus sign. Where the code of a law casts such a
+// value to a number type, the export leaves out the cast.
 bool is_simple(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
   return !text.empty() && std::ranges::all_of(text, [](char c) { return of_a_name(c) || c == '.' || c == ':'; });
@@ -183,9 +185,8 @@ std::string with_blank_lines(std::vector<std::string> const& parts) {
   return text;
 }
 
-// Some lines of the exported code. If they are an inline function or a using declaration of a name from std, `name` is
-// the function's name or the name from std, and `text` begins with the comment above the lines. Otherwise `name` is
-// empty.
+// Some lines of the exported code, with the comment above them. `name` is the function's name if they are an inline
+// function, and the name from std if they are a declaration such as `using std::abs`. Otherwise `name` is empty.
 struct Block {
   std::string name, text;
 };

@@ -121,7 +121,7 @@ std::vector<FoundColumn> found_columns(std::vector<std::string_view> const& head
 
 // How the cells of a layout are written, and where its header is.
 struct LayoutForm {
-  std::size_t header = 0;  // index of its line
+  std::size_t header = 0;  // index of the header among the lines
   char delimiter = ',', decimal = '.';
 };
 

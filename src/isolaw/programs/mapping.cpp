@@ -161,9 +161,10 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// Returns the travel in one direction after which the distance of the force from its limit curve, f0 exp(-alpha
-// travel), may be smaller than the rounding error of the force. This error grows with the displacement, `reach` *
-// travel: `reach` is 1 from rest and 0.5 for a swing from one side to the other.
+// On a long travel in one direction the force approaches its limit curve: it is f0 exp(-alpha travel) away from it.
+// Returns the travel from which on this distance may be smaller than the rounding error of the force. The error grows
+// with the displacement, which is `reach` * travel: `reach` is 1 if the travel begins at rest, and 0.5 if it leads from
+// one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;
@@ -178,8 +179,8 @@ double longest_travel(laws::LimitCurve const& v, double reach) {
 }
 
 // HystereticAsym allows no limit curve that softens (beta1 < 0) and no hysteretic force of 0. A law that softens is
-// therefore the difference of two such materials. The first has 1.1 times the law's hysteretic force. The second, which
-// is subtracted, has 0.1 times the law's hysteretic force and a limit curve that hardens.
+// therefore written as the difference of two such materials. The first has 1.1 times the law's hysteretic force. The
+// second, which is subtracted, has the surplus of 0.1 times this force and a limit curve that hardens.
 constexpr double surplus = 0.1;
 
 // In HystereticAsym the hardening term has the coefficient 1, whatever the unit of force. For a law that hardens,

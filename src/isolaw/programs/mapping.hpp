@@ -13,7 +13,7 @@ namespace isolaw::programs {
 
 // An argument of a command. The unit of `value` is kN^force_power mm^length_power.
 struct Argument {
-  std::string name;  // as in the manual of OpenSees
+  std::string name;  // the argument's name in the manual of OpenSees
   double value = 0.0;
   double force_power = 0.0, length_power = 0.0;
 };

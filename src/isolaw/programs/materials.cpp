@@ -79,7 +79,8 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// The conditions on which implicit_z() ends Newton's rule. The values are the defaults of OpenSees.
+// When implicit_z() ends Newton's rule: at a change of z that is small enough, or after `most` iterations. The values
+// are the defaults of OpenSees.
 struct Iteration {
   double tolerance = 1e-8;  // the iteration ends if z changes by less
   int most = 20;

@@ -29,7 +29,8 @@ class Material {
 inline constexpr int bearing_iterations = 100;
 inline constexpr double bearing_tolerance = 1e-9;
 
-// A command of OpenSees. Multiplier uses the last material that no command has used, Parallel the last two.
+// A command of OpenSees that makes a material or an element. The command Multiplier uses the last material before it
+// that no other command has used; Parallel uses the last two.
 struct Command {
   std::string name;
   std::vector<double> arguments;

@@ -70,7 +70,8 @@ void add_weight(Model& model, ModelOptions const& options, std::vector<LayoutRow
   auto const [low, high] = std::ranges::minmax(model.bearings, {}, &ModelBearing::y_mm);
   model.gyration_mm = std::hypot(right.x_mm - left.x_mm, high.y_mm - low.y_mm) / std::sqrt(12.0);
   model.gyration_from = "of a uniform rectangle around the bearings";
-  // A single bearing spans no rectangle. The model keeps its slab from turning, so any radius of gyration will do.
+  // A single bearing spans no rectangle. The model then holds the slab against turning, so any radius of gyration will
+  // do.
   if (model.bearings.size() == 1) model.gyration_mm = 1000.0;
 }
 

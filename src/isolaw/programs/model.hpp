@@ -39,7 +39,7 @@ struct Model {
   // Law parameters drawn for each bearing, as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
-  std::vector<std::string> draws_said;
+  std::vector<std::string> draws_said;  // study::sentences() about the draws
 };
 
 // Largest number of drawn parameter sets in one file. Each set adds a material and its self-check to the file.

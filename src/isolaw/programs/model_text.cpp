@@ -155,8 +155,8 @@ std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const
       !laws::springs_follow(id) && laws::no_coupled_form(id, subject.parameters))
     cautions.push_back(
         wording::sentence({.kind = FindingKind::unequal_sides, .law = id, .words = {{"how", "in a model"}}}, units));
-  // Loads that lie outside the tested loads by up to this share need no caution, since laboratories hold the load of a
-  // test only to about this share.
+  // Loads that lie outside the tested loads by up to 20 % need no caution, since laboratories keep the load of a test
+  // only to within about as much.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return cautions;

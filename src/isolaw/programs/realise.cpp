@@ -39,7 +39,8 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// False for points that were added between samples or before the first sample. In a protocol all points are samples.
+// Whether point i of a history is a sample of the record. It is not if it was added between samples or before the first
+// one. In the self-check's protocol, which has no measured force, all points count as samples.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
@@ -110,8 +111,9 @@ int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, S
   return std::clamp(static_cast<int>(std::ceil(longest_mm / longest_demanded_mm - 1e-9)), 1, finer_steps);
 }
 
-// `as_demanded` is for a form that can only approximate the law. It cuts the records' steps until they are as short as
-// the exported file demands, so that the deviation does not include errors of integration by longer steps.
+// Replays a form on all histories. `as_demanded` is for the form of a substitute, which can only approximate the law.
+// It cuts the records' steps until they are as short as the exported file demands, so that the deviation does not
+// include errors of integration by longer steps.
 Realised replayed(Form const& form, Subject const& subject, bool as_demanded = false) {
   Realised realised{.nominal = form};
   if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
@@ -133,8 +135,9 @@ Realised replayed(Form const& form, Subject const& subject, bool as_demanded = f
   return realised;
 }
 
-// True if the force may be NaN when the isolator moves `overtravel` times as far as in the tests. A replay may miss
-// this for travels beyond the form's longest swing, so such travels count as a failure without a replay.
+// True if the force may be NaN when the isolator moves `overtravel` times as far as in the tests. If it then travels
+// farther than the form's longest swing from side to side, this counts as true without a replay, because a replay of
+// these histories may happen to give finite forces.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -183,8 +186,8 @@ Realisation refit(Subject const& subject, Realisation realisation) {
       auto const& form = mapping.forms[i];
       auto realised = replayed(form, subject, true);
       if (!std::isfinite(realised.from_law.largest) || !has_a_force(form, subject)) continue;
-      // Every cycle has protocol_steps steps, whatever its amplitude, so the pieces of a cycle of the tested amplitude
-      // give all cycles the demanded number of steps.
+      // Every cycle of other_cycles() has protocol_steps steps, whatever its amplitude. The number of pieces that gives
+      // a cycle of the tested amplitude the demanded number of steps is therefore right for all of them.
       int const pieces = pieces_demanded(form, realised.steps, subject,
                                          2.0 * std::numbers::pi * subject.tested.disp_mm / protocol_steps);
       realised.other_cycles =

@@ -1,4 +1,5 @@
-// Expresses a law by commands of a program: exactly if a replay agrees with the law, otherwise by a fitted substitute.
+// Expresses a law by commands of an analysis program. The commands count as exact if a replay of them, computed here,
+// agrees with the law. Without such commands, another law that was fitted to this one (a substitute) takes its place.
 #pragma once
 
 #include <optional>
@@ -25,7 +26,7 @@ std::string_view name(Fidelity fidelity);
 
 // How far a force differs from a reference force.
 struct Deviation {
-  double largest = 0.0;                 // in percent of the reference's peak force
+  double largest = 0.0;                 // largest difference, in percent of the reference's peak force
   std::optional<double> at_s;           // time of the largest difference; empty for a record without times
   std::size_t at_sample = 0;            // number of the sample with the largest difference, from 1
   double rms = 0.0;                     // root mean square of the samples, in percent of the reference's peak force
@@ -39,8 +40,8 @@ struct Realised {
   std::optional<Form> lower = {}, upper = {};
   std::vector<std::pair<std::string, Form>> draws =
       {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
-  Deviation from_law = {};  // the largest over all histories, in steps of at most replayed_step_mm
-  // The same with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
+  Deviation from_law = {};  // deviation from the law, largest over all histories, in steps up to replayed_step_mm
+  // As from_law, with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
   std::optional<Deviation> finer = {};
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute

@@ -63,8 +63,8 @@ struct Scaled {
   Peaks peaks;
 };
 
-// Scales a motion so that the mass moves to `target_mm`, or up to 2 % less far. The first factor tried is `scale`. The
-// result is empty if no factor was found.
+// Scales a motion so that the peak displacement of the mass is `target_mm`, or up to 2 % less. The first factor tried
+// is `scale`. Returns nullopt if none of 20 factors fits.
 std::optional<Scaled> scaled_to(data::GroundMotion const& motion, MassOnBearing const& mass, double target_mm,
                                 double scale) {
   constexpr double near = 0.98;

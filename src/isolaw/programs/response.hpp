@@ -29,20 +29,20 @@ struct UnderMotion {
 
 struct RefitResponse {
   std::vector<UnderMotion> motions;
-  // FindingKind::refit_response, or refit_response_off beyond the limit: the difference between the mean peaks with the
-  // re-fit and with the law, and the least and largest difference under one motion. If the integration fails under one
-  // motion, this is empty, `motions` is empty too, and why_not has the reason.
+  // FindingKind::refit_response, or refit_response_off if the difference is beyond the limit. It has the difference
+  // between the mean peaks with the re-fit and with the law, and the least and largest difference under one motion. If
+  // the integration fails under one motion, `finding` and `motions` are empty, and why_not has the reason.
   std::optional<Finding> finding;
   double mass_Mg = 0.0, period_s = 0.0;
   std::string mass_from, motions_from;
   std::string why_not;
 };
 
-// The building on bearings that follow the law. The motions are Subject::motions or, if there are none, the motion of
-// Subject::model along x. Without a model they are those of building::example_motion(), each scaled so that the peak
-// displacement with the law is the tested one, or up to 2 % less. The mass is the mean one that the model puts on a
-// bearing; without a model it follows from the mean vertical load of the tests, or from usual_period_s if no load is
-// known.
+// Computes the response of the building with the law once, to compare it with that of any number of re-fits. The ground
+// motions are Subject::motions or, if there are none, the motion of Subject::model along x. Without a model they are
+// those of building::example_motion(), each scaled so that the peak displacement with the law is the tested one, or up
+// to 2 % less. The mass is the mean one that the model puts on a bearing; without a model it follows from the mean
+// vertical load of the tests, or from usual_period_s if no load is known.
 class BuildingOnLaw {
  public:
   explicit BuildingOnLaw(Subject const& subject);

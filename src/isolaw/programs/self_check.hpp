@@ -1,5 +1,5 @@
-// Data of the self-check in every exported file: the motion, the law's forces and the forces that the program must
-// give.
+// The numbers of the self-check in every exported file: the motion, the law's forces, and the forces that the analysis
+// program must give.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ namespace isolaw::programs {
 inline constexpr double check_tolerance = 1e-8;
 
 // For a check of the law itself: the motion, rounded as in the file, and the force that the law's exported code gives.
-// This code reads the curve of a law with an exact flow (laws/flows/) from a table. law_force() does not, so it cannot
-// give the expected force.
+// This force is not taken from law_force(): for a law with an exact flow (laws/flows/), the exported code reads the
+// law's curve from a table and law_force() does not, so the two forces differ slightly.
 struct LawCheck {
   std::vector<double> disp, velocity, force;
 };
@@ -31,7 +31,7 @@ struct CheckedVariant {
 
 struct CheckedForm {
   Form const* form = nullptr;
-  std::string function;  // name of the script's function: "material"
+  std::string function;  // name of the script's function that makes this form, such as "material"
   bool is_element = false;
   std::vector<CheckedVariant> variants;
 };

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Returns the motion of one of a device's tests: a point at zero displacement if the test begins elsewhere, the samples
-// and, if `interpolated`, the turning points between samples.
+// Returns the motion of one of a device's tests: first a point at zero displacement if the test begins elsewhere, then
+// the samples, with the turning points between them if `turning_points` is `interpolated`.
 History history_of(std::string const& device, data::FitRecord const& record, laws::TurningPoints turning_points) {
   auto const path = turning_points == laws::TurningPoints::interpolated
                         ? laws::make_path_with_turning_points(record.disp_mm, record.vel_mm_s, record.time_s)
@@ -313,9 +313,9 @@ History tested_cycles(Subject const& subject) {
 
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {
   constexpr double pi = std::numbers::pi;
-  // In a law with a dead band (laws/memory/followed.hpp), the followed motion rests after a turn until the motion has
-  // gone back by two bands, and has caught up after six. The small loop goes back by four bands, where the force
-  // depends on the band's width.
+  // A law with a dead band computes its force from a motion that follows the real one (laws/memory/followed.hpp). After
+  // a turn, the following motion rests until the real one has gone back by two bands, and has caught up after six. The
+  // small loop goes back by four bands, so that its force depends on the width of the band.
   double const tremor = 4.0 * dead_band_mm / tested_mm, step_s = 1.0 / (protocol_steps * frequency_Hz);
   History history{.device = {}, .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
   double from = 0.0;
@@ -383,7 +383,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
-  // A record without swings has no weights, whatever the setting.
+  // Whether samples had weights is seen from the records, since a record without swings has none, whatever the setting.
   if (std::ranges::any_of(contents.devices, [&](campaign::Device const& d) {
         return !d.record.weights.empty() &&
                std::ranges::find(subject.histories, d.name, &History::device) != subject.histories.end();

@@ -22,7 +22,7 @@ struct History {
   std::string device;  // empty for the self-check's protocol
   std::vector<double> time_s, disp_mm, vel_mm_s;
   std::vector<double> measured_kN;  // empty for a protocol; NaN at points that are not samples of the record
-  std::vector<double> law_kN;       // force of the law from its virgin state at the first point
+  std::vector<double> law_kN;       // force of the law, which is virgin at the first point
   bool timed = true;                // false if time_s only counts samples
   int refinement = 1;               // integration steps of the law between two points
   double dead_band_mm = 0.0;
@@ -33,7 +33,7 @@ struct Tested : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
   std::optional<double> load_min_kN, load_max_kN;
-  std::optional<double> load_mean_kN;  // in the reported cycle; for a lot the mean over the devices
+  std::optional<double> load_mean_kN;  // mean load in the reported cycle; for a lot the mean over the devices
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
@@ -41,12 +41,13 @@ struct Fitted : study::Range {
   std::string part;  // part of the record used for the fit: "block 1", ...; empty for all blocks
 };
 
-// Factors on the law for a bound: `stiffness` on the part of the force that grows with displacement (K_d), `strength`
-// on the hysteretic part (Q_d). Both are the factor on the whole force if the rules give no separate ones.
+// The factors by which a bound differs from the law: `stiffness` multiplies the part of the force that grows with the
+// displacement (K_d), `strength` the hysteretic part (Q_d). If the rules give no separate factors, both are the factor
+// on the whole force.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;  // factor on the whole force, for programs that cannot scale the parts
-  bool separate = false;
+  double overall = 1.0;   // factor on the whole force, for programs that cannot scale the parts
+  bool separate = false;  // true if the rules give separate factors
 };
 
 struct Bounds {
@@ -81,17 +82,17 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;  // from the device's record; for a lot the largest of its records
+  double dead_band_mm = 0.0;  // that of the device's record; for a lot the largest of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
   std::optional<Model> model;               // only for targets that write a whole building
-  std::vector<data::GroundMotion> motions;  // under which a re-fit is compared with the law (response.hpp)
+  std::vector<data::GroundMotion> motions;  // to compare a re-fit with the law (response.hpp)
 };
 
-// Makes two sine cycles, without forces. The second begins at the middle point. The velocity is 0 at the first point,
-// where materials of analysis programs start at rest, and that of the sine at the others.
+// Makes two sine cycles, without forces. The first has the amplitude first_mm, the second has second_mm. The velocity
+// is 0 at the first point, where materials of analysis programs start at rest, and that of the sine at the others.
 inline constexpr int protocol_steps = 80;
 History two_cycles(double first_mm, double second_mm, double frequency_Hz, int steps_per_cycle = protocol_steps);
 

@@ -42,7 +42,7 @@ struct Fact {
 inline constexpr std::string_view export_licence = "MIT-0",
                                   export_licence_text =
                                       "use, change and pass on what isolaw wrote here as you like; no notice is needed";
-// The facts that an export states about itself. `program` is the target's name in words for users.
+// The facts that an export states about itself. `program` is the name of the analysis program, for users.
 std::vector<Fact> facts(Subject const& subject, Realisation const& realisation, UnitSystem const& units,
                         std::string_view program, bool one_factor = false);
 std::vector<Fact> facts_of_the_law(Subject const& subject, UnitSystem const& units, std::string_view program,

@@ -54,8 +54,8 @@ std::optional<double> percent_of(double value, double truth) {
   return std::isfinite(value) ? 100.0 * (value - truth) / truth : infinite_difference;
 }
 
-// The steepest fall of the force while the motion goes outwards beyond a displacement. `slope` is negative there, or 0
-// if the force falls nowhere.
+// The steepest fall of the force while the motion goes outwards beyond `beyond_mm`. `slope` is negative, or 0 if the
+// force falls nowhere there.
 struct Fall {
   double slope = 0.0, at_mm = 0.0;
 };
@@ -157,7 +157,8 @@ std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form
   if (!(energy > 0.0)) return std::nullopt;
   for (int steps = 20; 2 * steps <= finest; steps *= 2) {
     auto const [x, f] = replayed(steps);
-    // The fine replay is summed at the points of the coarse one. The error of the summation is then the same in both.
+    // Both energies are summed at the points of the coarse replay. The error of the summation is then the same in both
+    // and does not count as an error of the coarse steps.
     std::vector<double> there;
     for (std::size_t i = 0; i < fine.f.size(); i += static_cast<std::size_t>(finest / steps))
       there.push_back(fine.f[i]);

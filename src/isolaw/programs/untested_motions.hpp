@@ -1,6 +1,6 @@
-// Checks an exported law on motions that differ from the tested cycle. A substitute law is checked at smaller
-// amplitudes and at another rate. Other checks use larger amplitudes, larger time steps, or a circle in plan with two
-// springs for a bearing. Each check drives two equal cycles from rest and uses the second.
+// Checks an exported law on motions that differ from the tested cycle: a substitute at smaller amplitudes and another
+// rate, the law at larger amplitudes, a form in larger steps, and two springs in place of a bearing on a circle in
+// plan. Each check drives two equal cycles from rest and uses the second.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ using ForceOf = std::function<std::vector<double>(History const&)>;
 // Differences of a substitute from the exported law in the energy and the peak force of one cycle, in percent of the
 // law's value. A difference is empty if the law's value is not finite and above 0.
 struct OtherCycle {
-  double amplitude_share = 1.0, rate_share = 1.0;  // as shares of the tested amplitude and rate
+  double amplitude_share = 1.0, rate_share = 1.0;  // amplitude and rate as shares of the tested ones
   std::optional<double> energy, peak;
   double largest() const;  // the larger of |energy| and |peak|
 };
@@ -38,8 +38,8 @@ bool marked(std::vector<OtherCycle> const& cycles);
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The smallest of 20, 40, ..., 1280 steps per cycle whose energy differs from that with 2560 steps by no more than
-// step_energy_percent, and this difference in percent.
+// The number of steps per cycle that a form needs: the smallest of 20, 40, ..., 1280 with which the energy of a cycle
+// differs from that with 2560 steps by at most step_energy_percent. `energy` is this difference in percent.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;
@@ -47,10 +47,10 @@ struct StepsNeeded {
 };
 std::optional<StepsNeeded> steps_needed(Subject const& subject, Form const& form);
 
-// Compares two springs at right angles, moved around a circle of the tested amplitude, with one spring moved along its
-// axis at that amplitude. `force` is the largest resultant of the two springs divided by the peak force of the one.
-// `energy` is the work of the two in one turn divided by pi/2 times the work of the one in a cycle. For a coupled
-// bearing of constant strength, `energy` would be 1.
+// Compares two springs at right angles, which move around a circle of the tested amplitude, with a single spring that
+// moves along its axis at this amplitude. `force` is the largest resultant of the two springs, divided by the peak
+// force of the single one. `energy` is the work of the two springs in one turn, divided by pi/2 times the work of the
+// single one in a cycle. For a coupled bearing of constant strength, `energy` would be 1.
 struct TwoSprings {
   double force = 0.0, energy = 0.0;
 };

@@ -52,7 +52,8 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-// Chooses the largest faulty block if it is larger than every sound one: were it sound, the verdict would rest on it.
+// If a faulty block has a larger amplitude than the chosen block, chooses the largest such block instead, since the
+// verdict would rest on it if it were sound.
 void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen) {
   for (auto const& block : properties.blocks)
     if (!block.fault.empty() &&
@@ -60,7 +61,8 @@ void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen)
       chosen.block = block.number;
 }
 
-// With a rule set, a faulty block may be chosen. The device can then not pass (why_withheld()).
+// Chooses the block of a record that is assessed. With a rule set it may be a faulty block, with which the device
+// cannot pass (why_withheld()).
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design, bool has_rules) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
@@ -103,8 +105,8 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
   return fmt::format("{} has lost {:.0f} % of the force", failure->word("where"), 100.0 - failure->number("percent"));
 }
 
-// Replaces every pass by "not assessed" with this reason, except on K_v. A failure stays: a limit on the change from
-// cycle to cycle may be exceeded because of the very loss of force.
+// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. A failure
+// stays, since it may be due to the fault itself: a loss of force may exceed a limit on the change from cycle to cycle.
 void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {
   for (auto& a : assessments) {
     bool const without = a.verdict == rules::Verdict::not_assessed && !a.value && a.subject != rules::Subject::loads;

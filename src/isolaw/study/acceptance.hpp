@@ -26,7 +26,7 @@ struct DeviceAcceptance {
   std::string choice;         // why this block was chosen
   std::string copy_of;        // the device that is assessed instead: AssessedTest::copy_of
   std::string withheld = {};  // why the device cannot pass: its test lost force, or the block is faulty; else empty
-  bool as_corrected = false;  // the device passes, and would not without the corrections by hand
+  bool as_corrected = false;  // the device passes, but would not without the corrections that the user asked for
   std::vector<rules::Assessment> assessments;
 };
 

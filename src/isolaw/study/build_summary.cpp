@@ -179,8 +179,8 @@ std::optional<data::Cycle> compared_cycle(data::Properties const& measured, data
   return chosen;
 }
 
-// Sets the errors of one test: in the cycle of compared_cycle() or, if the motion is not cyclic, on the largest swings.
-// Without either they stay empty.
+// Sets the law's errors in one test: in the cycle of compared_cycle() or, if the motion is not cyclic, on the largest
+// swings (motions from one turning point to the next). If the test has neither, the errors stay empty.
 void compare_properties(TestFit& fitted, data::FitRecord const& record, std::span<double const> force_kN) {
   auto const time = record.has_time() ? std::span<double const>(record.time_s) : std::span<double const>();
   auto const measured = data::cyclic_properties(data::CycleView{record.disp_mm, record.force_kN, time, {}});
@@ -190,7 +190,7 @@ void compare_properties(TestFit& fitted, data::FitRecord const& record, std::spa
   if (auto const reference = compared_cycle(measured, record)) {
     auto const computed = data::properties_on(*reference, record.disp_mm, force_kN);
     fitted.energy_error_percent = error(computed.energy_kN_mm, reference->energy_kN_mm);
-    if (measured.viscous) return;  // it has no stiffness to compare
+    if (measured.viscous) return;  // a viscous device has no stiffness that could be compared
     fitted.K_eff_error_percent = error(computed.K_eff_kN_per_mm, reference->K_eff_kN_per_mm);
     fitted.damping_error_percent = error(computed.damping_percent, reference->damping_percent);
     return;

@@ -51,7 +51,8 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
         source.tested_mm = std::max(source.tested_mm, std::abs(x));
       source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // If only one device that counts was analysed, there is no law of the lot, and its parameters represent the lot.
+  // If only one device that counts was analysed, there is no law of the lot. The device's parameters then represent the
+  // lot.
   auto const is_analysed = [](DeviceFit const& fit) { return fit.counts && fit.optimum; };
   if (law->lot)
     source.lot = law->lot->parameters;

@@ -20,8 +20,8 @@ struct Draws {
   std::size_t rejected = 0, pulled_back = 0;  // draws outside the limits, and devices moved inside: lot::Sample
 };
 
-// Where a parameter of the drawn devices comes from: parameter `place` of the population or, if `place` is empty, the
-// one `value` that all devices have.
+// Where a parameter of the drawn devices comes from. `place` is its index in the population from which it is drawn. If
+// `place` is empty, all devices have the same `value`.
 struct Column {
   std::optional<std::size_t> place;
   double value = 0.0;

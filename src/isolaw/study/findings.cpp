@@ -61,18 +61,18 @@ std::vector<bool> converged_among_adequate(Summary const& summary) {
       [](auto const& law) { return law.objective_converged; });
 }
 
-// `front` goes from the most accurate to the most robust law. Returns the last place whose law has a beta that the
-// search box does not decide, or 0 if there is none.
+// `front` goes from the most accurate to the most robust law. Returns the last index in `front` whose law has a beta
+// that the search box does not decide, or 0 if there is none.
 std::size_t robust_end(Summary const& summary, std::vector<std::size_t> const& front) {
   for (std::size_t place = front.size(); place-- > 1;)
     if (!pinned(summary.laws[front[place]]).decides()) return place;
   return 0;
 }
 
-// Finds the law between the front's two ends that is nearest to the point of least objective and least beta, both
-// scaled to differ by 1 between the ends. Returns its place, or the front's size if there is none. The law must predict
-// well, and the search box must not decide its beta. If there are analyses, it must also be on the front of their
-// results, which are free of the optimiser's noise.
+// Finds the law between the two ends of `front` that is nearest to the point of least objective and least beta, both
+// scaled to differ by 1 between the ends. Returns its index in `front`, or front.size() if there is none. The law must
+// predict well, and the search box must not decide its beta. If there are analyses, it must also be on the front of
+// their results, which are free of the optimiser's noise.
 std::size_t compromise(Summary const& summary, std::vector<std::size_t> const& front) {
   auto const& laws = summary.laws;
   bool const analysed = std::ranges::any_of(laws, &LawResult::on_front_converged);

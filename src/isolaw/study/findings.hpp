@@ -18,7 +18,7 @@ enum class Role {
   best_of_both,   // the only law on the front
   most_accurate,  // the law of smallest objective on the front
   most_robust,    // the law of smallest beta on the front, among laws whose beta the search box does not decide
-  compromise,     // between these two on the front, and nearest to the least objective and the least beta
+  compromise,     // on the front between the two laws above, and nearest to the least objective and the least beta
   between,        // on the front, and none of the roles above
   held_by_box,    // on the front, but only because its parameters lie at bounds of the box
   dominated,
@@ -45,7 +45,8 @@ struct Findings {
 };
 
 Findings findings(Summary const& summary);
-// False for a warning about a law that is not recommended, and for one that repeats a doubt stated in the answer.
+// Whether a warning is shown beside the answer: not if it is about a law that is not recommended, and not if it repeats
+// a doubt that the answer states.
 bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning);
 // Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
@@ -61,7 +62,7 @@ std::vector<std::size_t> by_objective(Summary const& summary);
 std::vector<std::string> device_names(Summary const& summary);
 // Returns nullptr if the law was not tried on the device.
 DeviceFit const* fit_of(LawResult const& law, std::string_view device);
-// A law's parameters as its first identified device lists them; empty if there is no such device.
+// A law's parameters as they are listed for the first device on which the law was identified; empty without one.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 // The index of a parameter in the vectors of a population, which is not its index in the law. Returns nullopt for a
 // parameter that is fixed, tied to another, or redundant if the population uses the form without it.

@@ -27,7 +27,8 @@ inline constexpr LawLook law_looks[]{
 };
 inline constexpr std::size_t law_look_count = std::size(law_looks);
 
-// The look of the law at this place in the summary. After law_look_count laws the looks repeat with hollow markers.
+// The index in law_looks of the look of Summary::laws[law]. After law_look_count laws the looks repeat with hollow
+// markers.
 constexpr std::size_t look_of(std::size_t law) {
   return law % law_look_count;
 }

@@ -26,8 +26,8 @@ struct Level {
 std::vector<Level> levels_of(DeviceResult const& device);
 
 // The first and third counted cycles of each amplitude; their peaks form the skeleton curve. All first cycles come
-// first, by rising amplitude, then all third cycles. If amplitudes differ by at most 5 %, only the earliest block is
-// taken.
+// first, by rising amplitude, then all third cycles. Blocks whose amplitudes differ by at most 5 % count as one
+// amplitude, for which the earliest of them is taken.
 std::vector<data::Cycle> skeleton_of(DeviceResult const& device);
 
 // K_eff of a counted cycle divided by K_eff of the first counted cycle of its block, and of the record. nullopt if one

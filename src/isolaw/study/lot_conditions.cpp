@@ -23,7 +23,7 @@ data::Block const* counting_block(DeviceResult const& device) {
 // The cycles of a device before those that count: rubber is softer after larger and after more cycles.
 struct Earlier {
   double largest_mm = 0.0;  // the largest amplitude
-  double cycles = 0.0;      // whole cycles of at least the amplitude of the cycles that count, within its tolerance
+  double cycles = 0.0;      // number of whole cycles that are, within the tolerance, as large as those that count
 };
 
 Earlier before(data::Properties const& properties, data::Block const& block, double tolerance_percent) {

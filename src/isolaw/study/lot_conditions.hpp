@@ -25,7 +25,8 @@ std::optional<Finding> conditions_differ(Summary const& summary);
 // properties of a bearing change with amplitude: another amplitude would make a sound device an outlier. It is the
 // median or, for an even number of devices, the smaller of the two middle values, so some device was tested at it.
 struct UsualAmplitude {
-  double mm = 0.0, allowed_percent = 0.0;  // of the larger of two amplitudes, as conditions_differ() allows
+  // allowed_percent: how far two amplitudes may differ, in percent of the larger one (the rule of conditions_differ()).
+  double mm = 0.0, allowed_percent = 0.0;
 
   bool has(double amplitude_mm) const;
 };

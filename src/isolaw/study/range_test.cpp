@@ -57,9 +57,9 @@ std::optional<Tested> tested_less(DeviceResult const& device, Summary const& sum
   return own;
 }
 
-struct Measured {                      // on the device of a fit
-  bool viscous = false;                // hardly any of its force comes from stiffness
-  std::optional<double> damping = {};  // of its largest cycles
+struct Measured {                      // what was measured on the device to which a law was fitted
+  bool viscous = false;                // hardly any of the device's force comes from stiffness
+  std::optional<double> damping = {};  // damping ratio in the device's largest cycles
 };
 
 Measured measured_on(DeviceResult const& device) {
@@ -74,8 +74,9 @@ Measured measured_on(DeviceResult const& device) {
 struct Cycles {
   SteadyCycle tested, asked;
   std::array<SteadyCycle, 4> inside;  // at inner_shares of the tested displacement
-  std::optional<SteadyCycle>
-      at_tested_speed;  // at the tested displacement and speed, if the building's cycles have another speed
+  // At the tested displacement and a tested speed. Only for a law that depends on the velocity, and only if the
+  // building's cycles are faster or slower than all tests.
+  std::optional<SteadyCycle> at_tested_speed;
 };
 constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
 
@@ -98,8 +99,8 @@ std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) 
   return std::nullopt;
 }
 
-// Calls check(cycle, amplitude in mm) for the cycles within the tested displacements; returns what the first call
-// finds.
+// Calls check(cycle, amplitude in mm) for the cycles within the tested displacements until one call returns a finding.
+// Returns that finding, or nullopt if there is none.
 std::optional<Finding> first_inside(Cycles const& law, Tested const& tested, auto const& check) {
   auto found = check(law.tested, tested.disp_mm);
   for (std::size_t i = 0; i < inner_shares.size() && !found; ++i)
@@ -155,9 +156,9 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
   return fault_of_shape(law, tested, measured);
 }
 
-// If the building's cycles are faster or slower than all tests: the period [s] of cycles of the tested displacement
-// whose peak velocity is the tested one nearest to the building's. nullopt if the building's velocity lies between
-// those of the tests, or if no velocity is known.
+// A building's cycles may be faster or slower than all tests. This function then returns the period [s] with which
+// cycles of the tested displacement have a velocity that was tested, the one nearest to the building's. nullopt if the
+// building's velocity lies between those of the tests, or if no velocity is known.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;

@@ -116,7 +116,7 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
   auto const add = [&](FindingKind kind, double percent) {
     doubts.push_back({.kind = kind, .law = law.id, .numbers = {{"percent", percent}}});
   };
-  // A relative error is infinite where the measured value is 0.
+  // A relative error is infinite where the measured value is 0. It then says nothing about the law, so it counts as 0.
   auto const error = [&](std::optional<double> DeviceFit::*of) {
     auto const mean = mean_magnitude(law, of);
     return mean && std::isfinite(*mean) ? *mean : 0.0;

@@ -49,11 +49,11 @@ struct Recommendation {
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
-  std::vector<Finding> reach;       // up to which displacement the tests show the law, and how far laws differ beyond
+  std::vector<Finding> reach;       // the largest displacement where the tests show the law, how far laws differ beyond
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
-  std::vector<Finding> const& weak() const { return standings.front().weak; }  // of the law that is taken
+  std::vector<Finding> const& weak() const { return standings.front().weak; }  // doubts about the law that is taken
 };
 
 bool compares_laws(Summary const& summary);

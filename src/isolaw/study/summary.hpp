@@ -71,14 +71,14 @@ struct TestFit {  // compares a law, fitted to all tests of a device, with one o
 
 struct DeviceFit {
   std::string device;
-  bool counts = true;   // false: its record is a copy (DeviceResult::copy_of), left out of what is said of all devices
+  bool counts = true;   // false: the record is a copy (DeviceResult::copy_of), so statistics over devices leave it out
   std::string refusal;  // why the law was not identified on this device; "" if it was
   int runs = 0, failed_runs = 0, missing_runs = 0;
   std::string failure;                                    // reason of the first failed run, or that none has finished
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
   std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
-  // If the device has several tests, each is the error of the test where it has the largest magnitude.
+  // If the device has several tests, each of these errors is taken from the test in which its magnitude is largest.
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::vector<TestFit> tests;  // empty if the device has one test
   std::optional<double> integration_shift;
@@ -87,9 +87,9 @@ struct DeviceFit {
   // for this law on this device, in a run or in the analysis. Empty with fewer than two usable runs.
   std::optional<double> success_share;
   double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
-  std::string success_reference;  // where that least objective comes from
+  std::string success_reference;  // where the least objective of `success_share` comes from
   std::optional<double> optimum;  // least objective that the analyses found
-  std::optional<double> rise;     // how far the objective may rise within a parameter's range
+  std::optional<double> rise;     // how far the objective rises to the ends of a parameter's open range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
@@ -141,7 +141,7 @@ constexpr std::string_view name(PredictionGrade grade) {
 struct BeyondTests {
   double tested_mm = 0.0;  // the largest displacement of the tests
   double asked_mm = 0.0;   // the displacement of the design, at least tested_mm; twice tested_mm if none is stated
-  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;       // at asked_mm
+  double K_kN_per_mm = 0.0, energy_kN_mm = 0.0;       // stiffness and energy of a cycle at asked_mm
   double stiffness_ratio = 0.0, damping_ratio = 0.0;  // value at asked_mm / value at tested_mm
 };
 
@@ -163,11 +163,12 @@ struct LawResult {
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
-  // The means over the devices of the two values of the same names in DeviceFit, for the devices that have them; and
-  // the largest larger_swings_objective of any device.
+  // The first two are the means over the devices of the members of the same names in DeviceFit, for the devices that
+  // have them. The third is the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;  // empty if neither the lot nor such a device has parameters
-  // Faults of the law inside the tested displacements, each with the device or, for the law of the lot, without one.
+  std::optional<BeyondTests> beyond;  // empty if no parameters are there for it (see BeyondTests)
+  // Faults of the law inside the tested displacements. Each names the device with whose parameters the law has it; a
+  // fault of the law of the lot names none.
   std::vector<Finding> faults_inside = {};
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not recommended for a building
   std::optional<lot::Population> population;
@@ -179,7 +180,7 @@ struct LawResult {
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // The fits that every statistic over devices is made from.
+  // The fits that statistics over devices use: all but those to copies of records.
   auto counting() const { return devices | std::views::filter(&DeviceFit::counts); }
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
@@ -198,10 +199,10 @@ struct DeviceResult {
   // For each sample of `record`, whether it lies in the large swings that laws predict from a fit to the small ones.
   // Empty if the laws predict none.
   std::vector<bool> in_large_swings;
-  data::Properties properties;                      // of the raw record
-  std::optional<data::Properties> uncorrected;      // of the raw record without corrections by hand, if it had any
+  data::Properties properties;                      // properties of the raw record
+  std::optional<data::Properties> uncorrected;      // the same without the corrections that the user asked for, if any
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
-  std::optional<data::VerticalStiffness> vertical;  // of the raw test
+  std::optional<data::VerticalStiffness> vertical;  // vertical stiffness from the raw compression test
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
   std::vector<data::Effect> effects;                // the whole error budget, for JSON
   DeviceAcceptance acceptance;
@@ -231,8 +232,8 @@ struct Summary {
   campaign::Acceptance asked;   // the options that `acceptance` was computed with
   LotAcceptance acceptance;
   std::optional<Finding> conditions_differ;    // the conditions in which the devices' tests differ, if any
-  std::optional<Finding> without_corrections;  // the verdict without the corrections by hand, if there were any
-  std::optional<Finding> not_compared;         // the devices that were not searched for outliers among measured values
+  std::optional<Finding> without_corrections;  // the verdict without the corrections that the user asked for, if any
+  std::optional<Finding> not_compared;         // devices whose measured values were not compared to find outliers
   std::vector<OutlyingDevice> outliers;
   std::optional<ConditionsResult> conditions;  // if the lot file has a table [conditions]
   std::string no_conditions;                   // why its tests cannot be compared; else empty
@@ -242,7 +243,7 @@ struct Summary {
   std::size_t expected_here = 0;            // runs of this part, or of the whole campaign
 
   std::size_t missing_runs() const { return expected_runs > runs ? expected_runs - runs : 0; }
-  UnitSystem const& units() const { return find_unit_system(asked.report_units); }  // in which reports show values
+  UnitSystem const& units() const { return find_unit_system(asked.report_units); }  // units of reports
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 

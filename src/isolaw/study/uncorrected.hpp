@@ -1,5 +1,5 @@
 // Computes the properties and verdicts that records would have without the corrections that the user asked for, such as
-// a moved force.
+// a shift of the force channel in time.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace isolaw::study {
 
-// Assesses the lot again, with every corrected record as it was read. Sets Summary::without_corrections unless a record
-// as it was read is missing, and adds a warning to every corrected device. `tests` are those from which the summary's
-// acceptance was computed.
+// Assesses the lot again, with the uncorrected record of every device. Sets Summary::without_corrections, unless the
+// uncorrected record of a device is missing. Adds a warning to every corrected device. `tests` are those from which the
+// summary's acceptance was computed.
 void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests);
 
 }  // namespace isolaw::study

@@ -10,7 +10,7 @@ namespace isolaw::study {
 
 struct ValueDoubt {
   std::string quantity;    // "damping", as rule sets name it
-  double value = 0.0;      // as stated for the device
+  double value = 0.0;      // the value that is stated for the device
   double otherwise = 0.0;  // the value if `condition` holds
   std::string unit;
   std::string condition;  // such as "the force channel is early"

@@ -81,7 +81,8 @@ void add_device(OverallVerdict& overall, DeviceResult const& device) {
     overall.not_assessed.push_back({.device = name, .remark = printable(on_one_line(why))});
     return;
   }
-  // If two devices share a record, it is attributed to the first, and the second counts as not assessed.
+  // If two devices share a record, the assessment of it belongs to the first device, and the second one counts as not
+  // assessed.
   auto const& copy_of = device.acceptance.copy_of;
   if (!copy_of.empty())
     overall.not_assessed.push_back({.device = name, .remark = rules::same_record_as(printable(copy_of))});

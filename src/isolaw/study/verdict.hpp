@@ -50,8 +50,8 @@ struct DeviceRemark {
 // set, or if the set limits nothing in these tests.
 struct OverallVerdict {
   std::string word;  // "PASS", "FAIL", "INCOMPLETE", or empty
-  // True for a PASS that rests on corrections by hand: without them the verdict would differ. Shown as "PASS as
-  // corrected".
+  // True for a PASS that would be another verdict without the corrections that the user asked for. Reports show it as
+  // "PASS as corrected".
   bool as_corrected = false;
   std::string sentence;  // the reasons, with devices and requirements; if `word` is empty, why there is no verdict
   std::vector<DeviceRemark> failing, not_assessed;

@@ -303,8 +303,8 @@ class Collector {
   std::vector<Finding> all_;
 };
 
-// The question whether a mistake was made that explains a stiffness of `ratio` times the design value; "" if no known
-// mistake gives this ratio.
+// If the measured stiffness is `ratio` times the design value, a mistake of the user may explain it, such as a wrong
+// unit. Returns a question that asks the user about this mistake, or "" if no known mistake gives this ratio.
 std::string_view mistake_of(double ratio) {
   struct Mistake {
     double ratio, within;
@@ -342,8 +342,8 @@ void add_implausible(Summary const& summary, DeviceResult const& device, std::ve
                      .numbers = {{"amplitude_mm", cycle->amplitude_mm}, {"strain_percent", strain_percent}}});
 }
 
-// The warnings about the record and the reasons why it has no cyclic properties. A reason that is also a warning comes
-// once.
+// The warnings about the record and the reasons why it has no cyclic properties. A reason that is also a warning is
+// listed only once.
 std::vector<Finding> Collector::record_findings(Summary const& summary, DeviceResult const& device) {
   auto found = device.raw.warnings;
   for (auto const& reason : device.properties.refusal)

@@ -21,9 +21,9 @@ struct Scope {
   bool covers_device(std::string_view name) const { return !device || *device == name; }
 };
 
-// The findings within the scope. Whatever the scope, all devices decide whether a law describes the devices, predicts
-// and stays plausible in a building's cycles. A finding on devices with the same record names all of them if one of
-// them is in the scope.
+// The findings within the scope. A scope of one device does not change what is found about a law as a whole (whether it
+// describes the devices, predicts, and stays plausible in a building's cycles): this is judged on all devices. A
+// finding on devices with the same record names all of them if one of them is in the scope.
 std::vector<Finding> warnings(Summary const& summary, Scope const& scope = {});
 // For each device, in the order of the summary: the findings on its record and on other devices with the same record.
 std::vector<std::vector<Finding>> device_warnings(Summary const& summary);

@@ -16,7 +16,8 @@
 namespace isolaw::wording {
 namespace {
 
-// {name} is replaced by `text` if the finding has `word` under this name. A word without a phrase is printed itself.
+// If the finding's word `name` is `word`, `text` is printed in place of {name}. A word for which there is no phrase is
+// printed as it is.
 struct Phrase {
   std::string_view name, word, text;
 };

@@ -21,7 +21,8 @@ bool is_outside(Group group) {
   return !group.front().word("outside").empty();
 }
 
-// Says how a fault affects the properties: cycles of the blocks in which it lies do not count, cycles of others do.
+// Says what a fault of the signal does to the properties. If the findings know the blocks in which the fault lies, the
+// text says that no cycle of these blocks counts.
 std::string of_no_use(Group group) {
   if (is_outside(group)) return std::string(outside_text);
   auto const& blocks = group.front().blocks;

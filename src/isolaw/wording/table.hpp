@@ -23,7 +23,8 @@ std::string_view name(Severity severity);
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
 // The places where a kind of finding may appear. JSON holds every kind. In a row, `anywhere` means that the kind
-// appears only where code asks for it. As an argument of a function such as grouped(), it lets every kind appear.
+// appears only where code asks for this kind. As the argument `place` of a function such as grouped(), it has another
+// meaning: findings of every kind are wanted.
 enum Appearance : unsigned {
   anywhere = 0,
   in_report = 1,       // terminal and page
