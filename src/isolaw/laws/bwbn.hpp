@@ -128,9 +128,10 @@ struct Bwbn {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // Every piece but the last is as long as 1/50 of the peak; the last is what is left, so that the force does not
-      // jump where the number of pieces changes. An infinite displacement makes `wanted` NaN. std::min then gives its
-      // first argument, which is also the largest number of pieces that finite displacements can need.
+      // The step is cut into pieces of 1/50 of the largest |x| so far, and the last piece is the remainder: with pieces
+      // of equal length the force would jump where their number changes. A step is at most twice as long as the largest
+      // |x|, which gives 100 pieces. An infinite displacement makes the second argument of std::min NaN; std::min then
+      // returns its first.
       double const wanted = std::min(2.0 * pieces_to_the_peak, value_of(pieces_to_the_peak * step.length / step.peak1));
       X left = step.length;
       for (double i = 1.0; i < wanted; i += 1.0) {

@@ -44,7 +44,8 @@ struct Nodes {  // numbers of the fit that are the same for all parameter sets, 
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // row i: turns values at all places into the mean over |u| from 0 to place i
+  // Row i: weights by which the values at all places give their mean over |u|, from 0 to the |u| of place i.
+  std::array<Values, terms> mean;
   // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
   // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
   std::array<Values, terms> chebyshev, power;
@@ -54,17 +55,19 @@ struct Nodes {  // numbers of the fit that are the same for all parameter sets, 
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights that extrapolate a place from those above it and 1
+  // Row i: weights that extrapolate Newton's first guess for place i from the solutions for the places above it; the
+  // topmost solution is 1.
+  std::array<std::array<double, guesses>, terms> guess;
 
   static Nodes const& get();
 };
 
-// A lane uses the polynomials for n from least_n to SaturatingFlow::largest_n and kappa up to largest_kappa, and else
-// the table.
+// A lane uses the polynomials if n lies between least_n and SaturatingFlow::largest_n and kappa is at most
+// largest_kappa. Other lanes use the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // a smaller E counts as this, since its logarithm gives the time
+inline constexpr double saturated = 1e-13;  // the least E that counts: the time is a logarithm of E
 
 }  // namespace flow_parts
 
@@ -77,7 +80,7 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // time_at() hardly grows beyond about this u
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u that time_at() can tell from 1
   // Needs n > 0 and kappa > -1, and kappa = 1 for Reach::beyond_saturation; other values give results that are not
   // finite. Where the polynomials cannot follow the curve, as for n above largest_n, a table takes their place.
   void fit(T const& n, T const& kappa);
@@ -335,7 +338,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  struct Start {  // s = 1 - E, of either sign, with the x, u and slope that belong to it
+  // One end of the travel: s = 1 - E, which is negative below u = 0, and the x, u and slope there.
+  struct Start {
     T s, x;
     Slope u;
     T per_end;
@@ -372,7 +376,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
     moved.u = select(outside, other.u, moved.u);
     moved.rate0 = select(outside, other.rate0, moved.rate0);
     moved.rate1 = select(outside, other.rate1, moved.rate1);
-    // Rates fall along the flow, so the ratio is at most 1; close to saturation both rates are lost to rounding.
+    // The rates fall along the flow, so their ratio lies between 0 and 1. Close to saturation both rates consist of
+    // rounding errors, so their ratio is limited to this range.
     moved.ratio = select(outside, max(zero, min(other.rate1 / other.rate0, one)), moved.ratio);
   }
   return moved;

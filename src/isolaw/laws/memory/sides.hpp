@@ -47,9 +47,9 @@ struct Sides {
   };
   Side sides[2];                 // x >= 0, x < 0
   X side_peak = 0.0;             // largest |x| on the side of x after the step
-  X travel = 0.0;                // N: travel on that side over its peak; it fades as the peak grows
+  X travel = 0.0;                // N: travel on that side divided by side_peak; it fades as side_peak grows
   X virgin = 1.0;                // (1 + N)^(-1/3)
-  bool side_peak_grows = false;  // whether that peak grows in this step
+  bool side_peak_grows = false;  // whether side_peak grows in this step
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

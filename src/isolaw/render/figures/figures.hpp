@@ -25,7 +25,8 @@ struct Figure {
 // Passes one figure after another to `use`, because all figures of 160 devices would fill the memory. Skips empty ones.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 // Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
-// ignores case. If an underscore and one of `endings` are appended to a stem, the result is no other stem either.
+// ignores case. A stem with an underscore and one of `endings` after it never equals another stem, so that files whose
+// names are made in this way do not collide.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
                                     std::vector<std::string> const& endings = {});
 

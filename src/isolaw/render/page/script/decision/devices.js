@@ -20,7 +20,7 @@ export const deviceLoopsFigure = {
   build: loopStrip,
 };
 
-// The same for a large lot: a point for each device, by stiffness and damping.
+// The devices of a lot that is too large for loops: a point for each device, by stiffness and damping.
 export const devicePointsFigure = {
   id: 'device-points',
   title: 'Every device',
