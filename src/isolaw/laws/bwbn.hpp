@@ -1,11 +1,11 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
 // slips where the force passes a small value, so that its loops are pinched.
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
-// Ao, zetas, Shi, deltaShi, lamda), but in its zu, the largest |z|, degradation and A are left out.  Step: between
-// reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower. Classical
-// Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the number of
-// these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation every
-// step is exact.
+// Ao, zetas, Shi, deltaShi, lamda), but its zu, the largest |z|, depends neither on degradation nor on A.  Step:
+// between reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower.
+// Classical Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the
+// number of these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation
+// every step is exact.
 #pragma once
 
 #include <algorithm>

@@ -191,7 +191,7 @@ using Step = StepOf<double>;
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;           // whether the motion turned at the begin of this step
-  std::size_t kept;     // if it turned: stack index for the force at that turning point
+  std::size_t kept;     // if it turned: stack index at which a law keeps its force at that turning point
   std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step
   std::size_t branch;   // stack index of the turning point that began the branch; none: on the skeleton
   double branch_x;      // displacement of that turning point

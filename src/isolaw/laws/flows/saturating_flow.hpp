@@ -5,13 +5,14 @@
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
 // Between two reversals u therefore always runs along a piece of one curve u(t), with t = 0 at u = 0. On either side of
 // 0 one polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a
-// step size nor a stability limit. The choice of its variable x keeps it short. With E = exp(-rate |t|),
+// step size nor a stability limit. Its variable x is chosen so that a low degree suffices. With E = exp(-rate |t|),
 //     x = (1 - E) / (1 + bend E)
 //   - rate = n for u > 0, because near saturation u is an analytic function of exp(-n t). For u < 0, look back in time
 //     from u = 0: if kappa < 0, |u| comes to rest, and rate = n |kappa|^(1/n); if kappa > 0, |u| grows ever faster, and
 //     rate is negative;
 //   - for n above 1.3, bend = 2^(n-1) - 1 removes a pole that u has beyond saturation (exactly for n = 2, u = tanh t);
-//   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
+//   - near 0, u = t - t^(n+1) / (n + 1) ... is not smooth in x. The polynomial is therefore one in v = x^(1/5), in which
+//     u is 5 (1 + n) times differentiable.
 // So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per parameter
 // set. Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed
 // form. H interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method
@@ -40,7 +41,8 @@ inline constexpr std::size_t terms = 17, guesses = 6;
 
 struct Nodes {  // numbers of the fit that are the same for all parameter sets, computed at the first call
   using Values = std::array<double, terms>;
-  Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
+  // The fixed points of the fit, ascending in (0, 1): values of v, or of |u|^(1/5) divided by its largest value.
+  Values place;
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
@@ -182,7 +184,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  Coefficients smooth, nodal;  // dt/d|u| without its pole where |u| comes to rest
+  Coefficients smooth, nodal;  // smooth: dt/d|u| without the pole where |u| comes to rest
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
     T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));

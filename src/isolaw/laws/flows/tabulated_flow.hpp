@@ -77,7 +77,7 @@ class TabulatedFlow {
   static constexpr std::size_t count = Layout::count;
 
  public:
-  // Fills the table in place, because it is large. Unless n > 0 and kappa > -1, results are not finite.
+  // Fills the table in place, because it is large. Results are finite only for n > 0 and kappa > -1.
   void tabulate(T const& exponent, T const& unloading);
   T time_at(T const& u) const { return place_of(u).time(); }  // see SaturatingFlow
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }

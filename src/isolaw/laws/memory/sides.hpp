@@ -20,8 +20,9 @@ inline Dual cbrt(Dual const& a) {
   return chain(a, root, root != 0.0 ? 1.0 / (3.0 * root * root) : 0.0);
 }
 
-// Returns the travel N relative to a peak m, after the peak has grown from `from` to `to`. Meanwhile N changes by
-// dN = |dx|/m - 60 N dm/m: the second term makes it fade. During a first motion from 0, N is therefore 1/60.
+// Returns the travel N relative to a peak m, after the peak has grown from `from` to `to`. Meanwhile N changes by dN =
+// |dx|/m - 60 N dm/m: the second term makes it fade. During a first motion from 0, N is therefore 1/60. The 60 was
+// chosen on one measured device (docs/laws.md).
 template <class X>
 inline X travel_as_the_peak_grows(X const& travel, X const& from, X const& to) {
   constexpr double virgin = 1.0 / 60.0;

@@ -38,8 +38,8 @@ struct FigureOutcome {
 };
 
 // Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
-// not chosen. For `none` it only removes figures of the choice `lot` whose data differ from those of `summary`. Throws
-// Error if it cannot write.
+// not chosen. For `none` it writes and draws nothing. It then only removes isolaw's figures whose data differ from
+// those of `summary`, so that no figure contradicts the reports beside it. Throws Error if it cannot write.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);

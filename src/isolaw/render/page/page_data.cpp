@@ -122,8 +122,9 @@ void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& 
   out.end_array();
 }
 
-// Writes the time ranges of the record that the laws were fitted to, or null for the whole record. Also writes those of
-// the large swings, which laws predict after a fit to the small swings.
+// Writes the time ranges of the record that the laws were fitted to, or null for the whole record. Also writes the time
+// ranges of the large swings, which laws predict after a fit to the small swings. A swing is the motion from one
+// turning point to the next.
 void write_parts(JsonWriter& out, DeviceResult const& device) {
   auto const& record = device.record;
   out.key("scored");

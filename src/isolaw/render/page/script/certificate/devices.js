@@ -91,7 +91,8 @@ function certificateTable() {
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
-  // The page of each device says what its values would be under the conditions that the letters name.
+  // A letter after a value stands for a doubt that would change the value. With one device, the other value stands
+  // below it. With several, the page of each device gives the other values.
   const doubted = (device, quantity, value) => {
     const doubts = doubtsOf(device, quantity);
     return element(

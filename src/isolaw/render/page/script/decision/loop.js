@@ -42,8 +42,8 @@ function shown() {
     parts = cyclesShown(device);
   const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
     fitted = t.map((time) => (predicted ? !isLargeSwing(device, time) : isScored(device, time)));
-  // In the larger swings of a test this shows the force of the fit to the smaller swings, because that fit has to
-  // predict them. A fit to all swings already knows them.
+  // A swing is the motion from one turning point to the next. In the larger swings of a test this shows the force of
+  // the fit to the smaller swings, because that fit has to predict them. A fit to all swings already knows them.
   const force = predicted ? ofFit.map((value, i) => (fitted[i] ? value : predicted[i])) : ofFit;
   return { device, law, fit, t, x, F, force, predicted, parts, inside, fitted };
 }
