@@ -11,8 +11,8 @@
 //     from u = 0: if kappa < 0, |u| comes to rest, and rate = n |kappa|^(1/n); if kappa > 0, |u| grows ever faster, and
 //     rate is negative;
 //   - for n above 1.3, bend = 2^(n-1) - 1 removes a pole that u has beyond saturation (exactly for n = 2, u = tanh t);
-//   - near 0, u = t - t^(n+1) / (n + 1) ... is not smooth in x. The polynomial is therefore one in v = x^(1/5), in which
-//     u is 5 (1 + n) times differentiable.
+//   - near 0, u = t - t^(n+1) / (n + 1) ... is not smooth in x. The polynomial is therefore one in v = x^(1/5), since
+//     u is 5 (1 + n) times differentiable in v.
 // So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per parameter
 // set. Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed
 // form. H interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method
