@@ -29,7 +29,8 @@ const reports = new WeakMap(); // frame -> {bytes, url}: its report, and the add
 const frameOf = (source) => [...document.querySelectorAll('iframe')].find(({ contentWindow }) => contentWindow === source);
 export const isFrame = (source) => frameOf(source) !== undefined;
 
-// A report asks to be opened again in other units, which it cannot do itself. The address in a new tab stays.
+// A report in a frame sends this message if it wants to be opened again in other units, since it cannot change its own
+// address. The address `url` stays valid, because the link to a new tab uses it.
 window.addEventListener('message', ({ source, data }) => {
   const [, hash] = /^isolaw: open (#[^]*)$/.exec(data) ?? [];
   const frame = frameOf(source);

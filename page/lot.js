@@ -13,8 +13,8 @@ const recordFiles = () => [...state.files].map(([path, bytes]) => ({ path, bytes
 export const lotFiles = () => [...recordFiles(), { path: LOT, bytes: asBytes(state.lot) }];
 export const lotPath = LOT;
 
-// The tables of the lot file, or null if this page cannot parse the file. They are parsed again only if the text has
-// changed.
+// lotTables() returns the tables of the lot file, or null if this page cannot parse the file; `line` is then the line
+// of the fault. It parses the file again only if the text has changed.
 const NONE = { tables: null, line: 0 };
 let readOf = null,
   read = NONE;

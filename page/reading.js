@@ -88,7 +88,8 @@ function sketch(raw, name) {
   );
 }
 
-// A file without a time column is warned of where its columns are shown, with what depends on it and where to enter it.
+// Warns of a file without time, beside its columns. The warning says what depends on time, and its button leads to the
+// field for the time step.
 function timeWarning(found, name, change) {
   if (!lacksTime(found)) return null;
   const step = found.values.time_s && found.values.time_s.first[1] - found.values.time_s.first[0];

@@ -557,7 +557,8 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
                     BuildingWork options, py::object const& progress) {
   building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
   auto const stated = given_of(building::stated_table(), given);
-  if (motions.empty()) building::read_motions({}, stated);  // refuses what is stated of no motions
+  // Throws if step or unit are stated although there are no motions.
+  if (motions.empty()) building::read_motions({}, stated);
   for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size(), stated));
   auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
                                              : building::read_building(file.cast<std::filesystem::path>(), in_place);

@@ -33,7 +33,7 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // A worker was ended. This starts another one now, so that the next command need not wait for its start.
+    // The old worker was ended. A new one starts at once, so that the next command need not wait for its start.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

@@ -52,7 +52,8 @@ export function makeProgress(phases, workers, tell) {
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
     tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name, laws: lawsSoFar() });
   };
-  // A command that makes analyses prints all runs again. They tell the runs that an earlier start of the page finished.
+  // A command that makes analyses prints the line of every run again, also of runs that an earlier, cancelled
+  // identification finished. Such a line is not new: it may improve `best`, but it does not count as one more run.
   const note = (law, objective, device, isNew) => {
     const { best } = laws.get(law) ?? laws.set(law, { runs: 0, best: new Map() }).get(law);
     if (isNew) ++laws.get(law).runs;

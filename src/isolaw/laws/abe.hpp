@@ -62,7 +62,7 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
-  static constexpr bool crowded = true;  // kernels compute fewer lanes at once (fit/kernels.cpp)
+  static constexpr bool crowded = true;  // a step keeps so many values that kernels use fewer lanes (fit/kernels.cpp)
 
   // [export struct Abe]
   template <class N>
@@ -101,10 +101,10 @@ struct Abe {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // A step is cut at x = 0, where |x|^p is not smooth, and into pieces of 0.0317 times the peak. This is 1 % more
-      // than the largest step of a sine of 200 samples per cycle (2 pi / 200 of the peak), so that the steps of such a
-      // sine stay whole. At most 64 pieces are made; they are longer in a longer step. The last piece is what is left,
-      // so that the force does not jump where the number of pieces changes.
+      // The step is cut at x = 0, where |x|^p is not smooth, and into pieces of 0.0317 times the largest |x| so far. A
+      // sine of 200 samples per cycle moves by at most 2 pi / 200 = 0.0314 of its peak from sample to sample, so its
+      // steps are not cut. A step that would need more than 64 pieces is cut into 64 longer ones. Every piece but the
+      // last has the full length: with pieces of equal length the force would jump where their number changes.
       double const length = value_of(step.length);
       double const piece = std::max(0.0317 * value_of(step.peak1), length / 64.0);
       X x = step.x0, peak = step.peak0;
@@ -152,8 +152,8 @@ struct Abe {
     bool const tiny = value_of(length) <= std::max(1e-6 * size, smallest_power_base);
     N mean = tiny ? N(0.5) * (before + after)
                   : (rounded(N(x1) * after) - N(x0) * before) * c.per_p_plus_1 * N(1.0 / (x1 - x0));
-    // The change of |x / Uh|^p over the piece is that of the straight line nearest to it. Unlike the difference of its
-    // ends this is continuous where a piece ends at x = 0.
+    // `change` is that of the straight line nearest to |x / Uh|^p over the piece. It is continuous where a piece comes
+    // to end at x = 0; the difference of the values at the two ends is not.
     N change = after - before;
     if (value_of(length) > 1e-3 * size) {
       X const begin = x0 / (x1 - x0), end = x1 / (x1 - x0);
@@ -166,8 +166,8 @@ struct Abe {
     N const travel = abe_parts::travel(p, c.parts, state.softened, length, peak0, peak1);
     auto const moved = c.flow.advance(direction * state.F2 * c.per_Y0 * per_mean, travel);
     N const d = change * per_mean, relaxed = p.n * travel, some = N(1.0 / 12.0) * relaxed;
-    // The product relaxed (1 + some) fade is relaxed - relaxed^3 / 72 + ... for a short travel. For a long travel it is
-    // 6 and moved.ratio is 0, which makes `first` equal to d/2.
+    // `relaxed` is n t. The product relaxed (1 + some) fade is n t - (n t)^3 / 72 + ... for a short travel, as the
+    // first term above needs. For a long travel the product tends to 6 and moved.ratio to 0, so `first` tends to d/2.
     N const fade = one / (one + some + N(2.0) * some * some), fade2 = fade * fade;
     N const first = d * (some + some * some) * fade * (one - moved.ratio);
     N const second = d * d * (some * (fade2 * fade2)) * (one - p.n) * (N(0.5) - N(0.25) * (moved.rate0 + moved.rate1));

@@ -1,7 +1,8 @@
 // Abe with a constant yield force: Y0 without the factor (1 + |x/Uh|^p) of Eq. (19).
-// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with the yield force Yt = Y0. It is kept for comparison with Table A.5,
-// as the closest reading of the paper's law 5; which form the authors computed is not known. Units kN, mm. Step: exact
-// between samples (saturating_flow.hpp); Integration::paper takes one classical Runge-Kutta step per sample.
+// Source: Cucuzza et al. 2025, Eqs. (15)-(21) with the yield force Yt = Y0. It is not known which form of Abe the
+// authors computed as law 5. With the means of Table A.5 the loops of this form agree with those of the other laws, so
+// it is kept as the closest reading. Units kN, mm. Step: exact between samples (saturating_flow.hpp);
+// Integration::paper takes one classical Runge-Kutta step per sample.
 #pragma once
 
 #include "isolaw/laws/flows/flow.hpp"

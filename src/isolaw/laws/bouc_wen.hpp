@@ -136,7 +136,7 @@ struct BoucWen {
   static T step_paper(Params<T> const& p, Constants<T, double> const&, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
-      T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;  // sgn(x' z) beta + gamma
+      T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;  // beta sgn(x' z) + gamma
       return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
     });
     return force(p, state.z, T(step.x1));

@@ -1,11 +1,11 @@
 // Bouc-Wen-Baber-Noori: Bouc-Wen whose strength and stiffness degrade with the work of its hysteretic part, and which
 // slips where the force passes a small value, so that its loops are pinched.
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
-// Ao, zetas, Shi, deltaShi, lamda), but in its zu, the largest |z|, degradation and A are left out.  Step: between
-// reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower. Classical
-// Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the number of
-// these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation every
-// step is exact.
+// Ao, zetas, Shi, deltaShi, lamda), but its zu, the largest |z|, depends neither on degradation nor on A.  Step:
+// between reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower.
+// Classical Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the
+// number of these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation
+// every step is exact.
 #pragma once
 
 #include <algorithm>
@@ -128,9 +128,10 @@ struct Bwbn {
   template <class T, class X, class N>
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step) {
     if (moves(step)) {
-      // Every piece but the last is as long as 1/50 of the peak; the last is what is left, so that the force does not
-      // jump where the number of pieces changes. An infinite displacement makes `wanted` NaN. std::min then gives its
-      // first argument, which is also the largest number of pieces that finite displacements can need.
+      // The step is cut into pieces of 1/50 of the largest |x| so far, and the last piece is the remainder: with pieces
+      // of equal length the force would jump where their number changes. A step is at most twice as long as the largest
+      // |x|, which gives 100 pieces. An infinite displacement makes the second argument of std::min NaN; std::min then
+      // returns its first.
       double const wanted = std::min(2.0 * pieces_to_the_peak, value_of(pieces_to_the_peak * step.length / step.peak1));
       X left = step.length;
       for (double i = 1.0; i < wanted; i += 1.0) {

@@ -3,11 +3,11 @@
 // Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
 // points and the peak of the displacement, which the record decides. Departures from the source:
 // - The unit of the hysteretic force is the strength, its value at the peak. On a branch from one peak to the opposite
-//   one it has risen by 2 - 2 exp(-a s) + b s exp(-c s) after a travel of s peaks. At s = 2 this branch of the source
-//   misses the opposite peak by 2 exp(-2a) - 2 b exp(-2c) (1e-6 to 5e-4 for the published compounds). Here terms in
-//   (s/2)^8 add this difference, so that the force is continuous. Inner branches have these terms too, so that a branch
-//   that begins just short of a peak is the same as one from the peak. The terms move the forces of the published
-//   compounds by up to 1e-5 of the peak.
+//   one it has risen by 2 - 2 exp(-a s) + b s exp(-c s), where s is the travel divided by the peak. At s = 2 this
+//   branch of the source misses the opposite peak by 2 exp(-2a) - 2 b exp(-2c) (1e-6 to 5e-4 for the published
+//   compounds). Here terms in (s/2)^8 add this difference, so that the force is continuous. Inner branches have these
+//   terms too, so that a branch that begins just short of a peak is the same as one from the peak. The terms move the
+//   forces of the published compounds by up to 1e-5 of the force at the peak.
 // - b acts only at peaks where a has reached its largest value, as for the published compounds.
 // - b is at most e (1/U - 1) min(c, 5), where U is the hysteretic share of the force at the peak. The term of b is then
 //   nowhere larger than the elastic share, so that a loop does not exceed its force at the peak. If c is large, the 5
@@ -119,8 +119,8 @@ struct Loops {
     closing = N(2.0) * exp2(N(-2.0) * a);
   }
 
-  // How far the hysteretic force has risen on a branch, at a distance of s peaks from the turning point where the
-  // branch began. It is 2 at s = 2. force() multiplies it by the strength and the scale of the branch.
+  // How far the hysteretic force has risen on a branch, at a distance of s times the peak from the turning point where
+  // the branch began. It is 2 at s = 2. force() multiplies it by the strength and the scale of the branch.
   template <class T, class X>
   N shape(Constants<T> const& c, X const& s, bool bump) const {
     X const half = 0.5 * s, half2 = half * half, half4 = half2 * half2;

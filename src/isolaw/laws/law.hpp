@@ -12,14 +12,15 @@
 //   State<N>              what the law remembers from step to step; members(each) lists all of it, to save and load it
 //   step(params, constants, state, step)    advances the state over one step and returns the force at its end
 // and, where they apply,
-//   Constants<T, X>, constants<T, X>(params)      what follows from the parameters alone, computed once
+//   Constants<T, X>, constants<T, X>(params)      values that depend on the parameters alone; computed once
 //   start(params, constants, state, step)         sets the state at the first sample, if it is not State's own values
 //   Memory<X>             for a law with the trait `remembers`: the parts of the path's memory that it reads (memory/).
 //                         Its step gets them as a fifth argument. If its State has a stack, make_room resizes it.
 //                         Such a law ignores motion within the record's dead band (memory/followed.hpp), and its first
 //                         motion goes from 0 to the first sample. Whatever else the law remembers belongs in State,
 //                         which is computed for each parameter set.
-//   paper_constants(params), step_paper(...)      the same step by one classical Runge-Kutta step, if that differs
+//   paper_constants(params), step_paper(...)      for Integration::paper: one classical Runge-Kutta step from sample to
+//                         sample, as in the paper. A law whose step() is the paper's has neither of the two.
 //   crowded               true: a step holds so many values at once that kernels (fit/kernels.cpp) use fewer lanes
 //   joint_limits          one JointLimit for each condition between several parameters
 //   reduced(params)       for a law with a redundant parameter: returns parameters that give the same forces. In them
@@ -31,9 +32,9 @@
 // Four rules keep one step fast and right for all three kinds of numbers:
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
 //   - Write N(step.x1) where a number of the motion meets parameters, and T(2.0) or N(2.0) for a literal.
-//   - min and max return their first argument if both are equal: put the one first whose slope is meant.
-//   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a trial needs a slope that its value
-//     alone does not give. For a record they are plain comparisons, or do nothing.
+//   - min and max return their first argument if both are equal: put first the one whose slope the result must have.
+//   - Use the functions below (moves, grows, slope_alone, limit_slope, ...) where a plain comparison would lose a slope
+//     that a trial needs. For a record they are plain comparisons, or do nothing.
 // A step neither throws nor logs, and in a record it allocates nothing: kernels size stacks before the first step.
 //
 // Exported C++17 files are made from the lines of a law's file between `// [export struct NAME]` and `// [end]`, with
@@ -105,7 +106,7 @@ struct ParameterInfo {
   Interval physical;                            // a value outside is refused
   std::optional<Interval> published;            // bounds of Cucuzza et al. 2025, Table 4; always searched linearly
   ScaledInterval scaled;                        // bounds of the search for a device of any size
-  Scale scaled_search = Scale::linear;          // how the search between these bounds goes
+  Scale scaled_search = Scale::linear;          // whether the search between these bounds is linear or logarithmic
   std::optional<double> fixed_by_default = {};  // the value that the parameter keeps unless the user frees it
   std::string_view paper_name = {};             // the name in that paper's Tables 4 and A.5, if it is another one
 
@@ -190,7 +191,7 @@ using Step = StepOf<double>;
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;           // whether the motion turned at the begin of this step
-  std::size_t kept;     // if it turned: stack index for the force at that turning point
+  std::size_t kept;     // if it turned: stack index at which a law keeps its force at that turning point
   std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step
   std::size_t branch;   // stack index of the turning point that began the branch; none: on the skeleton
   double branch_x;      // displacement of that turning point
@@ -198,8 +199,8 @@ struct Memory {
   double peak0, peak;   // largest |x| before and after the step
   double inside;        // the part of the step's length with |x| below peak0
   double side_peak;     // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;        // (1 + N)^(-1/3), N: travel on the side over its peak; it fades as that peak grows
-  double log2_worn;     // log2(1 + NT), NT: travel on both sides over the largest |x|; it fades too
+  double virgin;        // (1 + N)^(-1/3), N: travel on the side divided by side_peak; N fades as side_peak grows
+  double log2_worn;     // log2(1 + NT), NT: travel on both sides divided by the largest |x|; NT fades as that grows
   double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
   // log2 of G and C. G is half the travel outwards plus four times the travel back, C is the travel back.
   double log2_softening, log2_way_back;

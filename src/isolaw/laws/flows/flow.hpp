@@ -1,5 +1,5 @@
-// Flow gives the solution u(t) of the equation in saturating_flow.hpp: in a record by polynomials, in a trial (law.hpp)
-// from a table.
+// Flow gives the solution u(t) of the equation in saturating_flow.hpp. For a record it evaluates polynomials, for a
+// trial it uses a table; law.hpp says what a record and a trial are.
 #pragma once
 
 #include "isolaw/laws/flows/saturating_flow.hpp"

@@ -5,13 +5,14 @@
 //     du/dt = 1 + kappa |u|^n    for u <  0  (unloading, u rises to 0)
 // Between two reversals u therefore always runs along a piece of one curve u(t), with t = 0 at u = 0. On either side of
 // 0 one polynomial gives |u|. It needs no search in a table, no gather and no power per sample, and it has neither a
-// step size nor a stability limit. The choice of its variable x keeps it short. With E = exp(-rate |t|),
+// step size nor a stability limit. Its variable x is chosen so that a low degree suffices. With E = exp(-rate |t|),
 //     x = (1 - E) / (1 + bend E)
 //   - rate = n for u > 0, because near saturation u is an analytic function of exp(-n t). For u < 0, look back in time
 //     from u = 0: if kappa < 0, |u| comes to rest, and rate = n |kappa|^(1/n); if kappa > 0, |u| grows ever faster, and
 //     rate is negative;
 //   - for n above 1.3, bend = 2^(n-1) - 1 removes a pole that u has beyond saturation (exactly for n = 2, u = tanh t);
-//   - at 0, where u = t - t^(n+1) / (n + 1) ..., u is 5 (1 + n) times differentiable in v = x^(1/5).
+//   - near 0, u = t - t^(n+1) / (n + 1) ... is not smooth in x. The polynomial is therefore one in v = x^(1/5), since
+//     u is 5 (1 + n) times differentiable in v.
 // So |u| = x G(v), and conversely x = |u| H(|u|^(1/5)), with G and H of degree 16. They are fitted once per parameter
 // set. Quadrature gives the travel t to 17 fixed values of |u|, with the pole of 1 / (1 - |u|^n) removed in closed
 // form. H interpolates x / |u| at these values, and G interpolates |u| / x at 17 fixed v, for which Newton's method
@@ -40,11 +41,13 @@ inline constexpr std::size_t terms = 17, guesses = 6;
 
 struct Nodes {  // numbers of the fit that are the same for all parameter sets, computed at the first call
   using Values = std::array<double, terms>;
-  Values place;  // v, or |u|^(1/5) over its largest value, ascending in (0, 1)
+  // The fixed points of the fit, ascending in (0, 1): values of v, or of |u|^(1/5) divided by its largest value.
+  Values place;
   Values fifth;  // place^5
   Values log2_fifth;
   Values inverse_place;
-  std::array<Values, terms> mean;  // row i: turns values at all places into the mean over |u| from 0 to place i
+  // Row i: weights by which the values at all places give their mean over |u|, from 0 to the |u| of place i.
+  std::array<Values, terms> mean;
   // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
   // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
   std::array<Values, terms> chebyshev, power;
@@ -54,17 +57,19 @@ struct Nodes {  // numbers of the fit that are the same for all parameter sets, 
   static constexpr std::array<std::size_t, 7> few{0, 2, 5, 8, 11, 14, 16};
   std::array<std::array<double, few.size()>, few.size()> chebyshev_of_few;
   std::array<std::array<double, few.size()>, terms> at_places;
-  std::array<std::array<double, guesses>, terms> guess;  // weights that extrapolate a place from those above it and 1
+  // Row i: weights that extrapolate Newton's first guess for place i from the solutions for the places above it; the
+  // topmost solution is 1.
+  std::array<std::array<double, guesses>, terms> guess;
 
   static Nodes const& get();
 };
 
-// A lane uses the polynomials for n from least_n to SaturatingFlow::largest_n and kappa up to largest_kappa, and else
-// the table.
+// A lane uses the polynomials if n lies between least_n and SaturatingFlow::largest_n and kappa is at most
+// largest_kappa. Other lanes use the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // a smaller E counts as this, since its logarithm gives the time
+inline constexpr double saturated = 1e-13;  // the least E that counts: the time is a logarithm of E
 
 }  // namespace flow_parts
 
@@ -77,7 +82,7 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // time_at() hardly grows beyond about this u
+  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u that time_at() can tell from 1
   // Needs n > 0 and kappa > -1, and kappa = 1 for Reach::beyond_saturation; other values give results that are not
   // finite. Where the polynomials cannot follow the curve, as for n above largest_n, a table takes their place.
   void fit(T const& n, T const& kappa);
@@ -179,7 +184,7 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  Coefficients smooth, nodal;  // dt/d|u| without its pole where |u| comes to rest
+  Coefficients smooth, nodal;  // smooth: dt/d|u| without the pole where |u| comes to rest
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
     T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
@@ -335,7 +340,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   static_assert(beyond);
   T const one(1.0), zero(0.0), size = abs(u), w = min(size, T(largest_u));
   T const less = expm1(-(n_ * travel));
-  struct Start {  // s = 1 - E, of either sign, with the x, u and slope that belong to it
+  // One end of the travel: s = 1 - E, which is negative below u = 0, and the x, u and slope there.
+  struct Start {
     T s, x;
     Slope u;
     T per_end;
@@ -372,7 +378,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
     moved.u = select(outside, other.u, moved.u);
     moved.rate0 = select(outside, other.rate0, moved.rate0);
     moved.rate1 = select(outside, other.rate1, moved.rate1);
-    // Rates fall along the flow, so the ratio is at most 1; close to saturation both rates are lost to rounding.
+    // The rates fall along the flow, so their ratio lies between 0 and 1. Close to saturation both rates consist of
+    // rounding errors, so their ratio is limited to this range.
     moved.ratio = select(outside, max(zero, min(other.rate1 / other.rate0, one)), moved.ratio);
   }
   return moved;

@@ -42,7 +42,7 @@ struct Nodes {
 inline constexpr double spacing = 1.0 / 3.0;    // between nodes, measured in the w of the gradings in the .cpp file
 inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
 inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
-inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: where unloading starts within saturation
+inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: the first node with Reach::within_saturation
 inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is that at 55
 inline constexpr double falling_origin = 60.0;  // falling keys, 4.4 to 59, lie above the rising ones
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
@@ -77,7 +77,7 @@ class TabulatedFlow {
   static constexpr std::size_t count = Layout::count;
 
  public:
-  // Fills the table in place, because it is large. Unless n > 0 and kappa > -1, results are not finite.
+  // Fills the table in place, because it is large. Results are finite only for n > 0 and kappa > -1.
   void tabulate(T const& exponent, T const& unloading);
   T time_at(T const& u) const { return place_of(u).time(); }  // see SaturatingFlow
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
@@ -171,7 +171,7 @@ template <class T, Reach reach>
 T TabulatedFlow<T, reach>::duration_of(std::size_t i, T const& n, T const& kappa, T const& rate0, T const& rate1) {
   auto const& nodes = Layout::nodes();
   T const one(1.0);
-  if (i + 1 == Layout::rising) return one;  // the cell between the two pieces, which nothing enters
+  if (i + 1 == Layout::rising) return one;  // no u and no time lies in the cell between the two pieces
   if (i + 1 == Layout::negative) {
     // The cell through 0: the mean of |u|^n over each half is 1 / (n + 1) of its value at the node.
     T const mean0 = one - (one - rate0) / (n + one), mean1 = one - (one - rate1) / (n + one);

@@ -51,10 +51,10 @@ struct OpenBranches {
   }
 
  private:
-  // Returns the i for which the force changes least without the turning points i and i + 1. The change is estimated as
-  // the product of the two gaps that they leave, [i-2, i+2] and [i-1, i+3], over the distance [i-2, i-1], since longer
-  // branches are less curved. `next`, where the motion turns now, stands for the points after the last. The first
-  // turning point always stays, and its mirror image stands for the point before it.
+  // Returns the i whose removal, together with i + 1, changes the force least. The change is estimated as the product
+  // of the two gaps that the points would leave, [i-2, i+2] and [i-1, i+3], divided by the distance [i-2, i-1], since
+  // longer branches are less curved. `next`, where the motion turns now, stands for the points after the last. The
+  // first turning point always stays, and its mirror image stands for the point before it.
   std::size_t least_needed(double next) const {
     auto const at = [&](std::size_t i) { return i < turned.size() ? turned[i] : next; };
     std::size_t best = 1;

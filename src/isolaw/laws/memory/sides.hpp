@@ -20,8 +20,9 @@ inline Dual cbrt(Dual const& a) {
   return chain(a, root, root != 0.0 ? 1.0 / (3.0 * root * root) : 0.0);
 }
 
-// Returns the travel N relative to a peak m, after the peak has grown from `from` to `to`. Meanwhile N changes by
-// dN = |dx|/m - 60 N dm/m: the second term makes it fade. During a first motion from 0, N is therefore 1/60.
+// Returns the travel N relative to a peak m, after the peak has grown from `from` to `to`. Meanwhile N changes by dN =
+// |dx|/m - 60 N dm/m: the second term makes it fade. During a first motion from 0, N is therefore 1/60. The 60 was
+// chosen on one measured device (docs/laws.md).
 template <class X>
 inline X travel_as_the_peak_grows(X const& travel, X const& from, X const& to) {
   constexpr double virgin = 1.0 / 60.0;
@@ -47,9 +48,9 @@ struct Sides {
   };
   Side sides[2];                 // x >= 0, x < 0
   X side_peak = 0.0;             // largest |x| on the side of x after the step
-  X travel = 0.0;                // N: travel on that side over its peak; it fades as the peak grows
+  X travel = 0.0;                // N: travel on that side divided by side_peak; it fades as side_peak grows
   X virgin = 1.0;                // (1 + N)^(-1/3)
-  bool side_peak_grows = false;  // whether that peak grows in this step
+  bool side_peak_grows = false;  // whether side_peak grows in this step
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

@@ -67,7 +67,7 @@ struct Softening {
   };
   SofteningSide softening_sides[2];
   X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and C on the side of x
-  bool softens = false, returns = false;        // whether these have changed since the last step that ended there
+  bool softens = false, returns = false;        // whether G, C have changed since the last step that ended on this side
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

@@ -1,4 +1,4 @@
-// The travel of both sides, and how far the peak grew more to one side than to the other.
+// The travel on both sides, and how much more the peak has grown at x > 0 than at x < 0.
 #pragma once
 
 #include "isolaw/laws/memory/sides.hpp"
@@ -8,7 +8,7 @@ namespace isolaw::laws {
 // [export]
 template <class X>
 struct Wear : Peaks<X> {
-  X worn = 0.0;       // travel on both sides over the largest |x|; it fades as that peak grows
+  X worn = 0.0;       // travel on both sides divided by the largest |x|; it fades as the largest |x| grows
   X pushed = 0.0;     // growth of the largest |x| at x > 0 minus its growth at x < 0
   X log2_worn = 0.0;  // log2(1 + worn)
 

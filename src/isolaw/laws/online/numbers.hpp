@@ -77,8 +77,8 @@ inline void limit_slope(Dual& result, Part&& part, Steepest&& steepest) {
   double const slope = Dual(part()).by_x, most = std::abs(Dual(steepest()).v);
   result.by_x += slope > most ? most - slope : slope < -most ? -most - slope : 0.0;
 }
-// `power` is size^exponent. For an exponent just above 1 its slope is 0 at size 0 and soon about 1, so below a size of
-// 1e-6 it gets the slope of the secant from 0 to 1e-6.
+// `power` is size^exponent. If the exponent is just above 1, the slope is 0 at size 0 but close to 1 at any visible
+// size. A size below 1e-6 therefore gets the slope of the secant from 0 to 1e-6.
 template <class Exponent>
 inline void use_secant_near_zero(Dual& power, Dual const& size, Exponent&& exponent) {
   if (size.v < 1e-6) power.by_x = size.by_x * std::pow(1e-6, Dual(exponent()).v - 1.0);

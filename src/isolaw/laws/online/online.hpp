@@ -11,8 +11,8 @@ namespace isolaw::laws {
 
 class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
  public:
-  // `parameters` are in the law's order. `dead_band` [law's length] is that of the fit; only laws with memory use it.
-  // Each trial is divided into `parts` equal steps. Throws Error for an unknown law.
+  // `parameters` are in the law's order. `dead_band` [law's length] is that of the record that they were fitted to;
+  // only laws with memory use it. Each trial is divided into `parts` equal steps. Throws Error for an unknown law.
   Online(std::string_view law, std::span<double const> parameters, double dead_band = 0.0, int parts = 1);
   ~Online();
   Online(Online const& other);

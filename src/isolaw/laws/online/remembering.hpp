@@ -21,7 +21,7 @@ struct Remembering {
   using Step = StepOf<Dual>;
 
   // [export]
-  // The state of the law, the motion without tremor (`follower`, x), and what the law remembers of it (`memory`).
+  // The state of the law, the motion without its noise (`follower`, x), and what the law remembers of it (`memory`).
   struct LawState {
     OwnState law;
     Followed<Dual> follower;

@@ -58,7 +58,7 @@ inline Constants<T> constants(Params const& p) {
 // The quantities that change only when the peak displacement grows.
 template <class N>
 struct Softened {
-  N K1_now = N(0.0);      // see softened_K1
+  N K1_now = N(0.0);      // K1 as softened by the peak so far: softened_K1()
   N inverse_Ut = N(0.0);  // 1 / Ut
   template <class Each>
   void members(Each& each) {

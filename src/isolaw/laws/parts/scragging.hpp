@@ -15,10 +15,10 @@ template <class N>
 struct Scragging {
   N elastic[2] = {N(0.0), N(0.0)};  // K (m/100)^(g-1) of each side
 
-  // Returns (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2, with
-  // the side's peak m and its travel N over m. `share` is the hysteretic force over its strength, -1 to 1. Must be
-  // called at every step. When the motion first enters a side, the slope of |x|^g has no bound. The tangent is then
-  // limited to the slope of the secant from 0 to the displacement `rounding`.
+  // Returns (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2. m is
+  // the peak of the side of x, and N the travel on that side divided by m. `share`, from -1 to 1, is the hysteretic
+  // force divided by its strength. Must be called at every step. When the motion first enters a side, the slope of
+  // |x|^g has no bound. The tangent is then limited to the slope of the secant from 0 to the displacement `rounding`.
   template <class T, class X, class PathMemory, class Params>
   N force(Params const& p, X const& at, PathMemory const& memory, N const& share, T const& rounding) {
     auto const steepest = [&] { return p.K * power(rounding / T(reference_mm), p.g - T(1.0)) / T(reference_mm); };

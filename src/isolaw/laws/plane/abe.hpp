@@ -46,7 +46,7 @@ struct AbeOf {
     move(p, f, origin, inside, way.length, peak0, true);
     state.peak = max(peak0, distance1);
     T const per_U = one / yield_length(p, peak0);
-    // Without motion only the derivatives change, to those of an elastic step.
+    // A step without motion leaves f as it is. It only gives f the derivatives that an elastic step would have.
     Vector<T> const at_rest = state.f + (strength(p, norm(from)) * per_U) * way.moved;
     state.f = chosen(way.length > zero, f.joined(way.direction), at_rest);
     if constexpr (softening == Softening::by_axis) {
@@ -74,7 +74,8 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f along the step from `begin` to `end`. With `extends` the peak grows with the distance, else it is peak0.
+  // Moves f along the step from `begin` to `end`. If `extends` is true, the distance on this way exceeds peak0 and is
+  // itself the peak. Otherwise the peak is peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {
@@ -97,7 +98,8 @@ struct AbeOf {
       if (grows || extends) size = min(size, max(distance, T(least_distance) * U));
       return T(step_share) * size;
     };
-    // A motion that lies more than longest_memory yield displacements of travel back no longer matters.
+    // F2 has forgotten the motion more than longest_memory yield displacements of travel back, so the integration skips
+    // it.
     T l = max(begin, end - T(longest_memory) * yield_length(p, max(peak0, max(distance_at(begin), distance_at(end)))));
     follow(f, l, end, slope, longest);
   }

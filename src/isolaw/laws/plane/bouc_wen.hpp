@@ -50,7 +50,7 @@ struct BoucWen {
     T const closed = select(is_two, travel, zero), stepped = select(is_two, zero, travel);
     if (any(closed > zero)) flow_of_two(z, closed, state.unloading);
     if (any(stepped > zero)) flow(z, min(stepped, T(longest_memory)), p.n, state.unloading);
-    // Without motion only the derivatives change, to those of an elastic step.
+    // A step without motion leaves z as it is. It only gives z the derivatives that an elastic step would have.
     state.z = chosen(travel <= zero, state.z + state.rate * way.moved, z.joined(way.direction));
     return (p.alpha * p.Ke) * to + ((one - p.alpha) * p.Ke * state.z_max) * state.z;
   }

@@ -1,9 +1,9 @@
 // Makes a law of two directions from any law of one: springs around a circle, each with a history and a peak of its
 // own. Source: multiple shear springs (Wada and Hirose 1989; Yamamoto et al. 2012 for isolators). N springs lie at the
 // angles pi i / N. A spring with the displacement u has the force rf f(u rs / rf), where f is the law. rs = 2 / N keeps
-// the stiffness along a straight push, and rf = tan(pi / 2N) keeps the strength. The bend of the loop between the two
-// changes, so a law that is used this way is also fitted this way (fit/as_springs.hpp). Velocities are scaled like
-// displacements.
+// the stiffness along a straight push, and rf = tan(pi / 2N) keeps the strength. Between the elastic line and the
+// strength the loop bends differently than that of f. A law that is used this way is therefore also fitted this way
+// (fit/as_springs.hpp). Velocities are scaled like displacements.
 #pragma once
 
 #include <array>

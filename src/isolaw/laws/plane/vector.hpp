@@ -24,7 +24,7 @@ template <class T>
 T dot(Vector<T> const& a, Vector<T> const& b) {
   return rounded(a.x * b.x) + a.y * b.y;
 }
-// The vector turned by 90 degrees, from x to y.
+// The vector turned by 90 degrees, from the x axis towards the y axis.
 template <class T>
 Vector<T> turned(Vector<T> const& a) {
   return {-a.y, a.x};
@@ -52,7 +52,7 @@ struct Straight {
   }
 };
 
-// The components of a vector along a direction, and across it, at 90 degrees from x to y.
+// A vector in components: `along` a direction, and `across`, which is along turned(direction).
 template <class T>
 struct Split {
   T along, across;
@@ -62,7 +62,8 @@ struct Split {
   Vector<T> joined(Vector<T> const& direction) const { return along * direction + across * turned(direction); }
 };
 
-// A fading memory of the motion in direction n: q' = rate (n - q). Without motion only the derivatives change.
+// A fading memory of the motion in direction n: q' = rate (n - q). A step without motion changes no value of q. It only
+// gives q the derivatives that a step would have.
 template <class T>
 Vector<T> fading(Vector<T> const& q, Straight<T> const& way, T const& rate) {
   T const left = exp(-rate * way.length);

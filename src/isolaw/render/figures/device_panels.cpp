@@ -19,7 +19,7 @@ Range range_of(DevicePanel const& panel) {
   return range.padded(0.1);
 }
 
-// Error bars are drawn as vectors, because gnuplot's own error bars leave a gap around the marker.
+// Draws a panel. Error bars are drawn as vectors, because gnuplot's own error bars leave a gap around the marker.
 void draw_panel(Script& script, std::string const& file, std::size_t index, DevicePanel const& panel,
                 DeviceAxis const& axis) {
   auto const range = range_of(panel);

@@ -64,7 +64,7 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
       auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
       auto const [unit, factor] = shown_unit(drawn_quantity(q).unit, units);
-      auto const all = static_cast<double>(law.draws);  // those without numbers lie in no bin
+      auto const all = static_cast<double>(law.draws);  // draws without numbers count here, but lie in no bin
       for (std::size_t i = 0; i < h.counts.size(); ++i)
         table.row(factor * (h.from + (static_cast<double>(i) + 0.5) * h.width), factor * h.width,
                   100.0 * static_cast<double>(h.counts[i]) / all);
@@ -129,7 +129,7 @@ Figure variance_figure(building::Answers const& answers) {
 }  // namespace
 
 std::vector<Figure> building_figures(building::Answers const& answers, UnitSystem const& units) {
-  // Both figures are of the draws.
+  // Both figures show draws, so there are none without draws.
   if (std::ranges::none_of(answers.laws, [](auto const& law) { return law.draws > 0; })) return {};
   return {histograms_figure(answers, units), variance_figure(answers)};
 }

@@ -167,8 +167,8 @@ std::string front_script(std::vector<FrontPoint> const& points, std::vector<Fron
   script.line("set xlabel '{}' offset 0,raise; set ylabel '{}' offset inward,0", words.x_label, words.y_label);
   script.line("set key at graph 0,1.02 left bottom horizontal Left reverse samplen 1 width (kind eq 'svg' ? -2 : 1)");
   auto const places = place_names(points, published, x, y, single_column_mm - left - right, height_mm - bottom - top);
-  for (std::size_t i = 0; i < points.size();
-       ++i)  // offsets count in letters of gnuplot: on average over SVG and PDF, 1.65 mm wide and 3.2 mm high
+  // gnuplot measures offsets in letters, which are on average over SVG and PDF 1.65 mm wide and 3.2 mm high.
+  for (std::size_t i = 0; i < points.size(); ++i)
     script.line("set label {} {} noenhanced at {},{} {} offset {},{}", i + 1,
                 gnuplot_string(laws::called(points[i].law)), number(points[i].x), number(points[i].y), places[i].align,
                 number(places[i].dx_mm / 1.65), number(places[i].dy_mm / 3.2));

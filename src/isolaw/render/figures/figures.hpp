@@ -25,7 +25,8 @@ struct Figure {
 // Passes one figure after another to `use`, because all figures of 160 devices would fill the memory. Skips empty ones.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
 // Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
-// ignores case. If an underscore and one of `endings` are appended to a stem, the result is no other stem either.
+// ignores case. A stem with an underscore and one of `endings` after it never equals another stem, so that files whose
+// names are made in this way do not collide.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
                                     std::vector<std::string> const& endings = {});
 
@@ -37,8 +38,8 @@ struct FigureOutcome {
 };
 
 // Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
-// not chosen. For `none` it only removes figures of the choice `lot` whose data differ from those of `summary`. Throws
-// Error if it cannot write.
+// not chosen. For `none` it writes and draws nothing. It then only removes isolaw's figures whose data differ from
+// those of `summary`, so that no figure contradicts the reports beside it. Throws Error if it cannot write.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);

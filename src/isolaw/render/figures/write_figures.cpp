@@ -79,7 +79,8 @@ std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
   auto const own = own_figures(folder);
   std::set<std::string> outdated(own.begin(), own.end());
   for (auto const choice : {FigureChoice::lot, FigureChoice::all})
-    if (!outdated.empty())  // usually false after `lot`: the many figures of single devices are then not made
+    // `outdated` is usually empty after the choice `lot`. The many figures of single devices are then not made.
+    if (!outdated.empty())
       for_each_figure(summary, choice, [&](Figure const& figure) {
         if (outdated.contains(figure.name) && text_of(figure_file(folder, figure.name, ".dat")) == figure.data)
           outdated.erase(figure.name);

@@ -13,7 +13,7 @@ namespace isolaw::render {
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
 inline constexpr std::string_view from_calibration = "From the calibration: ";
 std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units = record_units);
-// The same as lines of a terminal, each of which says first whether it is a warning or a note.
+// Returns the same warnings as lines for a terminal. Each line says first whether it is a warning or a note.
 std::vector<std::string> building_lines(building::Answers const& answers, UnitSystem const& units);
 
 std::string building_json(building::Study const& study, building::Answers const& answers);

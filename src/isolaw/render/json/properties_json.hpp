@@ -9,8 +9,8 @@
 
 namespace isolaw::render {
 
-// Adds to a device's object: blocks, reported, properties_refusal, samples_per_cycle, notes, corrections,
-// counting_block, levels, vertical, verdict, copy_of, doubts, assessments.
+// Adds to a device's object the members from `blocks` to `assessments`: cyclic properties, corrections, vertical test,
+// verdict and assessments.
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
                       UnitSystems systems = stored_units);
 // Adds the member `tests`: one object for each test of the device, or an empty list if it has one test.

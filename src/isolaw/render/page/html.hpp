@@ -16,7 +16,7 @@ struct Answers;
 
 namespace isolaw::render {
 
-// The page with styles, scripts and data. Only its title and its data block contain text from the input, escaped.
+// The page with styles, scripts and data. Only its title and its blocks of data contain text from the input, escaped.
 std::string html(Summary const& summary);
 std::string building_html(building::Study const& study, building::Answers const& answers);
 // The rules and design values that an existing page was written with; nullopt if the page states none.

@@ -81,8 +81,9 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// Writes the remainder of a doubtful channel, or null. Point k of the curve is the sample first + min(k stride, samples
-// - 1). The points of `gaps` have no value.
+// Writes the remainder of a doubtful channel, or null. The remainder is what is left when the mean cycle of the block
+// is subtracted. Point k of the curve is the sample first + min(k stride, samples - 1). The points of `gaps` have no
+// value.
 void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t most) {
   out.key("remainder");
   auto const found = data::remainder(device.raw, device.properties);
@@ -100,7 +101,7 @@ void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t mo
   });
 }
 
-// Point k of the curve is the raw sample min(k stride, samples - 1).
+// Writes the raw record. Point k of a curve is the sample min(k stride, samples - 1).
 void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   auto const drawn = drawn_samples(raw.size(), most);
   out.key("raw").object([&] {
@@ -110,7 +111,7 @@ void write_raw(JsonWriter& out, data::TestRecord const& raw, std::size_t most) {
   });
 }
 
-// The time ranges of the samples that are `inside`.
+// Writes the time ranges of those samples for whose index inside(i) is true.
 template <class Inside>
 void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& inside) {
   out.begin_array();
@@ -122,8 +123,9 @@ void write_ranges(JsonWriter& out, data::FitRecord const& record, Inside const& 
   out.end_array();
 }
 
-// Writes the time ranges of the record that the laws were fitted to, or null for the whole record. Also writes those of
-// the large swings, which laws predict after a fit to the small swings.
+// Writes the time ranges of the record that the laws were fitted to, or null for the whole record. Also writes the time
+// ranges of the large swings, which laws predict after a fit to the small swings. A swing is the motion from one
+// turning point to the next.
 void write_parts(JsonWriter& out, DeviceResult const& device) {
   auto const& record = device.record;
   out.key("scored");
@@ -331,7 +333,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   });
 }
 
-// Writes the limits by which the words of verdicts are chosen. The page states these numbers.
+// Writes the limits by which the program chooses the words of verdicts, since the page states these limits.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);
@@ -410,7 +412,9 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   });
   out.key("endings").array(
       result_units, [&](auto const& stored) { out.begin_array().value(stored.ending).value(stored.unit).end_array(); });
-  std::set<std::string_view> own{"o", "s", "from", "width"};  // starts with the keys inside curves and histograms
+  // The keys of numbers whose unit another member of the same object names. The first four are keys inside curves and
+  // histograms.
+  std::set<std::string_view> own{"o", "s", "from", "width"};
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)
       if (row.unit == study::own_unit) own.insert(row.key);

@@ -10,8 +10,9 @@
 namespace isolaw::render {
 
 // Table A.5 of Cucuzza et al. 2025 with laws as rows. Each law has a row OF and a row for each parameter, with mean and
-// standard deviation over the runs for each device. The last column is the parameter's spread over the lot, Delta_n of
-// Eqs. (28)-(30). The cell of a bound that is scaled from each record says "per device"; summary.json has these bounds.
+// standard deviation over the runs for each device. The last two columns are the parameter's spread over the lot,
+// Delta_n of Eqs. (28)-(30), and the devices on which the best run lies at a bound. The cell of a bound that is scaled
+// from each record says "per device"; summary.json has these bounds.
 std::string parameters_csv(Summary const& summary);
 // A row for each law and device, refused devices first: objective, runs, errors of properties, integration error, and
 // the reason why a result is missing.

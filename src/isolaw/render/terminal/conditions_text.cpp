@@ -31,7 +31,7 @@ std::string interval_text(std::optional<conditions::Interval> const& interval) {
 
 std::string status_text(Factor const& factor) {
   if (factor.status == Status::not_covered) return "NOT COVERED";
-  // The factor is 1, that of the reference itself.
+  // No device was compared: this is the reference condition itself, with the factor 1.
   if (factor.devices == 0) return "reference";
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
 }
@@ -67,7 +67,7 @@ std::string bound_text(conditions::Combined const& all, std::string_view at_end)
   return text;
 }
 
-// The properties that are printed in full without --details. The others follow from them, or judge less.
+// For these properties the text without --details has the bounds, but not the effects that make up the bounds.
 bool is_short(rules::Quantity quantity) {
   return quantity == rules::Quantity::Q_d || quantity == rules::Quantity::K_d;
 }

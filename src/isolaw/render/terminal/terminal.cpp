@@ -19,7 +19,8 @@
 namespace isolaw::render {
 namespace {
 
-// Each character takes one column, because names of devices and laws occur only in scripts with narrow letters.
+// The number of columns that a text takes on a terminal. Every character counts as one column: the names of devices and
+// laws are in scripts whose letters are one column wide.
 int columns(std::string_view text) {
   return static_cast<int>(character_count(text));
 }

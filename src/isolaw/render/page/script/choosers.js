@@ -1,6 +1,6 @@
 // The device and law that a report shows when it opens, and the controls with which its reader chooses others. All
-// sections show the same device and the same law. A section that cannot show the one chosen keeps its previous one. The
-// address of the page keeps the choice, so that a link shows it again.
+// sections show the same device and the same law. A section that cannot show the chosen device or law keeps the one
+// that it showed before. The address of the page keeps the choice, so that a link shows it again.
 
 import { choose, chooser, chosen, onChoice } from './choice.js';
 import {

@@ -1,13 +1,17 @@
 // Places a figure on the page, draws it, and draws it again. A figure is an object {id, title, width ('half', 'wide',
-// 'narrow'), wanted, depends, caption, csv, controls, build or height and draw, clicked, below}. `depends` names the
-// choices that change the figure; `clicked` is called for a click on a point; `below` returns the nodes under the plot.
+// 'narrow'), wanted, depends, caption, csv, controls, build, height, draw, clicked, below}. wanted() says whether the
+// page shows the figure. build() returns its content as nodes. A plot has instead height(width), and draw(look, width),
+// which returns Plotly's traces and layout. `depends` names the choices that change the figure; `clicked` is called for
+// a click on a point; below() returns the nodes under the plot.
 
 import { button, element } from './dom.js';
 import { csvText, download } from './download.js';
 import { PLOT_CONFIG, styled, theme } from './plotting.js';
 import { typeset, unset } from './symbols.js';
 
-export const drawn = new Map(); // figure -> {node, body, caption, seen, stale}
+// figure -> {node, body, caption, seen, stale}. seen: whether the figure is in the window or near it; stale: whether
+// its content must be made again.
+export const drawn = new Map();
 
 // Gives a plot its height before it is drawn, so that the page does not move later.
 export function reserve(figure) {

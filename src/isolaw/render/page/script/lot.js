@@ -19,7 +19,8 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// Returns the assessed value (mean over both sides), or else that of the vertical test or of the block that counts.
+// Returns the value that the rule set assesses, as the mean over both sides. If there is none, returns the value of the
+// vertical test or of the cycle that stands for the device.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

@@ -47,7 +47,8 @@ import { verdictFigure } from './verdict/band.js';
 import { WORDS } from './verdicts.js';
 import { VIEWS } from './views.js';
 
-// An inspection's page begins with the verdict and the strips of the lot. A single device needs no figures of a lot.
+// The page of an inspection begins with the verdict and with plots of all devices by quantity (lotStripsFigure). A
+// single device needs no figures of a lot.
 const alone = devices.length === 1;
 const ofLot = [lotFigure, ...(inspection ? [] : [lotStripsFigure]), outliersFigure, verdictTableFigure, lotStabilityFigure];
 const SECTIONS = [

@@ -49,8 +49,9 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   if (section) document.getElementById(section)?.scrollIntoView();
 }
 
-// Buttons that write units into the address, which followAddress() follows. The program's page shows a report from a
-// blob in a sandboxed frame, which cannot change its address, so it asks that page.
+// Buttons that write units into the address; followAddress() then loads the page in these units. Inside the page of the
+// program (page/), a report comes from a blob in a sandboxed frame and cannot change its address. It then asks the page
+// of the program to open it again in these units.
 function unitsChooser() {
   const press = ({ currentTarget: { value } }) => {
     const [section, rest] = location.hash.slice(1).split('?');

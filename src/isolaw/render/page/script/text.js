@@ -69,7 +69,7 @@ export const shareText = (share, decimals = 1) => (isNumber(share) ? fixed(100 *
 
 export const percentText = (share) => Number((100 * share).toPrecision(3)) + THIN + '%';
 
-// An error that is a share of the force, as percent.
+// Writes an error, which is a share of the standard deviation of the measured force, as percent.
 export const errorText = (error) => (!isNumber(error) ? DASH : (error < 10 ? fixed(100 * error, 1) : '> 1000') + THIN + '%');
 
 // Decodes a curve of the data block: value k is o + s * (sum of the integers of d up to k).

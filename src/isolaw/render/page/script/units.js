@@ -26,10 +26,10 @@ export const LOOP_HOVER = hovered('x', 'mm', 1) + ', ' + hovered('y', 'kN', 1);
 
 const unitOf = (key) => endings.find(([ending]) => ('_' + key).endsWith(ending))?.[1];
 
-// Converts a value with everything in it. The end of a key names the unit of its numbers; an object may name the unit
-// of those of its members that are listed in `own`. Parameters stay in the units of their law's formula. The coverage
-// stays too: its keys name quantities, such as isolator_mm, but its numbers are shares of draws. A sentence that holds
-// values is stored once for each system.
+// Converts a value and everything inside it. The end of a key names the unit of the key's numbers. An object may
+// instead name the unit of some of its numbers in its member `unit`; `own` lists the keys of these numbers. Parameters
+// stay in the units of their law's formula. The coverage stays too: its keys name quantities, such as isolator_mm, but
+// its numbers are shares of draws. A sentence that holds values is stored once for each system of units.
 function converted(value, key, unit) {
   if (typeof value === 'number') return unit ? inUnits(value, unit) : value;
   if (value === null || typeof value !== 'object' || key === 'parameters' || key === 'coverage') return value;

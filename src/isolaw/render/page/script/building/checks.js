@@ -4,7 +4,7 @@ import { laws, study } from './study.js';
 import { MM, decimalsIn } from '../units.js';
 
 const rows = laws.flatMap((law) => law.checked.map((checked, motion) => ({ law, checked, motion: study.motions[motion].name })));
-// The numbers of a row in the CSV: the title of the column, and the key in the data.
+// The columns of numbers in the CSV: [title of the column, key in the data].
 const NUMBERS = [
   ['bearing [' + MM + ']', 'isolator_mm'], ['energy error', 'energy_error'], ['step [s]', 'step_s'], ['step error [' + MM + ']', 'missed_mm'],
   ['draws deviate [%]', 'lanes_off_percent'], ['hand method [' + MM + ']', 'equivalent_mm'], ['error of the hand method [%]', 'equivalent_error_percent'],

@@ -119,7 +119,7 @@ function loop(look) {
   };
 }
 
-// Moves what is drawn to the moment `now`.
+// Redraws the slab, the bearings and the dot on the loop as they are at the moment `now`.
 function move() {
   const [inPlan, inLoop] = motionFigures.map((figure) => drawn.get(figure)?.body);
   const at = place();
@@ -135,7 +135,9 @@ function slider() {
   const output = element('output', { for: 'moment' });
   const input = element('input', { type: 'range', id: 'moment', min: 0, max: last, value: now });
   const play = button('Play', () => (started === null ? start() : stop()), { class: 'action', id: 'play' });
-  let started = null; // the time at which the motion began to play, less what was played before
+  // Null while the motion stands still. Else the time, by the clock of requestAnimationFrame, at which it would have
+  // started from its beginning.
+  let started = null;
   const say = () => {
     output.textContent = fixed(now * loops.step_s, 2) + '\u202fs, ' + nameOf(bearings[chosen.bearing], chosen.bearing) + ': ' + fixed(moved[chosen.bearing][now], decimalsIn('mm', 1)) + '\u202f' + MM;
   };

@@ -7,7 +7,8 @@ import { SPREAD, first, isDrawn, laws, nameAndUnit, quantityOf, spreadText, stud
 const KEY = 'isolator_mm';
 const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
 const TESTED = 'tested_mm';
-// The largest response of fewer motions counts, and the mean over as many or more.
+// A limit is compared with the mean response over the motions, or with the largest response if there are fewer motions
+// than codes ask for before a mean may be used.
 const IS_MEAN = study.motions.length >= study.motions_for_a_mean;
 
 export const verdictSection = {
@@ -66,7 +67,7 @@ function numbers() {
 
 const rows = laws.flatMap((law) => law.limits.map((row) => ({ law, ...row })));
 
-// Whether a limit is kept, and if not, what breaks it.
+// Says whether a limit is kept, and if it is not, what breaks it.
 function verdictOf({ keeps, broken_by: by }) {
   const cause = by === null ? '' : by.endsWith('failed') ? ': no numbers (' + by.split(' ')[0] + ')' : ': ' + by;
   return element('span', { class: 'sure ' + WORDS[keeps][1] }, WORDS[keeps][0] + cause);

@@ -101,7 +101,7 @@ function assessments(device) {
   );
 }
 
-// Without a rule set the page has the values of the cycle that counts.
+// Without a rule set there are no limits. The page then lists the values of the cycle that stands for the device.
 function values(device) {
   const cycle = assessedCycle(device);
   if (!cycle) return element('p', {}, 'No cyclic properties: ' + device.properties_refusal);

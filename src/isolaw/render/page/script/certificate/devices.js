@@ -36,7 +36,8 @@ const apart = (device) =>
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Conditions that, if they hold, change a value, such as friction of the rig. The caption explains the letter of each.
+// Doubts about the test, such as friction of the rig, that would change a value if they are true. Each gets a letter,
+// which the caption explains.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>
@@ -74,7 +75,7 @@ function certificateColumns() {
 
 function certificateTable() {
   const common = commonlyOpen();
-  // Relative, so that it does not depend on the units of the page.
+  // Compares ratios and not differences, so that the result does not depend on the units of the page.
   const same = (key) => {
     const values = devices.map((device) => assessedBlock(device)?.[key] ?? null);
     return values.every((value) => value === values[0] || Math.abs(value / values[0] - 1) < 0.002);
@@ -90,7 +91,8 @@ function certificateTable() {
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
-  // The page of each device says what its values would be under the conditions that the letters name.
+  // A letter after a value stands for a doubt that would change the value. With one device, the other value stands
+  // below it. With several, the page of each device gives the other values.
   const doubted = (device, quantity, value) => {
     const doubts = doubtsOf(device, quantity);
     return element(

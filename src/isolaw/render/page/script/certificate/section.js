@@ -21,7 +21,8 @@ export const certificateSection = {
   ],
 };
 
-// A certificate that is no proof of a pass carries a mark. As a background the mark repeats on every printed page.
+// Marks a certificate that does not prove a pass: it gets a text such as "LIMITS NOT VERIFIED" across every page. The
+// text is a background, because browsers repeat a background on every printed page.
 function mark(section) {
   const { mark: text, mark_is_red: red } = report.result;
   if (!text) return;

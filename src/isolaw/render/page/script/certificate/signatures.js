@@ -18,7 +18,8 @@ export const certificateRecordsFigure = {
   build: recordsTable,
 };
 
-// Lines for signatures. A grey mark, unlike a red one for tests that did not pass, means that nobody may sign.
+// Lines for signatures. A certificate with a grey mark must not be signed, so it gets no lines. One with a red mark has
+// tests that did not pass, and may be signed.
 export function signatures() {
   const signer = (role) =>
     element(

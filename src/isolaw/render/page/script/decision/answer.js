@@ -12,8 +12,9 @@ const told = (findings, between = ' ') => sentence(findings.map((one) => one.sen
 
 function answer() {
   const { law, headline, explanation, sure, reasons, weak, reach, surer } = recommendation;
-  // The next best law stands in the table of laws, so of the reasons for a law only a better one ruled out is told.
-  const beyond = reach.filter(({ kind }) => kind !== 'law-shown-up-to'); // the number above shows that one
+  // If a law is recommended, the answer gives only one of its reasons: a better law that was ruled out. The other
+  // reason, the error of the next best law, stands in the table of laws.
+  const beyond = reach.filter(({ kind }) => kind !== 'law-shown-up-to'); // numbersOfAnswer() shows this displacement
   const why = law ? reasons.filter(({ kind }) => kind === 'why-better-refused') : reasons;
   const numbers = numbersOfAnswer().map(([value, what]) => element('div', {}, element('b', {}, value), element('span', {}, what)));
   return element(

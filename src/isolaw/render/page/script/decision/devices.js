@@ -20,7 +20,7 @@ export const deviceLoopsFigure = {
   build: loopStrip,
 };
 
-// The same for a large lot: a point for each device, by stiffness and damping.
+// The devices of a lot that is too large for loops: a point for each device, by stiffness and damping.
 export const devicePointsFigure = {
   id: 'device-points',
   title: 'Every device',
@@ -35,7 +35,7 @@ export const devicePointsFigure = {
 const apartOf = ({ name }) => report.outliers.filter((one) => one.device === name);
 const apartText = (device) => apartOf(device).map(said).join(', ');
 const said = ({ property, percent }) => property + ' ' + signed(percent, 0) + THIN + '%';
-const oneReason = (device) => apartOf(device).slice(0, 1).map(said).join(''); // a tile has room for one
+const oneReason = (device) => apartOf(device).slice(0, 1).map(said).join(''); // a small loop has room for one reason
 
 const WIDE = 110,
   HIGH = 60;

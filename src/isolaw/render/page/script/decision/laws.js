@@ -19,8 +19,9 @@ const CAPTION = 'An error is the mean misfit of the force, as a share of the mea
 const NEW_DEVICE = ' Another device: one set of parameters, fitted to all other devices.';
 const PLACES = { taken: 'taken', ties: 'as good', behind: '', 'ruled out': 'ruled out' };
 
-// A column of errors is shown if a law has such an error. All bars have one scale. Bars longer than twice the largest
-// error of a law that is not ruled out are cut.
+// The columns of errors. A column is shown if at least one law has such an error. In a column with `plain` the numbers
+// have no bars. All bars have one scale, which ends at the latest at twice the largest error of the laws that are not
+// ruled out. Longer bars are cut.
 const ERRORS = [
   { key: 'fits', title: 'Fits', of: ({ fits }) => fits },
   { key: 'new_device', title: 'Another device', of: ({ law }) => law.loo_objective },

@@ -42,7 +42,8 @@ function shown() {
     parts = cyclesShown(device);
   const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
     fitted = t.map((time) => (predicted ? !isLargeSwing(device, time) : isScored(device, time)));
-  // In the larger swings, the force of a law that was fitted to all of them shows less than its prediction.
+  // A swing is the motion from one turning point to the next. In the larger swings of a test this shows the force of
+  // the fit to the smaller swings, because that fit has to predict them. A fit to all swings already knows them.
   const force = predicted ? ofFit.map((value, i) => (fitted[i] ? value : predicted[i])) : ofFit;
   return { device, law, fit, t, x, F, force, predicted, parts, inside, fitted };
 }
@@ -107,7 +108,7 @@ function drawLoop(look) {
   };
 }
 
-// The place on the time slider, from 0 to 1000.
+// The position of the time slider, from 0 to 1000.
 let place = 300;
 const sampleAt = (t) => Math.round((place / 1000) * (t.length - 1));
 

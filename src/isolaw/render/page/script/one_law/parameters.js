@@ -48,7 +48,7 @@ function lotParametersTable() {
     const { median, scatter } = inPopulation(law, parameter.name);
     const values = [law.lot.parameters[place], law.lot.least_worst_parameters[place], median];
     const sizes = values.filter((value) => isNumber(value) && value !== 0).map(Math.abs);
-    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // no power of ten suits all sizes
+    const apart = Math.max(...sizes) > 100 * Math.min(...sizes); // the values differ too much for a common power of ten
     const format = apart ? { factor: 1, exponent: 0 } : rowFormat(values);
     const text = (value) => (apart ? significant(value) : fixed(value / format.factor, format.decimals));
     return {

@@ -31,7 +31,7 @@ function drawSkeleton(look) {
   const device = devices[chosen.tested];
   const cycles = device.blocks.flatMap((block, place) => counted(block).map((cycle) => ({ block, place, cycle })));
   const points = (number) => (device.skeleton ?? []).filter(({ cycle }) => cycle === number);
-  // The curve has a gap between its two sides.
+  // The line runs along the negative side, has a gap, and runs along the positive side.
   const along = (some) => [
     ...[...some].reverse().map((point) => [point.d_minus_mm, point.F_minus_kN]), [null, null],
     ...some.map((point) => [point.d_plus_mm, point.F_plus_kN]),
