@@ -76,6 +76,52 @@ TEST(BuiltInRules, NtcIsTable_11_9_IV) {
   EXPECT_EQ(set.mean_analysis->within_percent, 20);
 }
 
+// The columns ageing, temperature and test frequency have 20 % in the rows K_e and xi_e, and nothing in the row K_v.
+TEST(BuiltInRules, NtcLimitsTheDependenceOnAgeingTemperatureAndFrequency) {
+  auto const set = find_rule_set("ntc-2018");
+  std::set<std::pair<std::string_view, std::string_view>> limited;
+  for (auto const& limit : set.dependence) {
+    limited.emplace(name(limit.effect), name(limit.quantity));
+    EXPECT_EQ(limit.within_percent, 20);
+    EXPECT_EQ(limit.levels, limit.effect == Effect::rate ? (std::vector{0.1, 0.5}) : std::vector<double>());
+    EXPECT_TRUE(limit.clause.starts_with("Table 11.9.IV, ")) << limit.clause;
+  }
+  EXPECT_EQ(set.dependence.size(), 6u);
+  EXPECT_EQ(limited, (std::set<std::pair<std::string_view, std::string_view>>{{"ageing", "K_eff"},
+                                                                              {"ageing", "damping"},
+                                                                              {"temperature", "K_eff"},
+                                                                              {"temperature", "damping"},
+                                                                              {"rate", "K_eff"},
+                                                                              {"rate", "damping"}}));
+  EXPECT_TRUE(set.effects.empty());
+  EXPECT_FALSE(set.combination);
+}
+
+TEST(BuiltInRules, CombineEffectsAsCommonlyQuoted) {
+  auto const aashto = find_rule_set("aashto"), en = find_rule_set("en-15129"), asce = find_rule_set("asce-7-22");
+  EXPECT_EQ(aashto.combination->form, Form::each);
+  EXPECT_EQ(aashto.combination->adjust, 1.0);
+  EXPECT_EQ(en.combination->form, Form::each);
+  EXPECT_EQ(en.combination->adjust, 0.9);
+  for (auto const* set : {&aashto, &en})
+    for (auto const effect : {Effect::ageing, Effect::scragging})
+      for (auto const quantity : {Quantity::K_d, Quantity::Q_d}) {
+        auto const* rule = set->default_of(effect, quantity);
+        ASSERT_NE(rule, nullptr) << set->id;
+        EXPECT_EQ(rule->default_max, 1.2);
+        EXPECT_EQ(rule->default_min, 1.0);
+      }
+  EXPECT_EQ(aashto.default_of(Effect::ageing, Quantity::energy), nullptr);
+  EXPECT_EQ(aashto.default_of(Effect::temperature, Quantity::K_d), nullptr);
+  EXPECT_EQ(asce.combination->form, Form::asce);
+  EXPECT_EQ(asce.combination->adjust, 0.75);
+  for (auto const* id : {"iso-22762-sa", "iso-22762-sb", "iso-22762-sa-11"})
+    EXPECT_FALSE(find_rule_set(id).combination) << id;
+  for (auto const& set : built_in_rule_sets()) {
+    if (!set.effects.empty()) EXPECT_FALSE(set.verified()) << set.id;
+  }
+}
+
 TEST(BuiltInRules, OfElevenCyclesTheMeanWithoutTheFirstIsHeldToTheSameLimits) {
   auto const eleven = find_rule_set("iso-22762-sa-11"), third = find_rule_set("iso-22762-sa");
   EXPECT_EQ(eleven.cycles.counting, Counting::mean);
@@ -149,6 +195,25 @@ TEST(Template, MeansWhatItsCommentsSay) {
   EXPECT_EQ(factors->spec_min, 0.85);
   EXPECT_EQ(factors->spec_max, 1.15);
   EXPECT_EQ(set.factors_of(Quantity::energy), nullptr);
+  EXPECT_EQ(set.combination->form, Form::each);
+  EXPECT_EQ(set.combination->adjust, 0.7);
+  EXPECT_EQ(set.combination->clause, "B.9");
+  ASSERT_EQ(set.effects.size(), 2u);
+  auto const* ageing = set.default_of(Effect::ageing, Quantity::K_d);
+  ASSERT_NE(ageing, nullptr);
+  EXPECT_EQ(ageing->default_max, 1.2);
+  EXPECT_EQ(ageing->default_min, 1.0);
+  EXPECT_EQ(ageing->clause, "B.10");
+  EXPECT_EQ(set.effects[1].effect, Effect::contamination);
+  EXPECT_FALSE(set.effects[1].quantity);
+  ASSERT_EQ(set.dependence.size(), 2u);
+  EXPECT_EQ(set.dependence[0].effect, Effect::temperature);
+  EXPECT_EQ(set.dependence[0].quantity, Quantity::K_eff);
+  EXPECT_EQ(set.dependence[0].within_percent, 20);
+  EXPECT_TRUE(set.dependence[0].levels.empty());
+  EXPECT_EQ(set.dependence[1].effect, Effect::rate);
+  EXPECT_EQ(set.dependence[1].quantity, Quantity::damping);
+  EXPECT_EQ(set.dependence[1].levels, (std::vector{0.1, 0.5}));
 }
 
 // A comment of the template lists other ways of counting cycles. Each must be valid in place of the template's own.
@@ -214,6 +279,93 @@ TEST(ReadRules, RefusesWhatIsHalfGiven) {
   expect_parts(
       with("[[stability]]\nquantity = \"K_v\"\nmeasure = \"min_over_max\"\ncycles = [2, 10]\nat_most_percent = 7\n"),
       {"'at_least' is missing", "unknown key 'at_most_percent'", "K_v is not measured in cycles"});
+}
+
+std::string refused_beside_a_limit(std::string_view tail) {  // the first line of the tail is line 15 of the file
+  return refused(fmt::format("{}{}", one_limit, tail));
+}
+
+TEST(ReadRules, CombinesEffectsInOneOfFourForms) {
+  auto const with = [](std::string_view tail) { return rules_of(fmt::format("{}{}", one_limit, tail)).combination; };
+  EXPECT_FALSE(with(""));
+  auto const of_factors = with("[factors]\nsystem_factor = 0.75\nclause = \"17.2.8\"\n");
+  EXPECT_EQ(of_factors->form, Form::asce);
+  EXPECT_EQ(of_factors->adjust, 0.75);
+  EXPECT_EQ(of_factors->clause, "17.2.8");
+  auto const each = with("[combination]\nform = \"each\"\nadjust = 0.66\n[factors]\nsystem_factor = 0.75\n");
+  EXPECT_EQ(each->form, Form::each);
+  EXPECT_EQ(each->adjust, 0.66);
+  EXPECT_EQ(with("[combination]\nform = \"asce\"\n[factors]\nsystem_factor = 0.5\n")->adjust, 0.5);
+  EXPECT_EQ(with("[combination]\nform = \"product\"\n")->adjust, 1.0);
+  EXPECT_EQ(with("[combination]\nform = \"sum\"\nmargin = 1.2\n")->margin, 1.2);
+
+  expect_parts(refused_beside_a_limit("[combination]\nadjust = 0.66\nshare = 1\n"),
+               {"rules.toml:15: 'form' is missing", "rules.toml:17: unknown key 'share' in [combination]"});
+  expect_parts(refused_beside_a_limit("[combination]\nform = \"both\"\nadjust = 1.5\n"),
+               {"rules.toml:16: form: 'both'; allowed: \"asce\", \"each\", \"product\" or \"sum\"",
+                "rules.toml:17: adjust: 1.5 is out of range"});
+  expect_parts(refused_beside_a_limit("[combination]\nform = \"asce\"\nadjust = 0.66\n"),
+               {"rules.toml:15: 'adjust' with the form \"asce\"", "system_factor in [factors]"});
+  expect_parts(refused_beside_a_limit("[combination]\nform = \"sum\"\nadjust = 0.66\n"), {"'adjust' with the form"});
+  expect_parts(refused_beside_a_limit("[combination]\nform = \"each\"\nmargin = 1.2\n"),
+               {"'margin' with the form \"each\""});
+}
+
+TEST(ReadRules, AnEffectHasOneGroupAndOneDefaultForAQuantity) {
+  auto const ageing_of = [](std::string_view quantity, std::string_view more = "") {
+    return fmt::format("[[effect]]\nname = \"ageing\"\nquantity = \"{}\"\ndefault_max = 1.2\ndefault_min = 0.9\n{}",
+                       quantity, more);
+  };
+  auto const set = rules_of(fmt::format("{}{}{}[[effect]]\nname = \"load\"\n", one_limit, ageing_of("K_d"),
+                                        ageing_of("Q_d", "group = \"test\"\n")));
+  EXPECT_EQ(set.default_of(Effect::ageing, Quantity::Q_d)->default_max, 1.2);
+  EXPECT_EQ(set.default_of(Effect::ageing, Quantity::Q_d)->default_min, 0.9);
+  EXPECT_EQ(set.default_of(Effect::load, Quantity::K_d), nullptr);
+  EXPECT_EQ(set.group_of(Effect::ageing), Group::test);
+  std::vector<std::pair<Effect, Group>> const usual{
+      {Effect::temperature, Group::environment},  {Effect::rate, Group::test},      {Effect::load, Group::none},
+      {Effect::ageing, Group::environment},       {Effect::scragging, Group::test}, {Effect::cycles, Group::test},
+      {Effect::contamination, Group::environment}};
+  for (auto const& [effect, group] : usual) EXPECT_EQ(rules_of(one_limit).group_of(effect), group) << name(effect);
+
+  expect_parts(refused_beside_a_limit(ageing_of("K_d") + ageing_of("K_d")),
+               {"rules.toml:20: a second [[effect]] of ageing on K_d"});
+  expect_parts(refused_beside_a_limit("[[effect]]\nname = \"rate\"\n[[effect]]\nname = \"rate\"\n"),
+               {"rules.toml:17: a second [[effect]] of rate"});
+  expect_parts(refused_beside_a_limit(ageing_of("K_d", "group = \"test\"\n") + ageing_of("Q_d", "group = \"none\"\n")),
+               {"rules.toml:21: ageing is of group \"test\" and of group \"none\""});
+  for (auto const* half : {"quantity = \"K_d\"\n", "default_max = 1.2\n", "quantity = \"K_d\"\ndefault_max = 1.2\n",
+                           "default_max = 1.2\ndefault_min = 1.0\n"})
+    expect_parts(refused_beside_a_limit(fmt::format("[[effect]]\nname = \"ageing\"\n{}", half)),
+                 {"rules.toml:15: half a default"});
+  expect_parts(refused_beside_a_limit("[[effect]]\nname = \"aging\"\ngroup = \"tests\"\nkind = 1\n"),
+               {"rules.toml:16: name: 'aging'; allowed: \"temperature\"", "rules.toml:17: group: 'tests'",
+                "rules.toml:18: unknown key 'kind' in [[effect]]"});
+  expect_parts(refused_beside_a_limit("[[effect]]\ngroup = \"test\"\n"), {"rules.toml:15: 'name' is missing"});
+  expect_parts(refused_beside_a_limit(ageing_of("damping")), {"rules.toml:17: quantity: 'damping'"});
+  expect_parts(refused_beside_a_limit("[[effect]]\nname = \"rate\"\nquantity = \"K_d\"\ndefault_max = 0.9\ndefault_min "
+                                      "= 1.1\n"),
+               {"rules.toml:18: default_max: 0.9 is out of range", "rules.toml:19: default_min: 1.1 is out of range"});
+}
+
+TEST(ReadRules, LimitsADependenceOnceAtEachLevel) {
+  auto const limit = [](std::string_view effect, std::string_view more = "") {
+    return fmt::format("[[dependence]]\neffect = \"{}\"\nquantity = \"K_eff\"\nwithin_percent = 20\n{}", effect, more);
+  };
+  EXPECT_EQ(refused_beside_a_limit(limit("temperature", "levels = [-20]\n") + limit("temperature", "levels = [-10]\n") +
+                                   limit("load") + limit("ageing")),
+            "");
+  expect_parts(refused_beside_a_limit(limit("load") + limit("load", "levels = [1000]\n")),
+               {"rules.toml:19: a second limit of load on K_eff"});
+  expect_parts(refused_beside_a_limit(limit("rate", "levels = [0.1, 0.5]\n") + limit("rate", "levels = [0.5]\n")),
+               {"rules.toml:20: a second limit of rate on K_eff"});
+  expect_parts(refused_beside_a_limit(limit("ageing", "levels = [14]\n")), {"rules.toml:15: 'levels' of ageing"});
+  for (auto const* effect : {"scragging", "cycles", "contamination"})
+    expect_parts(refused_beside_a_limit(limit(effect)), {"rules.toml:16: effect: ", "or \"ageing\""});
+  expect_parts(refused_beside_a_limit("[[dependence]]\neffect = \"rate\"\nquantity = \"K_v\"\nlevels = [0]\nat = 1\n"),
+               {"rules.toml:15: 'within_percent' is missing", "rules.toml:17: quantity: 'K_v'",
+                "rules.toml:18: levels: 0 is out of range", "rules.toml:19: unknown key 'at' in [[dependence]]"});
+  expect_parts(refused_beside_a_limit(limit("temperature", "levels = [-300]\n")), {"-300 is out of range"});
 }
 
 TEST(ReadRules, CountsCyclesInExactlyOneWay) {

@@ -59,20 +59,6 @@ double slope(Combination const& how, std::span<Part const> parts, Part const& pa
 
 }  // namespace
 
-std::string_view name(Form form) {
-  switch (form) {
-    case Form::asce:
-      return "asce";
-    case Form::each:
-      return "each";
-    case Form::product:
-      return "product";
-    case Form::sum:
-      return "sum";
-  }
-  return "";
-}
-
 Combined combine(Combination const& how, std::span<Part const> parts) {
   Combined all{.factor = value_of(how, parts)};
   double variance = 0.0, of_freedom = 0.0, straight = 0.0, total = 0.0, shown = 0.0;

@@ -4,22 +4,14 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "isolaw/conditions/contrast.hpp"
 
 namespace isolaw::conditions {
 
-enum class Form {
-  asce,     // (1 + f (E - 1)) X S: E is the product of the environment's factors, X that of the tests' factors
-  each,     // S times the product of (1 + f (l - 1))
-  product,  // (1 + f (product of l - 1)) S
-  sum,      // 1 + margin (sum of (l - 1)) + (S - 1)
-};
-std::string_view name(Form form);
-
-enum class Group { environment, test, none };  // none: shown, and left out by Form::asce
+using rules::Form;
+using rules::Group;
 
 struct Part {
   Effect effect = Effect::temperature;

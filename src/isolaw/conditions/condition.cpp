@@ -4,26 +4,6 @@
 
 namespace isolaw::conditions {
 
-std::string_view name(Effect effect) {
-  switch (effect) {
-    case Effect::temperature:
-      return "temperature";
-    case Effect::rate:
-      return "rate";
-    case Effect::load:
-      return "load";
-    case Effect::ageing:
-      return "ageing";
-    case Effect::scragging:
-      return "scragging";
-    case Effect::cycles:
-      return "cycles";
-    case Effect::contamination:
-      return "contamination";
-  }
-  return "";
-}
-
 bool agrees(std::optional<double> value, std::optional<double> reference, double percent) {
   if (!value || !reference) return !value && !reference;
   return std::abs(*value - *reference) <= percent / 100.0 * std::abs(*reference);

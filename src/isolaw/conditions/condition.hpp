@@ -3,8 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
+
+#include "isolaw/rules/effects.hpp"
 
 namespace isolaw::conditions {
 
@@ -22,10 +23,7 @@ struct Tolerance {
   double temperature_C = 2.0, frequency_percent = 10.0, load_percent = 10.0, strain_percent = 5.0;
 };
 
-// An effect is a cause by which the properties of a device change. The first four are conditions of a test, scragging
-// and cycles are its history. No test of this program shows contamination, so it can only be assumed.
-enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamination };
-std::string_view name(Effect effect);
+using rules::Effect;
 
 // Whether `value` is `reference` within the tolerance. A value that is not known agrees only with another such value.
 bool agrees(std::optional<double> value, std::optional<double> reference, double percent);

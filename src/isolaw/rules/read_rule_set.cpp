@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <ranges>
+#include <span>
 #include <utility>
 
 #include "isolaw/base/error.hpp"
@@ -30,13 +32,21 @@ constexpr Range share{1e-6, 100.0};
 constexpr Range frequency_Hz{1e-6, 1000.0};
 constexpr Range ratio{1e-6, 1.0};
 constexpr Range factor{1e-3, 100.0};
+constexpr Range temperature_C{-100.0, 200.0};
+constexpr Range load_kN{0.0, 1e9};
 
 template <class Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
+template <class Value>
+Choices<Value> by_name(std::span<Value const> values) {
+  Choices<Value> all;
+  for (auto const value : values) all.emplace_back(name(value), value);
+  return all;
+}
+
 Choices<Quantity> quantities() {
-  Choices<Quantity> all;
-  for (auto const quantity : measured_quantities()) all.emplace_back(name(quantity), quantity);
+  auto all = by_name<Quantity>(measured_quantities());
   all.emplace_back(name(Quantity::K_v), Quantity::K_v);
   return all;
 }
@@ -145,6 +155,12 @@ class Reader {
     sections(top, "limit", &Reader::limit);
     sections(top, "stability", &Reader::stability);
     sections(top, "factor", &Reader::property_factors);
+    section(top, "combination", &Reader::combination);
+    sections(top, "effect", &Reader::effect);
+    sections(top, "dependence", &Reader::dependence);
+    auto& how = set_.combination;
+    if (!how && top.has("factors")) how = {.form = Form::asce, .clause = set_.factors.clause};
+    if (how && how->form == Form::asce) how->adjust = set_.factors.system_factor;
     for (auto const key : {"formulas", "cycles"}) top.require(key, fmt::format("[{}]", key));
     if (!top.has("limit")) top.complain("no limits", "one [[limit]] table for each limit");
     top.refuse_unknown();
@@ -324,6 +340,79 @@ class Reader {
     if (set_.factors_of(given.quantity) != nullptr)
       table.complain(fmt::format("a second [[factor]] of {}", name(given.quantity)), "one for each quantity");
     set_.factors.properties.push_back(given);
+  }
+
+  void combination(RuleTable& table) {
+    CombinationRule rule;
+    table.choice("form", by_name(forms()), rule.form);
+    table.number("adjust", ratio, rule.adjust);
+    table.number("margin", factor, rule.margin);
+    table.text("clause", rule.clause, longest_note);
+    table.require("form", "form");
+    if (table.has("adjust") && rule.form == Form::asce)
+      table.complain("'adjust' with the form \"asce\"", "system_factor in [factors], which is f of this form");
+    if (table.has("adjust") && rule.form == Form::sum)
+      table.complain("'adjust' with the form \"sum\"", "margin = 1.0; a sum is not adjusted");
+    if (table.has("margin") && rule.form != Form::sum)
+      table.complain(fmt::format("'margin' with the form \"{}\"", name(rule.form)), "'margin' with the form \"sum\"");
+    set_.combination = std::move(rule);
+  }
+
+  void effect(RuleTable& table) {
+    EffectRule rule;
+    table.choice("name", by_name(effects()), rule.effect);
+    if (table.has("group")) table.choice("group", by_name(groups()), rule.group.emplace());
+    // Nobody needs the factors of damping, which follow from those of K_eff and energy, nor of K_v.
+    Choices<Quantity> combined;
+    for (auto const& choice : by_name<Quantity>(measured_quantities()))
+      if (choice.second != Quantity::damping) combined.push_back(choice);
+    if (table.has("quantity")) table.choice("quantity", combined, rule.quantity.emplace());
+    table.number("default_max", {1.0, factor.upper}, rule.default_max);
+    table.number("default_min", {factor.lower, 1.0}, rule.default_min);
+    table.text("clause", rule.clause, longest_note);
+    table.require("name", "name");
+    bool const whole = table.has("quantity") && table.has("default_max") && table.has("default_min");
+    if (!whole && (table.has("quantity") || table.has("default_max") || table.has("default_min")))
+      table.complain("half a default", "quantity, default_max and default_min, or none of them");
+    for (auto const& other : set_.effects) {
+      if (other.effect != rule.effect) continue;
+      if (other.quantity == rule.quantity)
+        table.complain(fmt::format("a second [[effect]] of {}{}", name(rule.effect),
+                                   rule.quantity ? fmt::format(" on {}", name(*rule.quantity)) : ""),
+                       "one for each effect and quantity");
+      if (other.group && rule.group && other.group != rule.group)
+        table.complain(fmt::format("{} is of group \"{}\" and of group \"{}\"", name(rule.effect), name(*other.group),
+                                   name(*rule.group)),
+                       "one group for each effect");
+    }
+    set_.effects.push_back(std::move(rule));
+  }
+
+  void dependence(RuleTable& table) {
+    DependenceLimit rule;
+    std::array<Effect, 4> constexpr tested{Effect::temperature, Effect::rate, Effect::load, Effect::ageing};
+    table.choice("effect", by_name<Effect>(tested), rule.effect);
+    table.choice("quantity", by_name<Quantity>(measured_quantities()), rule.quantity);
+    table.number("within_percent", percent, rule.within_percent);
+    table.numbers("levels",
+                  rule.effect == Effect::temperature ? temperature_C
+                  : rule.effect == Effect::rate      ? frequency_Hz
+                                                     : load_kN,
+                  rule.levels);
+    table.text("clause", rule.clause, longest_note);
+    for (auto const key : {"effect", "quantity", "within_percent"})
+      table.require(key, "effect, quantity and within_percent");
+    if (rule.effect == Effect::ageing && table.has("levels"))
+      table.complain("'levels' of ageing", "no levels: the ageing of the design is taken");
+    for (auto const& other : set_.dependence) {
+      if (other.effect != rule.effect || other.quantity != rule.quantity) continue;
+      bool const shared = std::ranges::any_of(
+          rule.levels, [&](double level) { return std::ranges::find(other.levels, level) != other.levels.end(); });
+      if (shared || rule.levels.empty() || other.levels.empty())
+        table.complain(fmt::format("a second limit of {} on {}", name(rule.effect), name(rule.quantity)),
+                       "one limit for each effect, quantity and level");
+    }
+    set_.dependence.push_back(std::move(rule));
   }
 
   std::string file_;

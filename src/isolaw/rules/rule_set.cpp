@@ -35,6 +35,18 @@ PropertyFactors const* RuleSet::factors_of(Quantity quantity) const {
   return found == factors.properties.end() ? nullptr : &*found;
 }
 
+Group RuleSet::group_of(Effect effect) const {
+  for (auto const& rule : effects)
+    if (rule.effect == effect && rule.group) return *rule.group;
+  return usual_group(effect);
+}
+
+EffectRule const* RuleSet::default_of(Effect effect, Quantity quantity) const {
+  auto const found = std::ranges::find_if(
+      effects, [&](EffectRule const& rule) { return rule.effect == effect && rule.quantity == quantity; });
+  return found == effects.end() ? nullptr : &*found;
+}
+
 int required_sample(SampleRule const& rule, int lot_size) {
   if (lot_size <= 0) return 0;
   // The 1e-9 keeps rounding from adding a device: 2.2 % of 1500 are 33 devices, not 34.

@@ -1,6 +1,7 @@
 // A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It says how properties
 // are computed, at which cycles, under which conditions, within which limits, on how many devices, and with which
-// property modification factors. The program itself contains no limit of a standard. `verified_by` names a person who
+// property modification factors, and how the effects of temperature, rate, load, ageing and history are limited and
+// combined. The program itself contains no limit of a standard. `verified_by` names a person who
 // has compared the set with the text of its standard. A set without it never leads to pass or fail (assess.hpp).
 // docs/rules.md explains the file; rules/template.toml is a commented example.
 #pragma once
@@ -10,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "isolaw/rules/effects.hpp"
 
 namespace isolaw::rules {
 
@@ -103,6 +106,31 @@ struct MeanAnalysisRule {  // an analysis may use mean properties if no device i
   std::string clause;
 };
 
+struct CombinationRule {  // how the factors of all effects make one
+  Form form = Form::product;
+  double adjust = 1.0;  // f of the form; for Form::asce it is FactorRule::system_factor
+  double margin = 1.0;  // of Form::sum
+  std::string clause;
+};
+
+// An effect that a set asks for. If it states a quantity, it also has factors that may stand in for tests.
+struct EffectRule {
+  Effect effect = Effect::temperature;
+  std::optional<Group> group = {};  // as stated; see RuleSet::group_of()
+  std::optional<Quantity> quantity = {};
+  double default_max = 1.0, default_min = 1.0;
+  std::string clause = {};
+};
+
+// Limit on how far a property under one condition may be from the same device's property under reference conditions.
+struct DependenceLimit {
+  Effect effect = Effect::temperature;  // temperature, rate, load or ageing
+  Quantity quantity = Quantity::K_eff;
+  double within_percent = 0.0;
+  std::vector<double> levels = {};  // in C, Hz or kN; empty: the conditions of the design
+  std::string clause = {};
+};
+
 struct RuleSet {
   std::string id, title, edition, source;
   std::string verified_by;  // who compared the limits with the standard; empty: nobody
@@ -118,9 +146,14 @@ struct RuleSet {
   SameCondition same_condition;
   std::optional<MeanAnalysisRule> mean_analysis;
   FactorRule factors;
+  std::optional<CombinationRule> combination;  // a set with factors that states none has Form::asce
+  std::vector<EffectRule> effects;
+  std::vector<DependenceLimit> dependence;
 
   bool verified() const { return !verified_by.empty(); }
   PropertyFactors const* factors_of(Quantity quantity) const;
+  Group group_of(Effect effect) const;                                   // as the set states it, else usual_group()
+  EffectRule const* default_of(Effect effect, Quantity quantity) const;  // nullptr if the set has no default factors
 };
 
 inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes

@@ -1,0 +1,33 @@
+// The effects that change the properties of a device, as lot files, rule files and results name them, and the forms in
+// which a standard combines their factors.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace isolaw::rules {
+
+// An effect is a cause by which the properties of a device change. The first four are conditions of a test, scragging
+// and cycles are its history. No test of this program shows contamination, so it can only be assumed.
+enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamination };
+std::span<Effect const> effects();
+std::string_view name(Effect effect);
+
+enum class Group { environment, test, none };  // none: shown, and left out by Form::asce
+std::span<Group const> groups();
+std::string_view name(Group group);
+// The group of an effect for which a rule set states none: environment for temperature, ageing and contamination, none
+// for load, test for the others.
+Group usual_group(Effect effect);
+
+// How the factors l of the effects make one factor, with S, the factor of the scatter within the supply.
+enum class Form {
+  asce,     // (1 + f (E - 1)) X S: E is the product of the environment's factors, X that of the tests' factors
+  each,     // S times the product of (1 + f (l - 1))
+  product,  // (1 + f (product of l - 1)) S
+  sum,      // 1 + margin (sum of (l - 1)) + (S - 1)
+};
+std::span<Form const> forms();
+std::string_view name(Form form);
+
+}  // namespace isolaw::rules
