@@ -62,6 +62,13 @@ struct Abe {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K1 *= a;
+    p.a *= a;
+    p.K2 *= a;
+    p.Y0 *= b;
+    return p;
+  }
   static constexpr bool crowded = true;  // a step keeps so many values that kernels use fewer lanes (fit/kernels.cpp)
 
   // [export struct Abe]

@@ -52,6 +52,13 @@ struct AbeY0 {
   });
 
   static Canonical canonical(Params<double> const&) { return abe_parts::beyond_programs; }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K1 *= a;
+    p.a *= a;
+    p.K2 *= a;
+    p.Y0 *= b;
+    return p;
+  }
 
   // [export struct AbeY0]
   template <class N>

@@ -45,6 +45,12 @@ struct Bilinear {
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"K1 >= K2", [](Params<double> const& p) { return p.K1 >= p.K2; }}};
   static Canonical canonical(Params<double> const& p) { return BilinearForm{p.K1, p.K2, p.xy}; }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    double const K2 = a * p.K2;
+    p.K1 = K2 + b * (p.K1 - p.K2);
+    p.K2 = K2;
+    return p;
+  }
 
   // [export struct Bilinear]
   // z is the force of an elastic-perfectly-plastic part of stiffness K1 - K2.

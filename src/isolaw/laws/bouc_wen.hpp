@@ -76,6 +76,12 @@ struct BoucWen {
     auto const r = reduced(p);
     return BoucWenForm{r.alpha, r.Ke, r.beta, r.gamma, r.n};
   }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    double const elastic = a * p.alpha * p.Ke;
+    p.Ke = elastic + b * (1.0 - p.alpha) * p.Ke;
+    p.alpha = elastic / p.Ke;
+    return p;
+  }
 
   // [export struct BoucWen]
   template <class N>

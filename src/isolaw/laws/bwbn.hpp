@@ -99,6 +99,17 @@ struct Bwbn {
     auto const r = reduced(p);
     return BoucWenForm{r.alpha, r.ko, r.beta, r.gamma, r.n};
   }
+  // The parameters that count the work of z are divided by b, because b multiplies this work.
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    double const elastic = a * p.alpha * p.ko;
+    p.ko = elastic + b * (1.0 - p.alpha) * p.ko;
+    p.alpha = elastic / p.ko;
+    p.p /= b;
+    p.dpsi /= b;
+    p.dnu /= b;
+    p.deta /= b;
+    return p;
+  }
 
   // [export struct Bwbn]
   template <class N>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <ranges>
 #include <utility>
@@ -37,15 +38,31 @@ std::vector<JointLimitEntry> joint_limits(std::vector<ParameterInfo> const& para
 }
 
 template <class Law>
+void store(ParamsOf<Law, double> const& params, std::span<double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = params.*members<Law, double>[i];
+}
+
+// The return type excludes a function that a law inherits from another, which would leave out the law's own parameters.
+template <class Law>
+concept HasOneFactor = requires(ParamsOf<Law, double> const& p) {
+  { Law::with_factor(p, 1.0) } -> std::same_as<ParamsOf<Law, double>>;
+};
+template <class Law>
+concept HasTwoFactors = requires(ParamsOf<Law, double> const& p) {
+  { Law::with_factors(p, 1.0, 1.0) } -> std::same_as<ParamsOf<Law, double>>;
+};
+
+template <class Law>
 LawEntry entry() {
+  static_assert(HasOneFactor<Law> != HasTwoFactors<Law>,
+                "a law has with_factors(params, a, b) or, if its parts cannot be told apart, with_factor(params, f)");
   LawEntry law{.info = Law::info, .index = 0, .parameters = {}, .evaluate = nullptr};
   if constexpr (requires(ParamsOf<Law, double> const& p) { Law::reduced(p); }) {
     law.redundant = Law::redundant;
     law.redundant_with.assign(Law::redundant_with.begin(), Law::redundant_with.end());
     law.redundant_value = Law::redundant_value;
     law.reduce = [](std::span<double> parameters) {
-      auto const p = Law::reduced(unpack<Law, double>(parameters));
-      for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i] = p.*members<Law, double>[i];
+      store<Law>(Law::reduced(unpack<Law, double>(parameters)), parameters);
     };
   }
   for (auto const& row : Law::template rows<double>) law.parameters.push_back(row.info);
@@ -55,6 +72,14 @@ LawEntry entry() {
     if constexpr (requires { Law::canonical(unpack<Law, double>(parameters)); })
       return Law::canonical(unpack<Law, double>(parameters));
     return NoForm{};
+  };
+  law.one_factor = HasOneFactor<Law>;
+  law.with_factors = [](std::span<double> parameters, double a, [[maybe_unused]] double b) {
+    auto const p = unpack<Law, double>(parameters);
+    if constexpr (HasOneFactor<Law>)
+      store<Law>(Law::with_factor(p, a), parameters);
+    else
+      store<Law>(Law::with_factors(p, a, b), parameters);
   };
   law.evaluate = [](std::span<double const> parameters, Path const& path, Integration integration,
                     std::span<double> force) {

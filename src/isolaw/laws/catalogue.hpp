@@ -45,6 +45,11 @@ struct LawEntry {
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;
   void (*reduce)(std::span<double> parameters) = nullptr;
+  // Multiplies the elastic part of the force by a and the hysteretic or viscous part by b, both above 0, with the
+  // parameters in place. hwang-wu does so exactly only if a = b. If `one_factor` is true, no parameters tell the two
+  // parts apart, and a multiplies the whole force.
+  void (*with_factors)(std::span<double> parameters, double a, double b) = nullptr;
+  bool one_factor = false;
 
   std::size_t index_of(std::string_view parameter) const;  // throws an Error that lists the law's parameters
 };

@@ -97,6 +97,13 @@ struct Gallardo {
     return NoForm{
         "elastic part that softens with the distance travelled, nor its strength that each turning point sets"};
   }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.a1 *= a;
+    p.a2 *= a;
+    p.a3 *= a;
+    p.fy *= b;
+    return p;
+  }
 
   // [export struct Gallardo]
   // On one side of x = 0 the elastic force is km linear g - cubic g^3 + quintic g^5, with g = x / 100 mm.

@@ -66,6 +66,11 @@ struct HistoryIntegral {
             .quick_kN = p.S * p.s,
             .elastic_kN_per_mm = p.K * std::pow(peak_mm / reference_mm, p.g - 1.0) / reference_mm};
   }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K *= a;
+    p.S *= b;
+    return p;
+  }
 
   // [export struct HistoryIntegral]
   template <class N>

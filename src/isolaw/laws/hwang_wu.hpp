@@ -62,6 +62,20 @@ struct HwangWu {
                  Interval{-2.925e-5, 0.0}, {-300.0, -1e-3, per_work}, Scale::logarithmic)},
   });
 
+  // a9 and a10 are divided by b, because b multiplies most of the work W. This is exact only if a = b, since W is the
+  // work of the whole force.
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.a1 *= a;
+    p.a2 *= a;
+    p.a3 *= a;
+    p.a4 *= a;
+    p.a6 *= b;
+    p.a7 *= b;
+    p.a9 /= b;
+    p.a10 /= b;
+    return p;
+  }
+
   // [export struct HwangWu]
   // The force at one point of the path, in three terms: the exponentials of the work multiply the last two.
   template <class N>

@@ -57,6 +57,17 @@ struct Jankowski {
                                   Interval{0.0, 10.0}, {0.001, 5.0, velocity}, Scale::logarithmic)},
   });
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.a1 *= a;
+    p.a2 *= a;
+    p.a3 *= a;
+    p.a4 *= a;
+    p.a6 *= a;
+    p.a9 *= b;
+    p.a10 *= b;
+    return p;
+  }
+
   // [export struct Jankowski]
   template <class N>
   struct State {  // the law has no memory

@@ -207,6 +207,11 @@ struct KikuchiAiken {
   static Canonical canonical(Params<double> const&) {
     return NoForm{"functions of the peak: KikuchiAikenHDR has only the functions of its own compounds"};
   }
+  // G1 multiplies the whole force. The law has no parameters that change one part of the force and leave the other.
+  static Params<double> with_factor(Params<double> p, double factor) {
+    p.G1 *= factor;
+    return p;
+  }
 
   // [export struct KikuchiAiken]
   template <class N>

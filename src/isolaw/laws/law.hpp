@@ -11,6 +11,8 @@
 //   rows<T>               one Row for each parameter, in the order of reports: member, name, unit, meaning, limits, box
 //   State<N>              what the law remembers from step to step; members(each) lists all of it, to save and load it
 //   step(params, constants, state, step)    advances the state over one step and returns the force at its end
+//   with_factors(params, a, b)    parameters with which the elastic part of the force is a times, and the hysteretic or
+//                         viscous part b times as large, for a and b above 0
 // and, where they apply,
 //   Constants<T, X>, constants<T, X>(params)      values that depend on the parameters alone; computed once
 //   start(params, constants, state, step)         sets the state at the first sample, if it is not State's own values
@@ -26,6 +28,7 @@
 //   reduced(params)       for a law with a redundant parameter: returns parameters that give the same forces. In them
 //                         the parameter that `redundant` names has the value `redundant_value`, and the parameters in
 //                         `redundant_with` make up for the change
+//   with_factor(params, factor)   in place of with_factors, for a law in which no parameters tell the parts apart
 //   canonical(params)     the equal law in analysis programs such as OpenSees, or NoForm{what their laws lack}
 //                         (parts/canonical.hpp)
 //

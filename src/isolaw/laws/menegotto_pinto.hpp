@@ -51,6 +51,13 @@ struct MenegottoPinto {
   });
 
   static Canonical canonical(Params<double> const& p) { return MenegottoPintoForm{p.E, p.Fy, p.b, p.R0, p.cR1, p.cR2}; }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    double const elastic = a * p.b * p.E, all = elastic + b * (1.0 - p.b) * p.E;
+    p.Fy *= all / p.E;
+    p.E = all;
+    p.b = elastic / all;
+    return p;
+  }
 
   // [export struct MenegottoPinto]
   template <class N>

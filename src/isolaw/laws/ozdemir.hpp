@@ -68,6 +68,12 @@ struct Ozdemir {
         .n = p.n,
     };
   }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K *= b;
+    p.Y *= b;
+    p.alpha *= a / b;
+    return p;
+  }
 
   // [export struct Ozdemir]
   template <class N>

@@ -59,6 +59,14 @@ struct PowerMasing {
     return all;
   }
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K *= a;
+    p.H *= a;
+    p.C *= a;
+    p.Y *= b;
+    return p;
+  }
+
   // [export struct PowerMasing]
   template <class N>
   struct State {

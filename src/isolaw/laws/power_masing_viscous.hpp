@@ -37,6 +37,12 @@ struct PowerMasingViscous : PowerMasing {
        parameter("c", "kN s/mm", "viscous damping", not_negative, std::nullopt, {0.0, 0.3, force_per_velocity})},
   }));
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    static_cast<PowerMasing::Params<double>&>(p) = PowerMasing::with_factors(p, a, b);
+    p.c *= b;
+    return p;
+  }
+
   // [export struct PowerMasingViscous : PowerMasing]
   template <class T, class X, class N, class PathMemory>
   static N step(Params<T> const& p, NoConstants const& c, State<N>& state, StepOf<X> const& step,

@@ -50,6 +50,12 @@ struct PowerMasingWorn : PowerMasing {
     return all;
   }();
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    static_cast<PowerMasing::Params<double>&>(p) = PowerMasing::with_factors(p, a, b);
+    p.B *= a;
+    return p;
+  }
+
   // [export struct PowerMasingWorn : PowerMasing]
   template <class X>
   using Memory = Remembered<X, OpenBranches, Wear<X>, Sides<X>>;

@@ -61,6 +61,14 @@ struct PowerScragging {
       },
   });
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K *= a;
+    p.H *= a;
+    p.C *= a;
+    p.Y *= b;
+    return p;
+  }
+
   // [export struct PowerScragging]
   template <class N>
   struct State {

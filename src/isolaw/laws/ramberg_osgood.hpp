@@ -51,6 +51,13 @@ struct RambergOsgood {
     return p;
   }
 
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K2 *= a;
+    p.K *= b;
+    p.Fy *= b;
+    return p;
+  }
+
   // [export struct RambergOsgood]
   template <class N>
   struct State {

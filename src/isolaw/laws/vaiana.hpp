@@ -80,6 +80,17 @@ struct Vaiana {
     return LimitCurvesForm{.loading = {p.Kb_p, p.f0_p, p.alpha_p, p.beta1_p, p.beta2_p, p.gamma1_p},
                            .unloading = {p.Kb_m, p.f0_m, p.alpha_m, p.beta1_m, p.beta2_m, p.gamma1_m}};
   }
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.Kb_p *= a;
+    p.Kb_m *= a;
+    p.beta1_p *= a;
+    p.beta1_m *= a;
+    p.gamma1_p *= a;
+    p.gamma1_m *= a;
+    p.f0_p *= b;
+    p.f0_m *= b;
+    return p;
+  }
 
   // [export struct Vaiana]
   template <class N>

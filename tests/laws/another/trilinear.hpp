@@ -67,6 +67,12 @@ struct Trilinear {
 
   static constexpr std::array joint_limits{
       JointLimit<Params<double>>{"x1 <= x2", [](Params<double> const& p) { return p.x1 <= p.x2; }}};
+  static Params<double> with_factors(Params<double> p, double a, double b) {
+    p.K *= a;
+    p.k1 *= b;
+    p.k2 *= b;
+    return p;
+  }
 
   // [export struct Trilinear]
   template <class N>
