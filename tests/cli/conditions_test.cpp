@@ -190,6 +190,75 @@ TEST_F(Conditions, name_a_test_that_cannot_be_used) {
   EXPECT_TRUE(contains(o.out, "Refused: P1, -20C: load-kN is stated, and the record has a channel for the load")) << o;
 }
 
+// The design does not name ageing, and AASHTO's rule set asks for it.
+TEST_F(Conditions, that_rules_ask_for_are_not_covered_or_assumed) {
+  write("ex/lot.toml", [&] {
+    auto text = read("ex/lot.toml");
+    std::string const aged = ", aged = { days = 14, at-C = 70 } }\n";
+    auto const at = text.find(aged);
+    EXPECT_NE(at, std::string::npos);
+    return text.replace(at, aged.size(), " }\nrules = \"aashto\"\n");
+  }());
+  auto const open = isolaw({"conditions", "ex/lot.toml"});
+  EXPECT_TRUE(contains(open.out, "upper  at least 1.741, NOT COVERED: ageing")) << open;
+  EXPECT_TRUE(contains(open.out, "as aashto says (not verified)")) << open;
+  EXPECT_TRUE(
+      contains(open.out,
+               "warning: The effect of ageing is NOT COVERED: the rule set asks for it, and the design states no "
+               "range of it."))
+      << open;
+  auto const o = with("rules = \"aashto\"\n", "rules = \"aashto\"\nassume = [\"ageing\"]\n", {"--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const j = Json::parse(o.out);
+  auto const bound = find(j["bounds"], "K_eff", "")["max"];
+  near(bound["factor"], 1.869155861 / 1.073392673 * 1.2, 1e-8);
+  EXPECT_EQ(bound["status"], "assumed");
+  EXPECT_EQ(bound["assumed"], Json({"ageing"}));
+  EXPECT_EQ(find(j["design"], "K_eff", "ageing")["assumed"]["verified"], false);
+  EXPECT_EQ(j["combination"]["form"], "each");
+  auto const text = isolaw({"conditions", "ex/changed.toml"});
+  EXPECT_TRUE(contains(text.out,
+                       "warning: The effect of ageing on K_eff is ASSUMED: factors 1.200 and 1.000, the default of "
+                       "aashto, as commonly quoted: ageing, high damping rubber, which nobody has verified."))
+      << text;
+}
+
+TEST_F(Conditions, cannot_be_assumed_without_a_default) {
+  auto const o = with("[conditions]\n", "[conditions]\nassume = [\"rate\"]\n");
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_TRUE(contains(o.err, "'rate'")) << o;
+  EXPECT_TRUE(contains(o.err, "no effect, because the rule set ntc-2018 has no default factors")) << o;
+}
+
+// Each factor adjusted by 0.66, as a contract could ask.
+TEST_F(Conditions, combine_as_the_rule_file_says) {
+  write(
+      "ex/contract.toml",
+      "id = \"contract\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\n[formulas]\nstiffness = "
+      "\"peak_to_peak\"\ndamping = \"peak_to_peak\"\n[cycles]\none = 3\n[combination]\nform = \"each\"\nadjust = 0.66\n");
+  auto const o = with("rules = \"ntc-2018\"", "rules = \"contract.toml\"", {"--json"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const bound = find(Json::parse(o.out)["bounds"], "K_eff", "");
+  near(bound["max"]["factor"], 1.532771265, 1e-8);
+  near(bound["min"]["factor"], 0.798044329, 1e-8);
+}
+
+// Records of a campaign's lot under [conditions] are in its summary, from the store alone.
+TEST_F(Conditions, are_part_of_a_campaign) {
+  auto const made = isolaw({"calibrate", "ex/lot.toml", "--out", "C", "--laws", "bilinear", "--runs", "1", "--figures",
+                            "none", "--replicates", "0"});
+  ASSERT_LE(made.code, 1) << made;
+  auto const summary = Json::parse(read("C/summary.json"));
+  near(find(summary["conditions"]["bounds"], "K_eff", "")["max"]["factor"], 1.869155861, 1e-8);
+  auto const own = Json::parse(isolaw({"conditions", "ex/lot.toml", "--json"}).out);
+  auto members = own;
+  members.erase("schema"), members.erase("title");
+  EXPECT_EQ(summary["conditions"], members);
+  for (auto const& file : {"ex/P1--20C.csv", "ex/lot.toml"}) std::filesystem::remove(file);
+  ASSERT_LE(isolaw({"report", "C", "--figures", "none"}).code, 1);
+  EXPECT_EQ(Json::parse(read("C/summary.json"))["conditions"], summary["conditions"]);
+}
+
 // P1 to P3 lose their warm tests, so the cold ones can only be compared with the reference tests of P4 and P5.
 TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
   auto text = read("ex/lot.toml");

@@ -376,6 +376,10 @@ TEST(History, of_the_cycles_of_a_device) {
   EXPECT_EQ(largest_before(blocks), (std::vector{0.0, 100.0, 100.0}));
 }
 
+TEST(Chamber, warms_rubber_slowly) {
+  EXPECT_NEAR(warming_h(208.0), 40.6, 1e-3 * 40.6);
+}
+
 TEST(Response, without_a_reference_test_covers_nothing) {
   std::vector<Sample> const others{relative("A", 0, 1.7)};
   Response const response(Effect::temperature, {}, others, reference, {});

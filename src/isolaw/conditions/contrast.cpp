@@ -58,6 +58,34 @@ std::string_view name(Status status) {
   return "";
 }
 
+std::string_view name(Lack lack) {
+  switch (lack) {
+    case Lack::no_test:
+      return "no-test";
+    case Lack::no_design:
+      return "no-design";
+    case Lack::too_far:
+      return "too-far";
+    case Lack::no_common_device:
+      return "no-common-device";
+    case Lack::no_level:
+      return "no-level";
+    case Lack::no_energy:
+      return "no-energy";
+    case Lack::too_long:
+      return "too-long";
+    case Lack::no_new_device:
+      return "no-new-device";
+    case Lack::no_rest:
+      return "no-rest";
+    case Lack::no_cycle:
+      return "no-cycle";
+    case Lack::unknown_scatter:
+      return "unknown-scatter";
+  }
+  return "";
+}
+
 std::string_view name(About about) {
   switch (about) {
     case About::mean:
@@ -284,6 +312,7 @@ Response::Extremes Response::over(double low, double high) const {
   std::erase_if(all, [](Factor const& factor) { return factor.status == Status::not_covered; });
   for (double const end : {low, high}) {
     all.push_back(at(end));
+    all.back().at = end;
     if (all.back().status == Status::not_covered) return {.max = all.back(), .min = all.back()};
   }
   auto const [min, max] = std::ranges::minmax_element(all, {}, &Factor::ln);

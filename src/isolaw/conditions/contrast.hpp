@@ -47,6 +47,7 @@ std::string_view name(Status status);
 // Why a factor is not covered.
 enum class Lack {
   no_test,           // no test shows the effect at all
+  no_design,         // a rule set asks for the effect, and the design states no range of its condition
   too_far,           // the condition is too far beyond the tests
   no_common_device,  // the levels on both sides of the condition were tested on different devices
   no_level,          // no test has this ageing
@@ -57,6 +58,8 @@ enum class Lack {
   no_cycle,          // no reference test has so many cycles
   unknown_scatter,   // only other devices were tested, and too few reference tests show how devices differ
 };
+
+std::string_view name(Lack lack);
 
 // The factor lambda = exp(ln) of an effect at one condition.
 struct Factor {

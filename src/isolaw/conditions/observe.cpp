@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace isolaw::conditions {
 
@@ -55,6 +56,12 @@ std::vector<double> largest_before(std::span<Block const> blocks) {
 double heating_K(double energy_kN_mm, double capacity_MJ_per_m3K, double rubber_area_mm2, double rubber_thickness_mm) {
   constexpr double per_mm3 = 1e-3;  // MJ/(m3 K) in J/(mm3 K)
   return energy_kN_mm / (capacity_MJ_per_m3K * per_mm3 * rubber_area_mm2 * rubber_thickness_mm);
+}
+
+double warming_h(double rubber_thickness_mm) {
+  constexpr double diffusivity_mm2_per_s = 0.09, seconds_per_h = 3600.0;
+  return 3.0 * rubber_thickness_mm * rubber_thickness_mm /
+         (std::numbers::pi * std::numbers::pi * diffusivity_mm2_per_s * seconds_per_h);
 }
 
 }  // namespace isolaw::conditions

@@ -58,4 +58,8 @@ std::vector<double> largest_before(std::span<Block const> blocks);
 // rubber, as if no heat were lost.
 double heating_K(double energy_kN_mm, double capacity_MJ_per_m3K, double rubber_area_mm2, double rubber_thickness_mm);
 
+// The time in hours that rubber takes to come to the temperature of the air around it: 3 H^2 / (pi^2 k), with the
+// diffusivity k = 0.09 mm2/s (not verified) and the total thickness H.
+double warming_h(double rubber_thickness_mm);
+
 }  // namespace isolaw::conditions

@@ -12,6 +12,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/num/statistics.hpp"
+#include "isolaw/rules/rule_set.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -63,6 +64,12 @@ class Builder {
  public:
   Builder(campaign::ObservedTests const& observed, std::string title, campaign::Acceptance const& acceptance)
       : observed_(observed), stated_(observed.stated) {
+    if (!stated_.rules.empty())
+      rules_ = rules::find_rule_set(stated_.rules);
+    else if (!acceptance.rules.empty())
+      rules_ = rules::read_rule_text(acceptance.rules, acceptance.rules_file);
+    take_combination();
+    check_assumed();
     auto const& from = stated_.reference;
     reference_ = {.temperature_C = from.temperature_C,
                   .frequency_Hz = from.frequency_Hz,
@@ -102,6 +109,70 @@ class Builder {
   }
 
  private:
+  // The form that the rule set states, that of its factors, or the product of all effects.
+  void take_combination() {
+    auto& how = out_.combined;
+    if (auto const& stated = rules_.combination)
+      how = {.form = stated->form, .adjust = stated->adjust, .margin = stated->margin, .clause = stated->clause};
+    else if (!rules_.factors.properties.empty())
+      how = {.form = conditions::Form::asce, .clause = rules_.factors.clause};
+    else
+      return;
+    if (how.form == conditions::Form::asce) how.adjust = rules_.factors.system_factor;
+    how.rules = rules_.id, how.verified = rules_.verified();
+  }
+
+  void check_assumed() const {
+    std::vector<std::string> known;
+    for (auto const effect : rules::effects())
+      if (std::ranges::any_of(rules_.effects,
+                              [&](rules::EffectRule const& rule) { return rule.effect == effect && rule.quantity; }))
+        known.emplace_back(rules::name(effect));
+    for (auto const& effect : stated_.assume)
+      if (std::ranges::find(known, effect) == known.end())
+        throw Error(
+            {.where = "assume in [conditions]",
+             .found = in_quotes(printable(effect)),
+             .allowed = rules_.id.empty() ? "no effect, because no rule set is named"
+                        : known.empty()
+                            ? fmt::format("no effect, because the rule set {} has no default factors", rules_.id)
+                            : fmt::format("an effect with default factors in {}: {}", rules_.id, joined(known))});
+  }
+
+  // The default factors of the rule set for an effect, if [conditions] assumes it. K_eff and energy follow from the
+  // defaults of K_d and Q_d: K_eff is K_d + Q_d/D, and the energy is proportional to Q_d.
+  std::optional<DesignRow> assumed(Effect effect, Quantity quantity) const {
+    if (std::ranges::find(stated_.assume, rules::name(effect)) == stated_.assume.end()) return std::nullopt;
+    auto const make = [&](double max, double min, std::string const& clause) {
+      auto const factor = [](double value) {
+        return Factor{.ln = std::log(value), .status = conditions::Status::assumed};
+      };
+      return DesignRow{.quantity = quantity,
+                       .effect = effect,
+                       .max = factor(max),
+                       .min = factor(min),
+                       .assumed = AssumedFrom{.rules = rules_.id, .clause = clause, .verified = rules_.verified()}};
+    };
+    if (auto const* own = rules_.default_of(effect, quantity))
+      return make(own->default_max, own->default_min, own->clause);
+    auto const *stiffness = rules_.default_of(effect, Quantity::K_d),
+               *strength = rules_.default_of(effect, Quantity::Q_d);
+    if (stiffness == nullptr || strength == nullptr) return std::nullopt;
+    if (quantity == Quantity::energy) return make(strength->default_max, strength->default_min, strength->clause);
+    if (quantity != Quantity::K_eff) return std::nullopt;
+    auto const share = strength_share();
+    return make(std::lerp(stiffness->default_max, strength->default_max, share),
+                std::lerp(stiffness->default_min, strength->default_min, share), stiffness->clause);
+  }
+
+  double strength_share() const {  // the part of K_eff that Q_d gives, as a mean over the reference tests
+    std::vector<double> shares;
+    for (auto const& test : out_.tests)
+      if (test.role == TestRole::reference && test.K_eff_kN_per_mm && test.K_d_kN_per_mm)
+        shares.push_back(1.0 - *test.K_d_kN_per_mm / *test.K_eff_kN_per_mm);
+    return shares.empty() ? 0.0 : num::moments(shares).mean;
+  }
+
   void refuse(campaign::ObservedTest const& test, std::string why) {
     out_.refused.push_back({.device = test.device, .test = test.test, .reason = std::move(why)});
   }
@@ -263,6 +334,10 @@ class Builder {
     row.energy_kN_mm = value(Quantity::energy);
     row.Q_d_kN = value(Quantity::Q_d);
     row.K_d_kN_per_mm = value(Quantity::K_d);
+    row.conditioned_h = test.stated.conditioned_h;
+    if (test.stated.temperature_of == "chamber" && test.rubber_thickness_mm &&
+        !conditions::agree_in(Effect::temperature, block.condition, reference_, tolerance_))
+      row.warming_h = conditions::warming_h(*test.rubber_thickness_mm);
     if (row.energy_kN_mm && test.rubber_area_mm2 && test.rubber_thickness_mm)
       row.heating_K = conditions::heating_K(*row.energy_kN_mm, stated_.heat_capacity_MJ_per_m3K, *test.rubber_area_mm2,
                                             *test.rubber_thickness_mm);
@@ -411,9 +486,13 @@ class Builder {
   void examine(Quantity quantity) {
     std::vector<conditions::Part> max, min;
     auto const add = [&](Effect effect, Factor const& largest, Factor const& smallest) {
-      out_.design.push_back({.quantity = quantity, .effect = effect, .max = largest, .min = smallest});
-      max.push_back({.effect = effect, .factor = largest});
-      min.push_back({.effect = effect, .factor = smallest});
+      DesignRow row{.quantity = quantity, .effect = effect, .max = largest, .min = smallest};
+      using conditions::Status;
+      if (largest.status == Status::not_covered || smallest.status == Status::not_covered)
+        if (auto const from_rules = assumed(effect, quantity)) row = *from_rules;
+      max.push_back({.effect = effect, .group = rules_.group_of(effect), .factor = row.max});
+      min.push_back({.effect = effect, .group = rules_.group_of(effect), .factor = row.min});
+      out_.design.push_back(std::move(row));
     };
     auto const& design = stated_.design;
     for (auto const effect : of_tests) {
@@ -451,8 +530,30 @@ class Builder {
       add(effect, largest, smallest);
     }
     add_history(quantity, add);
+    for (auto const effect : rules::effects()) {
+      bool const is_asked =
+          std::ranges::find(rules_.effects, effect, &rules::EffectRule::effect) != rules_.effects.end();
+      if (!is_asked || std::ranges::find(max, effect, &conditions::Part::effect) != max.end()) continue;
+      auto const none =
+          Factor::without(effect == Effect::contamination ? conditions::Lack::no_test : conditions::Lack::no_design);
+      add(effect, none, none);
+    }
     if (max.empty() || std::ranges::find(combined, quantity) == std::end(combined)) return;
-    out_.bounds.push_back({.quantity = quantity, .max = combine({}, max), .min = combine({}, min)});
+    out_.bounds.push_back(
+        {.quantity = quantity, .max = bound(quantity, max, true), .min = bound(quantity, min, false)});
+  }
+
+  conditions::Combined bound(Quantity quantity, std::vector<conditions::Part> const& parts, bool upper) const {
+    auto const& from = out_.combined;
+    conditions::Combination how{.form = from.form, .adjust = from.adjust, .margin = from.margin};
+    if (auto const* supply = rules_.factors_of(quantity))
+      how.supply = (upper ? supply->spec_max : supply->spec_min).value_or(1.0);
+    auto all = combine(how, parts);
+    if (how.form != conditions::Form::asce) return all;
+    auto const& limits = rules_.factors;
+    if (upper && limits.max_not_below) all.factor = std::max(all.factor, *limits.max_not_below);
+    if (!upper && limits.min_not_above) all.factor = std::min(all.factor, *limits.min_not_above);
+    return all;
   }
 
   // The factor of ageing that the design asks for; empty if it asks for none.
@@ -554,6 +655,7 @@ class Builder {
 
   campaign::ObservedTests const& observed_;
   campaign::StatedConditions const& stated_;
+  rules::RuleSet rules_;
   conditions::Condition reference_;
   conditions::Tolerance tolerance_;
   std::vector<Observed> all_;

@@ -51,6 +51,9 @@ struct ConditionsTest {  // one block of one test
   // In the reference cycle.
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
   std::optional<double> heating_K = {};  // at most, in that cycle
+  // For a test at another temperature than the reference, in a chamber whose temperature is stated: how long the rubber
+  // takes to come to it, and how long it was there.
+  std::optional<double> warming_h = {}, conditioned_h = {};
   std::vector<ConditionsCycle> cycles = {};
   std::vector<double> loop_mm = {}, loop_kN = {};  // of that cycle, for drawing
 };
@@ -72,15 +75,29 @@ struct EffectResponse {
   conditions::Response response;
 };
 
+struct AssumedFrom {  // where an assumed factor comes from
+  std::string rules, clause;
+  bool verified = false;
+};
+
 struct DesignRow {  // the largest and the smallest factor of an effect in the design range
   rules::Quantity quantity;
   conditions::Effect effect;
   conditions::Factor max, min;
+  std::optional<AssumedFrom> assumed = {};
 };
 
 struct BoundRow {  // all effects together
   rules::Quantity quantity;
   conditions::Combined max, min;
+};
+
+struct HowCombined {  // how the factors of all effects make a bound
+  conditions::Form form = conditions::Form::product;
+  double adjust = 1.0, margin = 1.0;  // see rules::CombinationRule
+  std::string rules;                  // the rule set that states the form; empty: isolaw's own rule
+  std::string clause;
+  bool verified = false;
 };
 
 struct RecoveryRow {
@@ -96,6 +113,7 @@ struct ConditionsResult {
   std::vector<LevelRow> levels;
   std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
   std::vector<DesignRow> design;
+  HowCombined combined;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
   std::optional<int> installed;  // devices of the production lot

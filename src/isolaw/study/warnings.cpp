@@ -1,4 +1,5 @@
 #include "isolaw/study/warnings.hpp"
+#include "isolaw/study/conditions_findings.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,10 @@ class Collector {
     }
     prediction_not_asked();
     if (summary_.conditions_differ) add(*summary_.conditions_differ);
+    if (summary_.conditions)
+      for (auto& finding : conditions_findings(*summary_.conditions)) add(std::move(finding));
+    if (!summary_.no_conditions.empty())
+      add({.kind = FindingKind::conditions_not_compared, .words = {{"reason", summary_.no_conditions}}});
     outliers();
     records();
     std::ranges::stable_sort(all_, {}, &Finding::kind);

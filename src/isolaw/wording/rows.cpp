@@ -56,7 +56,7 @@ std::span<Row const> rows() {
                                     parameters = "Fix parameters, widen their boxes, or test more",
                                     go_on = "Continue the campaign",
                                     keep_blocks = "Leave blocks of the tests out of the fit (--fit-blocks)",
-                                    stated = "{text}";
+                                    stated = "{text}", lot_file = "Correct the lot file";
   static constexpr unsigned everywhere = in_report | with_law | with_building, taken = with_law | with_building,
                             signed_too = everywhere | on_certificate;
   // The formatter is off, since it would indent every text of a row anew when one of them changes its length.
@@ -168,6 +168,36 @@ std::span<Row const> rows() {
           conditions_differ, "conditions-differ", "lot", serious, "Compare the devices under one condition",
           each_alone, signed_too, none,
           "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})][; {least_earlier_cycles:.0f} to {largest_earlier_cycles:.0f} earlier cycles of this amplitude or a larger one (alike within {allowed_earlier_cycles:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
+      // [conditions]
+      campaign(conditions_not_compared, "conditions-not-compared", "conditions", serious, lot_file, each_alone, signed_too,
+               none, "The tests under other conditions cannot be compared: {reason}."),
+      campaign(condition_test_refused, "condition-test-refused", "conditions", serious, records, each_alone,
+               in_report | on_certificate, none, "The test {test} of {devices} is not used: {reason}."),
+      campaign(effect_not_covered, "effect-not-covered", "conditions", serious,
+               "Test devices at this condition, or state it", each_alone, signed_too, none,
+               "The effect of {effect} is NOT COVERED[ at {at:6} {unit}]: {lack}."),
+      campaign(
+          effect_assumed, "effect-assumed", "conditions", serious, "Test devices under this condition", each_alone,
+          signed_too, none,
+          "The effect of {effect} on {quantity} is ASSUMED: factors {max:.3f} and {min:.3f}, the default of {rules}[, {clause}][{unverified}, which nobody has verified]. No test of this lot shows it."),
+      campaign(
+          design_bound, "design-bound", "conditions", note, "", each_alone, in_report | on_certificate, none,
+          "{quantity}, {which} bound over the design conditions: [{partial} ]{factor:.3f} times the value at reference[ ({low:.3f} to {high:.3f}, 95 %)][, {status}; {share_shown:0%} of it rests on tests at such conditions or between them][; not covered: {not_covered}][; ASSUMED: {assumed}]."),
+      campaign(
+          chamber_too_short, "chamber-too-short", "conditions", caution, records, each_alone, in_report, none,
+          "The temperature of {test} of {devices} is that of the chamber, and rubber of this thickness needs {needed_h:3} h to take it (not verified)[; the device was there for {conditioned_h:4} h][{unknown}; how long the device was there is not stated (conditioned-h)]."),
+      campaign(line_not_checked, "line-not-checked", "conditions", caution, "Test a further level", each_alone, in_report,
+               none, "Whether the response is straight between the tests is not checked for {effects}: too few levels were tested."),
+      campaign(drift_not_checked, "drift-not-checked", "conditions", note, "Repeat the reference test at the end", each_alone,
+               in_report, none, "Drift is not checked for {effects}: no device tested for it has a second reference test."),
+      campaign(rest_not_stated, "rest-not-stated", "conditions", note, "State rest-h or started", each_alone, in_report, none,
+               "The rest before {tests} {test|tests} is not stated: a first cycle there counts as the first after a rest."),
+      campaign(short_rest, "short-rest", "conditions", note, "", each_alone, in_report, none,
+               "After rests below {rest_h:g} h it is heat more than structure that recovers (not verified)."),
+      campaign(ageing_stands_for, "ageing-stands-for", "conditions", note, "", each_alone, in_report | on_certificate, none,
+               "The ageing test stands for {years:3} years at {service_C:4} C."),
+      campaign(conditions_stated, "conditions-stated", "conditions", note, "", each_alone, on_certificate, none,
+               "Stated by the laboratory, not measured: {stated} of the tests under other conditions."),
       // [answers]
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "isolaw/render/json/results_json.hpp"
+#include "isolaw/study/conditions_findings.hpp"
 #include "isolaw/study/conditions_results.hpp"
 
 namespace isolaw::render {
@@ -23,7 +24,8 @@ void write_factor(JsonWriter& out, conditions::Factor const& factor, std::option
   bool const covered = factor.status != conditions::Status::not_covered;
   out.object([&] {
     write_members(out, "lambda", covered ? std::optional(factor.lambda()) : std::nullopt, "status", factor.status,
-                  "devices", factor.devices, "line_error", factor.line_error, "drift", factor.drift);
+                  "lack", factor.lack, "devices", factor.devices, "line_error", factor.line_error, "drift",
+                  factor.drift);
     using conditions::About;
     auto const about = [&](About what) {
       return covered ? interval(factor, what, installed.value_or(0)) : std::nullopt;
@@ -48,6 +50,7 @@ void write_combined(JsonWriter& out, conditions::Combined const& all) {
                   all.share_shown);
     write_interval(out, "interval", all.interval);
     out.member("not_covered", names_of(all.not_covered));
+    out.member("assumed", names_of(all.assumed));
     out.member("without_interval", names_of(all.without_interval));
   });
 }
@@ -57,7 +60,6 @@ void write_combined(JsonWriter& out, conditions::Combined const& all) {
 namespace {
 
 void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
-  write_members(out, "schema", conditions_schema, "title", result.title);
   auto const& reference = result.stated.reference;
   out.key("reference").object([&] {
     write_members(out, "temperature_C", reference.temperature_C, "frequency_Hz", reference.frequency_Hz, "load_kN",
@@ -88,6 +90,14 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
     write_members(out, "quantity", row.quantity, "effect", row.effect);
     write_factor(out.key("max"), row.max, result.installed);
     write_factor(out.key("min"), row.min, result.installed);
+    if (auto const& from = row.assumed)
+      out.key("assumed").object(
+          [&] { write_members(out, "rules", from->rules, "clause", from->clause, "verified", from->verified); });
+  });
+  auto const& how = result.combined;
+  out.key("combination").object([&] {
+    write_members(out, "form", name(how.form), "adjust", how.adjust, "margin", how.margin, "rules", how.rules, "clause",
+                  how.clause, "verified", how.verified);
   });
   out.key("bounds").objects(result.bounds, [&](study::BoundRow const& row) {
     write_members(out, "quantity", row.quantity);
@@ -100,13 +110,17 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
   out.member("drift_not_checked", names_of(result.drift_not_checked));
   out.member("straightness_not_checked", names_of(result.straightness_not_checked));
   out.member("ageing_stands_for_years", result.ageing_stands_for_years);
+  write_findings(out, "findings", study::conditions_findings(result));
 }
 
 }  // namespace
 
 std::string conditions_json(study::ConditionsResult const& result) {
   JsonWriter out(JsonWriter::Layout::indented);
-  out.object([&] { write_members_of(out, result); });
+  out.object([&] {
+    write_members(out, "schema", conditions_schema, "title", result.title);
+    write_members_of(out, result);
+  });
   return out.take() + '\n';
 }
 

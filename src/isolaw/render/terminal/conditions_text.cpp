@@ -9,6 +9,8 @@
 
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/study/conditions_findings.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::render {
 namespace {
@@ -31,6 +33,7 @@ std::string interval_text(std::optional<conditions::Interval> const& interval) {
 
 std::string status_text(Factor const& factor) {
   if (factor.status == Status::not_covered) return "NOT COVERED";
+  if (factor.status == Status::assumed) return "ASSUMED";
   // No device was compared: this is the reference condition itself, with the factor 1.
   if (factor.devices == 0) return "reference";
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
@@ -72,6 +75,19 @@ bool is_short(rules::Quantity quantity) {
   return quantity == rules::Quantity::Q_d || quantity == rules::Quantity::K_d;
 }
 
+std::string combination_text(study::ConditionsResult const& result) {
+  auto const& how = result.combined;
+  if (how.rules.empty()) return "the product of all effects";
+  using conditions::Form;
+  auto text = how.form == Form::each      ? fmt::format("the product of all effects, each adjusted by {:g}", how.adjust)
+              : how.form == Form::product ? fmt::format("the product of all effects, adjusted by {:g}", how.adjust)
+              : how.form == Form::sum
+                  ? fmt::format("the sum of all effects with a margin of {:g}", how.margin)
+                  : fmt::format("the environment's effects adjusted by {:g}, times those of tests", how.adjust);
+  append(text, ", as {} says{}", how.rules, how.verified ? "" : " (not verified)");
+  return text;
+}
+
 void add_bounds(std::string& text, study::ConditionsResult const& result, bool details) {
   if (result.bounds.empty()) {
     text +=
@@ -79,7 +95,8 @@ void add_bounds(std::string& text, study::ConditionsResult const& result, bool d
         "[conditions].\n";
     return;
   }
-  text += "\nBounds over the design conditions: factors on the value at reference, the product of all effects\n";
+  append(text, "\nBounds over the design conditions: factors on the value at reference, {}\n",
+         combination_text(result));
   std::vector<std::string> alone;
   for (auto const& row : result.bounds) {
     for (auto const* side : {&row.max, &row.min})
@@ -156,23 +173,16 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
              counted(static_cast<std::size_t>(row.devices), "device"));
   }
   text += '\n';
-  if (!result.drift_not_checked.empty())
-    append(text, "Drift is not checked for {}: no device tested for it has a second reference test.\n",
-           joined(names_of(result.drift_not_checked)));
-  if (!result.straightness_not_checked.empty())
-    append(text, "Whether the response is straight is not checked for {}: too few levels were tested.\n",
-           joined(names_of(result.straightness_not_checked)));
-  if (result.ageing_stands_for_years)
-    append(text, "The ageing test stands for {:.3g} years at {:g} C.\n", *result.ageing_stands_for_years,
-           result.stated.design.service_temperature_C.value_or(result.stated.reference.temperature_C));
+  auto findings = study::conditions_findings(result);
+  // The table of bounds says this already.
+  std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::design_bound; });
+  for (auto const& line : wording::lines(findings)) append(text, "{}\n", line);
   auto const unused = std::ranges::count_if(result.tests, [](study::ConditionsTest const& test) {
     return test.role != study::TestRole::reference && test.role != study::TestRole::effect;
   });
   if (unused > 0 && !details)
     append(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
            unused == 1 ? "shows" : "show");
-  for (auto const& test : result.refused)
-    append(text, "Refused: {}, {}: {}\n", printable(test.device), printable(test.test), printable(test.reason));
   if (details) add_tests(text, result);
   return text;
 }

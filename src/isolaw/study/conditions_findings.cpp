@@ -1,0 +1,137 @@
+#include "isolaw/study/conditions_findings.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "isolaw/base/words.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using conditions::Effect;
+using conditions::Status;
+
+std::string names_of(std::vector<Effect> const& effects) {
+  std::vector<std::string> names;
+  for (auto const effect : effects) names.emplace_back(rules::name(effect));
+  return joined(names);
+}
+
+Finding bound(rules::Quantity quantity, std::string which, conditions::Combined const& all) {
+  Finding finding{.kind = FindingKind::design_bound,
+                  .numbers = {{"factor", all.factor}},
+                  .words = {{"quantity", std::string(rules::name(quantity))}, {"which", which}}};
+  if (all.interval) {
+    finding.numbers.push_back({"low", all.interval->low});
+    finding.numbers.push_back({"high", all.interval->high});
+  }
+  if (!all.assumed.empty()) finding.words.push_back({"assumed", names_of(all.assumed)});
+  if (all.complete()) {
+    finding.words.push_back({"status", std::string(name(all.status))});
+    finding.numbers.push_back({"share_shown", all.share_shown});
+  } else {
+    finding.words.push_back({"partial", which});
+    finding.words.push_back({"not_covered", names_of(all.not_covered)});
+  }
+  return finding;
+}
+
+std::string_view unit_of(Effect effect) {
+  return effect == Effect::temperature ? "C" : effect == Effect::rate ? "Hz" : effect == Effect::load ? "kN" : "";
+}
+
+Finding not_covered(Effect effect, conditions::Factor const& factor) {
+  Finding finding{.kind = FindingKind::effect_not_covered,
+                  .words = {{"effect", std::string(rules::name(effect))},
+                            {"lack", std::string(factor.lack ? name(*factor.lack) : "")}}};
+  if (factor.lack == conditions::Lack::too_far || factor.lack == conditions::Lack::no_common_device) {
+    finding.numbers.push_back({"at", factor.at});
+    finding.words.push_back({"unit", std::string(unit_of(effect))});
+  }
+  return finding;
+}
+
+void add_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
+  int without_rest = 0;
+  std::vector<std::string> stated{"temperature"};
+  bool is_aged = false, has_rest = false;
+  for (auto const& test : result.tests) {
+    is_aged |= test.condition.ageing.has_value();
+    has_rest |= test.rest_h.value_or(0.0) > 0.0;
+    if (!test.rest_h && test.order > 1 && test.block == 1) ++without_rest;
+    if (test.warming_h && !(test.conditioned_h.value_or(0.0) >= *test.warming_h)) {
+      Finding finding{.kind = FindingKind::chamber_too_short,
+                      .devices = {test.device},
+                      .numbers = {{"needed_h", *test.warming_h}},
+                      .words = {{"test", test.test}}};
+      if (test.conditioned_h)
+        finding.numbers.push_back({"conditioned_h", *test.conditioned_h});
+      else
+        finding.words.push_back({"unknown", "yes"});
+      findings.push_back(std::move(finding));
+    }
+  }
+  if (is_aged) stated.emplace_back("ageing");
+  if (has_rest) stated.emplace_back("rest");
+  stated.emplace_back("order");
+  if (without_rest > 0)
+    findings.push_back(
+        {.kind = FindingKind::rest_not_stated, .numbers = {{"tests", static_cast<double>(without_rest)}}});
+  findings.push_back({.kind = FindingKind::conditions_stated, .words = {{"stated", joined(stated)}}});
+}
+
+}  // namespace
+
+std::vector<Finding> conditions_findings(ConditionsResult const& result) {
+  std::vector<Finding> findings;
+  for (auto const& row : result.bounds) {
+    findings.push_back(bound(row.quantity, "upper", row.max));
+    findings.push_back(bound(row.quantity, "lower", row.min));
+  }
+  for (auto const& row : result.design) {
+    for (auto const* factor : {&row.max, &row.min})
+      if (factor->status == Status::not_covered) {
+        findings.push_back(not_covered(row.effect, *factor));
+        break;
+      }
+    if (auto const* of_rules = row.assumed ? &*row.assumed : nullptr) {
+      Finding finding{.kind = FindingKind::effect_assumed,
+                      .numbers = {{"max", row.max.lambda()}, {"min", row.min.lambda()}},
+                      .words = {{"effect", std::string(rules::name(row.effect))},
+                                {"quantity", std::string(rules::name(row.quantity))},
+                                {"rules", of_rules->rules}}};
+      if (!of_rules->clause.empty()) finding.words.push_back({"clause", of_rules->clause});
+      if (!of_rules->verified) finding.words.push_back({"unverified", "yes"});
+      findings.push_back(std::move(finding));
+    }
+  }
+  // An effect mostly lacks the same for all quantities.
+  auto const covered = std::ranges::stable_partition(
+      findings, [](Finding const& finding) { return finding.kind != FindingKind::effect_not_covered; });
+  std::vector<Finding> lacking;
+  for (auto& finding : covered)
+    if (std::ranges::find(lacking, finding) == lacking.end()) lacking.push_back(std::move(finding));
+  findings.erase(covered.begin(), covered.end());
+  findings.insert(findings.end(), lacking.begin(), lacking.end());
+  for (auto const& test : result.refused)
+    findings.push_back({.kind = FindingKind::condition_test_refused,
+                        .devices = {test.device},
+                        .words = {{"test", test.test}, {"reason", test.reason}}});
+  if (!result.drift_not_checked.empty())
+    findings.push_back(
+        {.kind = FindingKind::drift_not_checked, .words = {{"effects", names_of(result.drift_not_checked)}}});
+  if (!result.straightness_not_checked.empty())
+    findings.push_back(
+        {.kind = FindingKind::line_not_checked, .words = {{"effects", names_of(result.straightness_not_checked)}}});
+  if (result.ageing_stands_for_years)
+    findings.push_back({.kind = FindingKind::ageing_stands_for,
+                        .numbers = {{"years", *result.ageing_stands_for_years},
+                                    {"service_C", result.stated.design.service_temperature_C.value_or(0.0)}}});
+  constexpr double heat_recovers_h = 6.0;
+  if (std::ranges::any_of(result.recovery, [](RecoveryRow const& row) { return row.rest_h < heat_recovers_h; }))
+    findings.push_back({.kind = FindingKind::short_rest, .numbers = {{"rest_h", heat_recovers_h}}});
+  add_tests(result, findings);
+  return findings;
+}
+
+}  // namespace isolaw::study
