@@ -6,9 +6,11 @@
 #include <array>
 
 #include <cmath>
+#include <numbers>
 
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/contrast.hpp"
+#include "isolaw/conditions/dependence.hpp"
 #include "isolaw/conditions/history_effects.hpp"
 #include "isolaw/conditions/observe.hpp"
 #include "isolaw/num/statistics.hpp"
@@ -27,7 +29,7 @@ struct Settings {
   int cycle = 3, settled_at = 3;  // from this cycle on, nothing softens further
 };
 struct Properties {
-  double K_eff, energy;
+  double K_eff, energy, damping;
 };
 Properties properties(double u, Settings const& at) {
   double const U = std::exp(u + at.noise / 100.0), amplitude = 208.0;
@@ -39,7 +41,8 @@ Properties properties(double u, Settings const& at) {
   double const k = 1.0 + at.recovered * (s - 1.0), D_y = Q / (5.0 * K2);
   double energy = 4.0 * k * Q * (amplitude - D_y);
   if (at.cycle == 1) energy -= Q * k * D_y / 2.0;
-  return {.K_eff = k * (K2 + Q / amplitude), .energy = energy};
+  double const K_eff = k * (K2 + Q / amplitude), circle = 2.0 * std::numbers::pi * amplitude * amplitude;
+  return {.K_eff = K_eff, .energy = energy, .damping = 100.0 * energy / (circle * K_eff)};
 }
 
 struct Test {
@@ -107,7 +110,8 @@ void expect_interval(std::optional<Interval> const& found, double low, double hi
 }
 
 TEST(Heat, is_the_energy_over_the_heat_capacity) {
-  auto const [K_eff, energy] = properties(0.0, {});
+  auto const [K_eff, energy, damping] = properties(0.0, {});
+  expect_near(damping, 10.805496836);
   expect_near(K_eff, 0.677589534);
   expect_near(energy, 19902.973649);
   expect_near(heating_K(energy, 2.0, 282743.0, 208.0), 0.169213, 1e-5);
@@ -158,6 +162,125 @@ TEST(Temperature, between_levels_and_beyond) {
   expect_near(energy.at(45.0).lambda(), 0.784133449);
   EXPECT_EQ(response.at(21.9).status, Status::shown);
   EXPECT_EQ(response.at(21.9).ln, 0.0);
+}
+
+rules::DependenceLimit limit_of_20(Effect effect, std::vector<double> levels = {}) {
+  return {.effect = effect, .within_percent = 20.0, .levels = std::move(levels)};
+}
+
+TEST(Dependence, of_the_example_on_temperature) {
+  auto const limit = limit_of_20(Effect::temperature);
+  DesignConditions const design{.ends = {-15.0, 45.0}};
+  auto const of_K = judge_dependence(limit, true, temperature(), design);
+  ASSERT_EQ(of_K.size(), 6u);
+  double const wanted[]{1.268584351, 1.275580787, 1.263204308};
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto const &cold = of_K[i], &warm = of_K[i + 3];
+    EXPECT_EQ(cold.device, "P" + std::to_string(i + 1));
+    EXPECT_EQ(*cold.at, -15.0);
+    EXPECT_EQ(cold.ratio->status, Status::interpolated);
+    expect_near(cold.ratio->lambda(), wanted[i]);
+    EXPECT_EQ(cold.verdict, rules::Verdict::fail);
+    EXPECT_FALSE(cold.reason);
+    EXPECT_EQ(warm.device, cold.device);
+    EXPECT_EQ(*warm.at, 45.0);
+    EXPECT_EQ(warm.verdict, rules::Verdict::not_assessed);
+    EXPECT_EQ(*warm.reason, NotAssessed::extrapolated);
+  }
+  auto const of_damping = judge_dependence(limit, true, temperature({"P1", "P2", "P3"}, &Properties::damping), design);
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_near(of_damping[i].ratio->lambda(), 1.112678369);
+    EXPECT_EQ(of_damping[i].verdict, rules::Verdict::pass);
+  }
+  // Without a verified set, the same numbers and no word.
+  auto const unverified = judge_dependence(limit, false, temperature(), design);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(unverified[i].ratio->ln, of_K[i].ratio->ln);
+    EXPECT_EQ(unverified[i].verdict, rules::Verdict::information);
+    EXPECT_EQ(unverified[i + 3].verdict, rules::Verdict::not_assessed);
+  }
+  // At 70 C no device shows anything.
+  for (auto const& device : judge_dependence(limit_of_20(Effect::temperature, {70.0}), true, temperature(), {})) {
+    EXPECT_EQ(*device.reason, NotAssessed::no_test);
+    EXPECT_FALSE(device.ratio);
+  }
+}
+
+TEST(Dependence, of_the_example_on_rate_and_ageing) {
+  auto const limit = limit_of_20(Effect::rate, {0.1, 0.5});
+  double Properties::*const both[]{&Properties::K_eff, &Properties::damping};
+  double const of_rate[]{0.927280900, 0.950801310}, of_ageing[]{1.073392673, 0.890483635};
+  DesignConditions design{.ageing = AskedAgeing{.test = {.days = 14.0, .at_C = 70.0}}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    auto const slow = judge_dependence(limit, true, rate(both[i]), {.ends = {0.35, 0.65}});
+    ASSERT_EQ(slow.size(), 1u);  // 0.5 Hz is the reference
+    EXPECT_EQ(slow[0].device, "P4");
+    EXPECT_EQ(*slow[0].at, 0.1);
+    expect_near(slow[0].ratio->lambda(), of_rate[i]);
+    EXPECT_EQ(slow[0].verdict, rules::Verdict::pass);
+    auto const aged = judge_dependence(limit_of_20(Effect::ageing), true, ageing(both[i]), design);
+    ASSERT_EQ(aged.size(), 1u);
+    EXPECT_FALSE(aged[0].at);
+    expect_near(aged[0].ratio->lambda(), of_ageing[i]);
+    EXPECT_EQ(aged[0].verdict, rules::Verdict::pass);
+  }
+  // The test stands for 8.3 years: it shows those of 8 years, and ten are extrapolated from it.
+  design.ageing->test_stands_for_years = stands_for_years(design.ageing->test, 20.0, 90.0);
+  design.ageing->years = 8.0;
+  EXPECT_EQ(judge_dependence(limit_of_20(Effect::ageing), true, ageing(), design)[0].verdict, rules::Verdict::pass);
+  design.ageing->years = 10.0;
+  EXPECT_EQ(*judge_dependence(limit_of_20(Effect::ageing), true, ageing(), design)[0].reason,
+            NotAssessed::extrapolated);
+  design.ageing = AskedAgeing{.test = {.days = 28.0, .at_C = 70.0}};
+  EXPECT_EQ(*judge_dependence(limit_of_20(Effect::ageing), true, ageing(), design)[0].reason, NotAssessed::no_test);
+}
+
+TEST(Dependence, needs_a_condition_a_test_and_the_reference_of_the_set) {
+  auto const only = [](std::vector<DeviceDependence> const& results) {
+    EXPECT_EQ(results.size(), 1u);
+    return results.at(0);
+  };
+  auto const limit = limit_of_20(Effect::rate, {0.1});
+  EXPECT_EQ(*only(judge_dependence(limit_of_20(Effect::rate), true, rate(), {})).reason, NotAssessed::no_condition);
+  EXPECT_EQ(*only(judge_dependence(limit_of_20(Effect::ageing), true, ageing(), {})).reason, NotAssessed::no_condition);
+  auto const untested =
+      only(judge_dependence(limit, true, Response(Effect::rate, samples({{"P4", 0.0, {}}}), {}, reference, {}), {}));
+  EXPECT_EQ(*untested.reason, NotAssessed::no_test);
+  EXPECT_EQ(untested.device, "");
+  auto const other = only(judge_dependence(limit, true, rate(), {}, false));
+  EXPECT_EQ(*other.reason, NotAssessed::other_tests);
+  expect_near(other.ratio->lambda(), 0.927280900);
+  Response const scaled(Effect::rate, samples({{"P4", 0.0, {}}}), samples({{"P4", 0.0, {.f = 0.1}}}), reference, {},
+                        Status::scaled);
+  EXPECT_EQ(*only(judge_dependence(limit, true, scaled, {})).reason, NotAssessed::scaled);
+  EXPECT_EQ(only(judge_dependence(limit, true, scaled, {})).verdict, rules::Verdict::not_assessed);
+}
+
+Sample relative(std::string device, double T, double value);
+
+TEST(Dependence, keeps_both_ends_and_each_device_to_its_own_tests) {
+  auto const at_0 = limit_of_20(Effect::temperature, {0.0});
+  auto const verdict = [&](double value) {
+    std::vector<Sample> const own{relative("A", 20, 1.0)}, others{relative("A", 0, value)};
+    return judge_dependence(at_0, true, Response(Effect::temperature, own, others, reference, {}), {})[0].verdict;
+  };
+  EXPECT_EQ(verdict(1.2), rules::Verdict::pass);
+  EXPECT_EQ(verdict(0.8), rules::Verdict::pass);
+  EXPECT_EQ(verdict(1.2 + 1e-9), rules::Verdict::fail);
+  EXPECT_EQ(verdict(0.8 - 1e-9), rules::Verdict::fail);
+  // B was tested at -20 C and not at 0 C, so its ratio at 0 C lies on its own line: the root of 1.44. C has no test but
+  // its reference, and D has no reference.
+  std::vector<Sample> const own{relative("A", 20, 1.0), relative("B", 20, 2.0), relative("C", 20, 1.0)},
+      others{relative("A", 0, 1.1), relative("B", -20, 2.88), relative("D", 0, 5.0)};
+  auto const results = judge_dependence(at_0, true, Response(Effect::temperature, own, others, reference, {}), {});
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].device, "A");
+  EXPECT_EQ(results[0].ratio->status, Status::shown);
+  expect_near(results[0].ratio->lambda(), 1.1);
+  EXPECT_EQ(results[1].device, "B");
+  EXPECT_EQ(results[1].ratio->status, Status::interpolated);
+  expect_near(results[1].ratio->lambda(), 1.2);
+  EXPECT_EQ(results[1].ratio->devices, 1);
 }
 
 TEST(Rate, on_one_device_has_no_interval) {

@@ -117,9 +117,7 @@ TEST(BuiltInRules, CombineEffectsAsCommonlyQuoted) {
   EXPECT_EQ(asce.combination->adjust, 0.75);
   for (auto const* id : {"iso-22762-sa", "iso-22762-sb", "iso-22762-sa-11"})
     EXPECT_FALSE(find_rule_set(id).combination) << id;
-  for (auto const& set : built_in_rule_sets()) {
-    if (!set.effects.empty()) EXPECT_FALSE(set.verified()) << set.id;
-  }
+  for (auto const& set : built_in_rule_sets()) EXPECT_TRUE(set.effects.empty() || !set.verified()) << set.id;
 }
 
 TEST(BuiltInRules, OfElevenCyclesTheMeanWithoutTheFirstIsHeldToTheSameLimits) {
@@ -302,7 +300,7 @@ TEST(ReadRules, CombinesEffectsInOneOfFourForms) {
   expect_parts(refused_beside_a_limit("[combination]\nadjust = 0.66\nshare = 1\n"),
                {"rules.toml:15: 'form' is missing", "rules.toml:17: unknown key 'share' in [combination]"});
   expect_parts(refused_beside_a_limit("[combination]\nform = \"both\"\nadjust = 1.5\n"),
-               {"rules.toml:16: form: 'both'; allowed: \"asce\", \"each\", \"product\" or \"sum\"",
+               {"rules.toml:16: form: 'both'; allowed: \"asce\", \"each\", \"product\", \"sum\"",
                 "rules.toml:17: adjust: 1.5 is out of range"});
   expect_parts(refused_beside_a_limit("[combination]\nform = \"asce\"\nadjust = 0.66\n"),
                {"rules.toml:15: 'adjust' with the form \"asce\"", "system_factor in [factors]"});
@@ -361,7 +359,8 @@ TEST(ReadRules, LimitsADependenceOnceAtEachLevel) {
                {"rules.toml:20: a second limit of rate on K_eff"});
   expect_parts(refused_beside_a_limit(limit("ageing", "levels = [14]\n")), {"rules.toml:15: 'levels' of ageing"});
   for (auto const* effect : {"scragging", "cycles", "contamination"})
-    expect_parts(refused_beside_a_limit(limit(effect)), {"rules.toml:16: effect: ", "or \"ageing\""});
+    expect_parts(refused_beside_a_limit(limit(effect)),
+                 {"rules.toml:16: effect: ", "allowed: \"temperature\", \"rate\", \"load\", \"ageing\""});
   expect_parts(refused_beside_a_limit("[[dependence]]\neffect = \"rate\"\nquantity = \"K_v\"\nlevels = [0]\nat = 1\n"),
                {"rules.toml:15: 'within_percent' is missing", "rules.toml:17: quantity: 'K_v'",
                 "rules.toml:18: levels: 0 is out of range", "rules.toml:19: unknown key 'at' in [[dependence]]"});

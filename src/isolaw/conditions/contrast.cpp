@@ -31,6 +31,14 @@ double condition_of(Effect effect, Condition const& condition) {
   }
 }
 
+Condition with_value(Effect effect, double value) {  // a condition in which only the effect's value is known
+  Condition condition;
+  (effect == Effect::temperature ? condition.temperature_C
+   : effect == Effect::rate      ? condition.frequency_Hz
+                                 : condition.load_kN) = value;
+  return condition;
+}
+
 double sum_of_squares(std::vector<double> const& values) {
   auto const of = num::moments(values);
   return of.std * of.std * static_cast<double>(of.count - 1);
@@ -265,18 +273,13 @@ Factor Response::on_line(Level const& first, Level const& second, double conditi
 }
 
 bool Response::is_at(Level const& level, Condition const& test) const {
-  Condition there{.ageing = level.ageing};
-  (effect_ == Effect::temperature ? there.temperature_C
-   : effect_ == Effect::rate      ? there.frequency_Hz
-                                  : there.load_kN) = level.at;
+  auto there = with_value(effect_, level.at);
+  there.ageing = level.ageing;
   return agree_in(effect_, test, there, tolerance_);
 }
 
 Factor Response::at(double condition) const {
-  Condition asked;
-  (effect_ == Effect::temperature ? asked.temperature_C
-   : effect_ == Effect::rate      ? asked.frequency_Hz
-                                  : asked.load_kN) = condition;
+  auto const asked = with_value(effect_, condition);
   std::vector<Level const*> near;
   for (auto const& level : levels_)
     if (is_at(level, asked)) near.push_back(&level);
@@ -317,6 +320,19 @@ Response::Extremes Response::over(double low, double high) const {
   }
   auto const [min, max] = std::ranges::minmax_element(all, {}, &Factor::ln);
   return {.max = *max, .min = *min};
+}
+
+bool Response::is_reference(double condition) const {
+  auto const own = std::ranges::find_if(levels_, &Level::reference);
+  return own != levels_.end() && is_at(*own, with_value(effect_, condition));
+}
+
+Response Response::of_device(std::string_view device) const {
+  auto own = *this;
+  for (auto& level : own.levels_)
+    std::erase_if(level.ratios, [&](DeviceRatio const& ratio) { return ratio.device != device; });
+  std::erase_if(own.levels_, [](Level const& level) { return level.ratios.empty(); });
+  return own;
 }
 
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,

@@ -122,6 +122,10 @@ class Response {
     Factor max, min;
   };
   Extremes over(double low, double high) const;
+  bool is_reference(double condition) const;  // whether the condition agrees with the reference
+  // The response of one device by itself: the levels at which it was tested, with its own ratios. The error of the
+  // straight line and the drift stay those of all devices.
+  Response of_device(std::string_view device) const;
 
  private:
   Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
