@@ -1,5 +1,9 @@
 // Tests `isolaw conditions` on its example, whose records follow closed formulas, and on lot files with mistakes.
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "cli/run.hpp"
 #include "cli/store.hpp"
@@ -84,6 +88,42 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
       near(test["K_eff_kN_per_mm"], 0.603681447, stiffness);
       EXPECT_EQ(test["role"], "combined");
     }
+}
+
+TEST_F(Conditions, are_written_as_tables_and_figures) {
+  write("C/figures/mine.gp", "# not isolaw's\n");
+  auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});
+  ASSERT_EQ(o.code, 0) << o;
+  auto const lines = [&](std::string const& file) {
+    std::vector<std::string> all;
+    std::istringstream text(read(file));
+    for (std::string line; std::getline(text, line);) all.push_back(line);
+    return all;
+  };
+  auto const has = [](std::vector<std::string> const& all, std::string const& start) {
+    return std::ranges::any_of(all, [&](auto const& line) { return line.starts_with(start); });
+  };
+  auto const factors = lines("C/tables/conditions.csv");
+  EXPECT_TRUE(has(factors, "property,effect,level,at,unit,aged [d],at [C],factor [-],status,devices")) << factors[0];
+  EXPECT_TRUE(has(factors, "K_eff,temperature,-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
+  EXPECT_TRUE(has(factors, "K_eff,ageing,14 days at 70 C,,,14,70,1.07339,shown,1,"));
+  EXPECT_TRUE(has(factors, "K_eff,temperature,smallest over the design,,,,,0.848178,extrapolated,3,0.0018003,"));
+  EXPECT_TRUE(has(factors, "K_eff,all together,largest over the design,,,,,1.86916,interpolated,"));
+  // 25 tests have five cycles and one has ten.
+  auto const cycles = lines("C/tables/observations.csv");
+  EXPECT_EQ(cycles.size(), 1u + 25 * 5 + 10);
+  EXPECT_TRUE(has(cycles, "P5,ten-cycles,1,1,20,0.5,2000,100,,,,reference,,10,scragged,0.62194,"));
+  EXPECT_TRUE(contains(read("C/tables/conditions.tex"), "temperature & 1.269 (1.254 to 1.285) & interpolated & 0.848"));
+  // The mean curve over the load is straight over its square. In its middle, at 1500 kN:
+  auto const of_figure = lines("C/figures/conditions.dat");
+  auto const middle = std::ranges::find_if(of_figure, [](auto const& line) { return line.starts_with("1500 "); });
+  ASSERT_NE(middle, of_figure.end());
+  EXPECT_NEAR(std::stod(middle->substr(5)), std::pow(1.047155510, (4.0 - 2.25) / (4.0 - 1.0)), 1e-8);
+  EXPECT_TRUE(contains(read("C/figures/factors.dat"), "\"temperature\" 1.26911"));
+  EXPECT_TRUE(contains(read("C/figures/mine.gp"), "not isolaw's"));
+  write("C/figures/front.gp", "# A figure of isolaw: of a campaign in the same directory\n");
+  EXPECT_EQ(isolaw({"conditions", "ex/lot.toml", "--out", "C"}).code, 0);
+  EXPECT_TRUE(contains(read("C/figures/front.gp"), "of a campaign"));
 }
 
 TEST_F(Conditions, as_text_begin_with_the_bounds) {

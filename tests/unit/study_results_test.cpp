@@ -114,6 +114,8 @@ TEST(Results, OfBuildingsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
 
 TEST(Results, OfConditionsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(conditions_test_results, documented("`tests[]`", "conditions.md"));
+  expect_all_documented(conditions_level_results, documented("`levels[]`", "conditions.md"));
+  expect_all_documented(conditions_factor_results, documented("`levels[].factor`", "conditions.md"));
   expect_all_documented(conditions_cycle_results, documented("`tests[].cycles[]`", "conditions.md"));
 }
 

@@ -241,7 +241,7 @@ void add_conditions(Commands& commands) {
       "conditions", "Show how temperature, rate, load, ageing and history change the properties of devices",
       "isolaw conditions lot.toml", conditions);
   c.add_option("lot", a.lot, "a lot file with a table [conditions]")->required();
-  c.add_option("--out", a.out, "directory for conditions.json");
+  c.add_option("--out", a.out, "directory for conditions.json, tables and figures");
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print conditions.json instead of text");
   c.add_flag("--details", a.details, "also list every test and how it is used");

@@ -2,12 +2,13 @@
 #include "isolaw/study/conditions.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
-#include "isolaw/app/output.hpp"
+#include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
-#include "isolaw/base/write_file.hpp"
+#include "isolaw/render/figures/conditions_figures.hpp"
 #include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/terminal/conditions_text.hpp"
+#include "isolaw/render/write.hpp"
 
 namespace isolaw::app {
 
@@ -23,10 +24,11 @@ int conditions(ConditionsArguments const& arguments) {
   auto const result = study::build_conditions(campaign::observe_tests(lot), lot.title, lot.acceptance);
   print(arguments.json ? render::conditions_json(result) : render::conditions_text(result, arguments.details));
   if (arguments.out) {
-    auto const file = *arguments.out / "conditions.json";
-    std::filesystem::create_directories(*arguments.out);
-    write_file(file, render::conditions_json(result));
-    say("written: {}\n", shown(file));
+    auto const& units = find_unit_system(lot.acceptance.report_units);
+    render::write_conditions_outputs(result, units, *arguments.out);
+    say("written: {}\n", shown(*arguments.out / "conditions.json"));
+    say_drawn(render::add_figures(render::conditions_figures(result, units), *arguments.out), *arguments.out,
+              "the same command");
   }
   return result.refused.empty() ? exit_done : exit_with_refusals;
 }

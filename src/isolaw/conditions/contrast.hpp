@@ -110,6 +110,8 @@ class Response {
   std::optional<double> drift() const { return drift_; }                  // empty if no device has two reference tests
   std::vector<std::string> const& unpaired() const { return unpaired_; }  // devices without a reference test
 
+  // The condition on the scale over which ln changes in a straight line between two levels.
+  double abscissa(double condition) const;
   Factor of(Level const& level) const;
   bool is_at(Level const& level, Condition const& test) const;  // whether a test with this condition is at the level
   // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between two levels it is interpolated. It
@@ -129,7 +131,6 @@ class Response {
 
  private:
   Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
-  double abscissa(double condition) const;
   std::vector<Level const*> paired_levels() const;
 
   Effect effect_;

@@ -1,4 +1,4 @@
-// Writes and removes the page, JSON and tables of a report, an inspection or a building study. The functions that write
+// Writes and removes the page, JSON and tables of a report, an inspection, tests under conditions or a building study. The functions that write
 // create `dir` if necessary and throw Error on failure.
 #pragma once
 
@@ -18,6 +18,9 @@ namespace isolaw::render {
 
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
+// conditions.json and its tables.
+void write_conditions_outputs(ConditionsResult const& result, UnitSystem const& units,
+                              std::filesystem::path const& dir);
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
 // The files that write_outputs() writes: names relative to `dir`, and texts.

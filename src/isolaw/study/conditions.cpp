@@ -506,7 +506,8 @@ class Builder {
                                .effect = effect,
                                .level = level_text(effect, level),
                                .factor = response.of(level),
-                               .ratios = level.ratios});
+                               .ratios = level.ratios,
+                               .ageing = level.ageing});
       }
       out_.responses.push_back({.quantity = quantity, .response = response});
       if (quantity == Quantity::K_eff && response.levels().size() > 1) {
@@ -526,6 +527,8 @@ class Builder {
                           : effect == Effect::rate      ? design.frequency_Hz
                                                         : design.load_kN;
       if (!range) continue;
+      for (double const at : {range->low, range->high})
+        out_.ends.push_back({.quantity = quantity, .effect = effect, .at = at, .factor = response.at(at)});
       auto const [largest, smallest] = response.over(range->low, range->high);
       add(effect, largest, smallest);
     }

@@ -68,6 +68,14 @@ struct LevelRow {  // a level of an effect that was tested
   std::string level;  // as the user would write it: "-20 C", "14 days at 70 C", "cycle 1"
   conditions::Factor factor;
   std::vector<conditions::DeviceRatio> ratios = {};
+  std::optional<conditions::Ageing> ageing = {};
+};
+
+struct EndRow {  // one end of a range of the design's temperatures, frequencies or loads
+  rules::Quantity quantity;
+  conditions::Effect effect;
+  double at = 0.0;
+  conditions::Factor factor;
 };
 
 struct EffectResponse {
@@ -112,6 +120,7 @@ struct ConditionsResult {
   std::vector<RefusedTest> refused;
   std::vector<LevelRow> levels;
   std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
+  std::vector<EndRow> ends;
   std::vector<DesignRow> design;
   HowCombined combined;
   std::vector<BoundRow> bounds;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/study/conditions_results.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -34,10 +35,6 @@ Finding bound(rules::Quantity quantity, std::string which, conditions::Combined 
     finding.words.push_back({"not_covered", names_of(all.not_covered)});
   }
   return finding;
-}
-
-std::string_view unit_of(Effect effect) {
-  return effect == Effect::temperature ? "C" : effect == Effect::rate ? "Hz" : effect == Effect::load ? "kN" : "";
 }
 
 Finding not_covered(Effect effect, conditions::Factor const& factor) {

@@ -1,5 +1,5 @@
-// The rows that conditions.json takes from the results of `isolaw conditions`: name, unit and meaning. A test compares
-// docs/conditions.md with these rows.
+// The rows that conditions.json and the tables take from the results of `isolaw conditions`: name, unit and meaning. A
+// test compares docs/conditions.md with these rows.
 #pragma once
 
 #include "isolaw/study/conditions.hpp"
@@ -70,6 +70,67 @@ inline constexpr Result<ConditionsCycle> conditions_cycle_results[]{
     {"energy_kN_mm", "kN mm", "energy", "energy of the loop", get<&ConditionsCycle::energy_kN_mm>, significant(4)},
     {"Q_d_kN", "kN", "Q_d", "characteristic strength", get<&ConditionsCycle::Q_d_kN>, significant(4)},
     {"K_d_kN_per_mm", "kN/mm", "K_d", "stiffness after yield", get<&ConditionsCycle::K_d_kN_per_mm>, significant(4)},
+};
+
+// A factor, and the number of installed devices, on which an interval depends.
+struct ConditionFactor {
+  conditions::Factor factor;
+  std::optional<int> installed = {};
+
+  bool is_covered() const { return factor.status != conditions::Status::not_covered; }
+  // The devices tested are some of those installed, or prototypes if there are more of them.
+  conditions::About of_installed() const {
+    return installed && factor.devices > *installed ? conditions::About::prototypes : conditions::About::system;
+  }
+};
+
+template <conditions::About about>
+Value interval_of(ConditionFactor const& of) {
+  bool const is_of_installed = about == conditions::About::system || about == conditions::About::prototypes;
+  if (!of.is_covered() || (is_of_installed && (!of.installed || of.of_installed() != about))) return Ends{};
+  auto const found = conditions::interval(of.factor, about, of.installed.value_or(0));
+  return found ? Ends{found->low, found->high} : Ends{};
+}
+
+inline constexpr Result<ConditionFactor> conditions_factor_results[]{
+    {"lambda", "-", "factor", "value under the condition over the value at reference",
+     [](ConditionFactor const& of) { return of.is_covered() ? value_of(of.factor.lambda()) : Value(); }},
+    {"status", "", "status", "how sure it is: a word of the table above",
+     [](ConditionFactor const& of) { return value_of(of.factor.status); }},
+    {"lack", "", "lack", "why it is not covered, such as `no-test` or `too-far`; null if it is",
+     [](ConditionFactor const& of) { return value_of(of.factor.lack); }},
+    {"devices", "", "devices", "number of devices that show it; 0 for the factor 1 of the reference itself",
+     [](ConditionFactor const& of) { return value_of(of.factor.devices); }},
+    {"line_error", "-", "error of the line", "error of the straight line between levels, in ln; 0 at a level",
+     [](ConditionFactor const& of) { return value_of(of.factor.line_error); }},
+    {"drift", "-", "drift", "change of a device between its reference tests, in ln",
+     [](ConditionFactor const& of) { return value_of(of.factor.drift); }},
+    {"mean", "-", "mean", "interval of 95 % of the mean factor", interval_of<conditions::About::mean>},
+    {"device", "-", "one device", "interval of 95 % of one further device", interval_of<conditions::About::device>},
+    {"system", "-", "installed", "interval of 95 % of the mean of all installed devices (`lot-size`)",
+     interval_of<conditions::About::system>},
+    {"prototypes", "-", "installed, prototypes",
+     "the same, if more devices were tested than the lot has, so that they cannot be some of it",
+     interval_of<conditions::About::prototypes>},
+};
+
+// The unit of the condition that belongs to an effect; empty for ageing and history, whose levels are no number.
+constexpr std::string_view unit_of(conditions::Effect effect) {
+  using conditions::Effect;
+  return effect == Effect::temperature ? "C" : effect == Effect::rate ? "Hz" : effect == Effect::load ? "kN" : "";
+}
+
+inline constexpr Result<LevelRow> conditions_level_results[]{
+    {"quantity", "", "property", "the property", get<&LevelRow::quantity>},
+    {"effect", "", "effect", "the effect", get<&LevelRow::effect>},
+    {"level", "", "level", "the tested condition as text", get<&LevelRow::level>},
+    {"at", own_unit, "at", "the condition; null for ageing and history",
+     [](LevelRow const& row) { return unit_of(row.effect).empty() ? Value() : value_of(row.factor.at); }},
+    {"unit", "", "unit", "unit of `at`", [](LevelRow const& row) { return value_of(unit_of(row.effect)); }},
+    {"aged_days", "d", "aged", "days in an oven before the test; null for other effects than ageing",
+     [](LevelRow const& row) { return row.ageing ? value_of(row.ageing->days) : Value(); }},
+    {"aged_at_C", "C", "at", "temperature of the oven",
+     [](LevelRow const& row) { return row.ageing ? value_of(row.ageing->at_C) : Value(); }},
 };
 
 }  // namespace isolaw::study

@@ -6,6 +6,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/render/figures/conditions_figures.hpp"
 #include "isolaw/render/figures/figures_of.hpp"
 #include "isolaw/study/typical_device.hpp"
 
@@ -23,6 +24,8 @@ void for_each_lot_figure(Summary const& summary, std::function<void(MaybeFigure 
   use(published_objective_figure(summary));
   for (auto const& law : summary.laws) use(published_parameters_figure(summary, law));
   use(properties_figure(summary));
+  if (!summary.conditions) return;
+  for (auto const& figure : conditions_figures(*summary.conditions, summary.units())) use(figure);
 }
 
 std::vector<std::string> device_stems(Summary const& summary) {

@@ -43,6 +43,8 @@ struct FigureOutcome {
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
+// The same, but keeps the other figures in dir/figures, which may be those of a campaign.
+FigureOutcome add_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
 // Removes isolaw's figures from dir/figures, and no other file. It recognises them by the first line of their scripts.
 void remove_figures(std::filesystem::path const& dir);
 // The data files of the lot's figures: name relative to the report's directory, and text.

@@ -53,7 +53,9 @@ bool is_drawn(fs::path const& dir, std::string const& name) {
 
 using Use = std::function<void(Figure const&)>;
 
-FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> const& for_each) {
+enum class Others { removed, kept };  // isolaw's figures in the same folder that were not asked for
+
+FigureOutcome write_each(fs::path const& dir, Others others, std::function<void(Use const&)> const& for_each) {
   FigureOutcome outcome;
   auto const folder = dir / "figures";
   make_folder(folder);
@@ -64,8 +66,9 @@ FigureOutcome write_each(fs::path const& dir, std::function<void(Use const&)> co
     chosen.insert(figure.name);
     if (!is_drawn(folder, figure.name)) missing.push_back(figure.name);
   });
-  for (auto const& name : own_figures(folder))
-    if (!chosen.contains(name)) remove_figure(folder, name);
+  if (others == Others::removed)
+    for (auto const& name : own_figures(folder))
+      if (!chosen.contains(name)) remove_figure(folder, name);
   outcome.figures = chosen.size();
   outcome.drawn = chosen.size() - missing.size();
   draw(folder, missing, outcome);
@@ -97,11 +100,15 @@ FigureOutcome write_figures(Summary const& summary, FigureChoice choice, fs::pat
     outcome.removed = remove_outdated(summary, dir);
     return outcome;
   }
-  return write_each(dir, [&](Use const& use) { for_each_figure(summary, choice, use); });
+  return write_each(dir, Others::removed, [&](Use const& use) { for_each_figure(summary, choice, use); });
 }
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, fs::path const& dir) {
-  return write_each(dir, [&](Use const& use) { std::ranges::for_each(figures, use); });
+  return write_each(dir, Others::removed, [&](Use const& use) { std::ranges::for_each(figures, use); });
+}
+
+FigureOutcome add_figures(std::vector<Figure> const& figures, fs::path const& dir) {
+  return write_each(dir, Others::kept, [&](Use const& use) { std::ranges::for_each(figures, use); });
 }
 
 void remove_figures(fs::path const& dir) {

@@ -19,22 +19,17 @@ void write_interval(JsonWriter& out, std::string_view key, std::optional<conditi
     out.object([&] { write_members(out, "low", interval->low, "high", interval->high); });
 }
 
-// The factor, its status, and its interval for the mean, for one further device and for all installed devices.
 void write_factor(JsonWriter& out, conditions::Factor const& factor, std::optional<int> installed) {
-  bool const covered = factor.status != conditions::Status::not_covered;
+  study::ConditionFactor const of{factor, installed};
   out.object([&] {
-    write_members(out, "lambda", covered ? std::optional(factor.lambda()) : std::nullopt, "status", factor.status,
-                  "lack", factor.lack, "devices", factor.devices, "line_error", factor.line_error, "drift",
-                  factor.drift);
-    using conditions::About;
-    auto const about = [&](About what) {
-      return covered ? interval(factor, what, installed.value_or(0)) : std::nullopt;
-    };
-    write_interval(out, "mean", about(About::mean));
-    write_interval(out, "device", about(About::device));
-    bool const some = installed && factor.devices <= *installed;
-    write_interval(out, "system", some ? about(About::system) : std::nullopt);
-    write_interval(out, "prototypes", installed && !some ? about(About::prototypes) : std::nullopt);
+    for (auto const& row : study::conditions_factor_results) {
+      auto const value = row.of(of);
+      if (auto const* ends = std::get_if<study::Ends>(&value))
+        write_interval(out, row.key,
+                       ends->lower ? std::optional(conditions::Interval{*ends->lower, *ends->upper}) : std::nullopt);
+      else
+        write_value(out.key(row.key), value, shown_digits);
+    }
   });
 }
 
@@ -55,9 +50,25 @@ void write_combined(JsonWriter& out, conditions::Combined const& all) {
   });
 }
 
-}  // namespace
-
-namespace {
+// A range is an array of its two ends.
+void write_design(JsonWriter& out, campaign::StatedConditions const& stated) {
+  auto const& design = stated.design;
+  auto const range = [&](std::string_view key, std::optional<campaign::ConditionRange> const& of) {
+    write_value(out.key(key), of ? Value(study::Ends{of->low, of->high}) : Value(), shown_digits);
+  };
+  out.key("design_conditions").object([&] {
+    range("temperature_C", design.temperature_C);
+    range("frequency_Hz", design.frequency_Hz);
+    range("load_kN", design.load_kN);
+    write_members(out, "full_rest", design.full_rest, "rest_h", design.rest_h, "cycles", design.cycles);
+    out.key("aged");
+    if (design.aged)
+      out.object([&] { write_members(out, "days", design.aged->days, "at_C", design.aged->at_C); });
+    else
+      out.null();
+    write_members(out, "years", design.years, "service_temperature_C", design.service_temperature_C);
+  });
+}
 
 void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
   auto const& reference = result.stated.reference;
@@ -66,6 +77,7 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
                   reference.load_kN, "strain_percent", reference.strain_percent, "disp_mm", reference.disp_mm,
                   "first_cycle", reference.first_cycle, "last_cycle", reference.last_cycle);
   });
+  write_design(out, result.stated);
   out.key("tests").objects(result.tests, [&](study::ConditionsTest const& test) {
     write_results(out, study::conditions_test_results, test, Digits::shown);
     write_rows(out.key("cycles"), study::conditions_cycle_results, test.cycles, Digits::shown);
@@ -77,13 +89,15 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
     write_members(out, "device", test.device, "test", test.test, "reason", test.reason);
   });
   out.key("levels").objects(result.levels, [&](study::LevelRow const& row) {
-    bool const has_condition = row.effect == conditions::Effect::temperature ||
-                               row.effect == conditions::Effect::rate || row.effect == conditions::Effect::load;
-    write_members(out, "quantity", row.quantity, "effect", row.effect, "level", row.level, "at",
-                  has_condition ? std::optional(row.factor.at) : std::nullopt);
+    write_results(out, study::conditions_level_results, row, Digits::shown);
     out.key("ratios").objects(row.ratios, [&](conditions::DeviceRatio const& ratio) {
       write_members(out, "device", ratio.device, "lambda", std::exp(ratio.ln));
     });
+    write_factor(out.key("factor"), row.factor, result.installed);
+  });
+  out.key("ends").objects(result.ends, [&](study::EndRow const& row) {
+    write_members(out, "quantity", row.quantity, "effect", row.effect, "at", row.at, "unit",
+                  study::unit_of(row.effect));
     write_factor(out.key("factor"), row.factor, result.installed);
   });
   out.key("design").objects(result.design, [&](study::DesignRow const& row) {

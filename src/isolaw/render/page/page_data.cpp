@@ -18,6 +18,8 @@
 #include "isolaw/study/build_analysis.hpp"
 #include "isolaw/study/building_results.hpp"
 #include "isolaw/study/command.hpp"
+#include "isolaw/study/condition_curves.hpp"
+#include "isolaw/study/conditions_results.hpp"
 #include "isolaw/study/cycle_results.hpp"
 #include "isolaw/study/drawn_samples.hpp"
 #include "isolaw/study/findings.hpp"
@@ -320,6 +322,17 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
   write_findings(out, "converged", found.converged, wording::anywhere, unit_systems);
 }
 
+void write_condition_curves(JsonWriter& out, Summary const& summary) {
+  if (!summary.conditions) return;
+  constexpr int digits = 6;
+  out.key("condition_curves").objects(condition_curves(*summary.conditions), [&](ConditionCurve const& curve) {
+    write_members(out, "quantity", curve.quantity, "effect", curve.effect, "kind", curve.kind, "device", curve.device,
+                  "unit", unit_of(curve.effect));
+    write_values(out.key("at"), curve.at, digits);
+    write_values(out.key("lambda"), curve.lambda, digits);
+  });
+}
+
 void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("by_objective").array(by_objective(summary), [&](std::size_t law) {
     if (summary.laws[law].objective.mean) out.value(std::uint64_t{law});
@@ -380,6 +393,10 @@ void write_all_headings(JsonWriter& out) {
   write_headings(out, "test_factors", test_factor_results);
   write_headings(out, "lot_outliers", lot_outlier_results);
   write_headings(out, "factors", factor_results);
+  write_headings(out, "conditions_tests", study::conditions_test_results);
+  write_headings(out, "conditions_cycles", study::conditions_cycle_results);
+  write_headings(out, "conditions_levels", study::conditions_level_results);
+  write_headings(out, "conditions_factors", study::conditions_factor_results);
   out.end_object().key("followed").objects(followed_properties, [&](auto const& followed) {
     auto const& [name, key, property] = followed;
     out.member("name", name).member("key", key);
@@ -420,7 +437,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
       if (row.unit == study::own_unit) own.insert(row.key);
   };
   add(assessment_results), add(quantity_results), add(lot_outlier_results), add(factor_results);
-  add(doubt_results), add(outlier_results), add(study::distribution_results), add(study::judged_results);
+  add(conditions_level_results), add(doubt_results), add(outlier_results), add(study::distribution_results),
+      add(study::judged_results);
   out.key("own").array(own, [&](auto key) { out.value(key); });
   out.end_object();
 }
@@ -468,6 +486,7 @@ std::string page_data_json(Summary const& summary) {
   write_shown(out, summary);
   write_rows(out.key("outliers"), outlier_results, summary.outliers, Digits::shown);
   write_conditions(out, summary);
+  write_condition_curves(out, summary);
   write_published(out, summary, Digits::shown);
   write_thresholds(out);
   write_all_headings(out);

@@ -6,6 +6,7 @@ import { objectiveRelativeFigure, objectiveSpreadFigure } from './accuracy/sprea
 import { afterPrintingCertificate, certificateSection } from './certificate/section.js';
 import { chosen, onChoice } from './choice.js';
 import { lawChooser, readAddress, writeAddress } from './choosers.js';
+import { conditionsSection } from './conditions/section.js';
 import { answerFigure } from './decision/answer.js';
 import { deviceLoopsFigure, devicePointsFigure } from './decision/devices.js';
 import { lawsFigure } from './decision/laws.js';
@@ -71,6 +72,7 @@ const SECTIONS = [
   },
   predictionSection,
   { id: 'published', title: 'The published study', short: 'Published', laws: true, figures: [publishedVerdictFigure, statementsFigure, publishedLawsFigure] },
+  conditionsSection,
   propertiesSection,
   {
     id: 'devices', title: 'Lot and devices',

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "isolaw/base/words.hpp"
+#include "isolaw/render/figures/conditions_figures.hpp"
+#include "isolaw/render/figures/figure_script.hpp"
+#include "isolaw/render/figures/gnuplot.hpp"
+#include "isolaw/study/condition_curves.hpp"
+#include "isolaw/study/conditions_results.hpp"
+
+namespace isolaw::render {
+namespace {
+
+using conditions::Effect;
+
+constexpr std::array shown_effects{Effect::temperature, Effect::rate, Effect::load, Effect::ageing};
+constexpr std::array<std::pair<rules::Quantity, std::string_view>, 2> shown_quantities{
+    {{rules::Quantity::K_eff, "{/:Italic K}_{eff} factor"}, {rules::Quantity::damping, "Damping factor"}}};
+
+// What a panel draws of an effect on a property.
+struct ConditionPanel {
+  Effect effect;
+  double factor = 1.0;  // from the stored unit of the condition to the shown one
+  std::string label;
+  std::vector<LevelRow const*> levels = {};
+  std::vector<EndRow const*> ends = {};
+  std::vector<ConditionCurve const*> curves = {};
+  std::optional<double> reference = {};
+  std::optional<campaign::ConditionRange> design = {};
+
+  // Ageing has no order, so its levels have the places 1, 2 and so on. The reference has the place 0.
+  double place(std::size_t level) const {
+    return effect == Effect::ageing ? static_cast<double>(level + 1) : factor * levels[level]->factor.at;
+  }
+};
+
+ConditionPanel condition_panel(ConditionsResult const& result, std::vector<ConditionCurve> const& curves,
+                               rules::Quantity quantity, Effect effect, UnitSystem const& units) {
+  auto const& from = result.stated.reference;
+  auto const& design = result.stated.design;
+  auto const shown = shown_unit(unit_of(effect), units);
+  ConditionPanel panel{.effect = effect, .factor = shown.factor, .label = {}};
+  auto const is_here = [&](auto const& row) { return row.quantity == quantity && row.effect == effect; };
+  for (auto const& level : result.levels)
+    if (is_here(level) && level.factor.status != conditions::Status::not_covered) panel.levels.push_back(&level);
+  for (auto const& end : result.ends)
+    if (is_here(end)) panel.ends.push_back(&end);
+  for (auto const& curve : curves)
+    if (is_here(curve)) panel.curves.push_back(&curve);
+  if (effect == Effect::temperature) {
+    panel.label = "Temperature (°C)", panel.reference = from.temperature_C, panel.design = design.temperature_C;
+  } else if (effect == Effect::rate) {
+    panel.label = "Frequency (Hz)", panel.reference = from.frequency_Hz, panel.design = design.frequency_Hz;
+  } else if (effect == Effect::load) {
+    panel.label = "Vertical load (" + shown.unit + ")", panel.reference = from.load_kN, panel.design = design.load_kN;
+  } else {
+    panel.reference = 0.0;
+  }
+  return panel;
+}
+
+Range range_of_factors(std::vector<ConditionPanel> const& panels) {
+  Range range;
+  range.add(1.0);
+  for (auto const& panel : panels) {
+    for (auto const* level : panel.levels) {
+      range.add(level->factor.lambda());
+      for (auto const& ratio : level->ratios) range.add(std::exp(ratio.ln));
+      for (auto const about : {conditions::About::mean, conditions::About::device})
+        if (auto const found = interval(level->factor, about)) range.add(found->low), range.add(found->high);
+    }
+    for (auto const* curve : panel.curves)
+      for (double const lambda : curve->lambda) range.add(lambda);
+  }
+  return range;
+}
+
+// Writes the blocks of a panel and returns the commands that plot them. `block` is the index of the next block.
+std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& panel, std::string const& file,
+                                     std::size_t& block) {
+  std::vector<std::string> plots;
+  auto const add = [&](std::string const& how) {
+    table.end_block();
+    plots.push_back(fmt::format("'{}' index {} {}", file, block++, how));
+  };
+  MaybeNumber const none;
+  auto const lines = [&](CurveKind kind, std::string const& how) {
+    bool any = false;
+    auto const point = [&](double at, double lambda) {
+      if (!any) table.comment(fmt::format("{}, {}: condition factor", name(panel.effect), name(kind)));
+      table.row(at, lambda);
+      any = true;
+    };
+    for (auto const* curve : panel.curves) {
+      if (curve->kind != kind) continue;
+      for (std::size_t i = 0; i < curve->at.size(); ++i) point(panel.factor * curve->at[i], curve->lambda[i]);
+      table.row(none, none);
+    }
+    if (panel.effect == Effect::ageing)
+      for (std::size_t i = 0; i < panel.levels.size(); ++i) {
+        auto const line = [&](double lambda) {
+          point(0.0, 1.0);
+          point(panel.place(i), lambda);
+          table.row(none, none);
+        };
+        if (kind == CurveKind::mean) line(panel.levels[i]->factor.lambda());
+        if (kind == CurveKind::device)
+          for (auto const& ratio : panel.levels[i]->ratios) line(std::exp(ratio.ln));
+      }
+    if (any) add(how);
+  };
+  lines(CurveKind::device, fmt::format("with lines ls {} dt 1 lw 0.6", grey));
+  lines(CurveKind::mean, fmt::format("with lines ls {}", blue));
+  lines(CurveKind::extrapolated, fmt::format("with lines ls {} dt 3", blue));
+  table.comment(
+      fmt::format("{}, levels: condition factor mean_low mean_high device_low device_high", name(panel.effect)));
+  for (std::size_t i = 0; i < panel.levels.size(); ++i) {
+    auto const& factor = panel.levels[i]->factor;
+    auto const mean = interval(factor, conditions::About::mean), device = interval(factor, conditions::About::device);
+    auto const low = [](auto const& of) { return of ? MaybeNumber(of->low) : std::nullopt; };
+    auto const high = [](auto const& of) { return of ? MaybeNumber(of->high) : std::nullopt; };
+    table.row(panel.place(i), factor.lambda(), low(mean), high(mean), low(device), high(device));
+  }
+  table.end_block();
+  auto const at = fmt::format("'{}' index {} using ", file, block++);
+  plots.push_back(at + fmt::format("1:2:5:6 with yerrorbars ls {} ps 0 lw 0.6", blue));
+  plots.push_back(at + fmt::format("1:2:3:4 with yerrorbars ls {} ps 0 lw 2", blue));
+  plots.push_back(at + fmt::format("1:2 with points ls {} pt 7", blue));
+  return plots;
+}
+
+void set_condition_axis(Script& script, ConditionPanel const& panel) {
+  Range range;
+  range.add(panel.reference ? std::optional(panel.factor * *panel.reference) : std::nullopt);
+  for (std::size_t i = 0; i < panel.levels.size(); ++i) range.add(panel.place(i));
+  for (auto const* end : panel.ends) range.add(panel.factor * end->at);
+  script.line("unset logscale x; set xtics norotate nomirror autofreq; unset object 1; unset label 1");
+  if (panel.effect == Effect::ageing) {
+    std::vector<std::string> tics{"'not aged' 0"};
+    for (std::size_t i = 0; i < panel.levels.size(); ++i)
+      tics.push_back(fmt::format("\"{:g} days\\n{:g} °C\" {}", panel.levels[i]->ageing->days,
+                                 panel.levels[i]->ageing->at_C, number(panel.place(i))));
+    script.line("set xrange [-0.5:{}]; set xtics ({}); set xlabel ''",
+                number(panel.place(panel.levels.size() - 1) + 0.5), joined(tics));
+  } else {
+    auto const padded = panel.effect == Effect::rate ? range.padded_log(0.06) : range.padded(0.06);
+    if (panel.effect == Effect::rate) script.line("set logscale x; set xtics (0.01,0.02,0.05,0.1,0.2,0.5,1,2,5,10,20)");
+    if (panel.effect != Effect::rate)
+      script.line("set xtics autofreq {}", number(nice_step(padded.high - padded.low, 4)));
+    script.line("set xrange [{}:{}]; set xlabel {} offset 0,raise", number(padded.low), number(padded.high),
+                gnuplot_label(panel.label));
+  }
+  if (panel.design)
+    script.line(
+        "set object 1 rectangle from first {},graph 0 to first {},graph 1 behind fillcolor rgb '#e3f0ea' fillstyle solid noborder",
+        number(panel.factor * panel.design->low), number(panel.factor * panel.design->high));
+  if (panel.reference)
+    script.line("set label 1 '' at first {},first 1 front point ls {} pt 6 ps 0.7",
+                number(panel.factor * *panel.reference), black);
+}
+
+}  // namespace
+
+MaybeFigure conditions_figure(ConditionsResult const& result, UnitSystem const& units) {
+  auto const curves = condition_curves(result);
+  std::vector<Effect> effects;
+  for (auto const effect : shown_effects)
+    if (std::ranges::any_of(result.levels, [&](LevelRow const& row) { return row.effect == effect; }))
+      effects.push_back(effect);
+  if (effects.empty()) return std::nullopt;
+  std::string const name = "conditions";
+  std::string const about = "factors on effective stiffness and damping over the conditions of the tests";
+  Grid const grid{.columns = static_cast<int>(effects.size()),
+                  .rows = static_cast<int>(shown_quantities.size()),
+                  .width_mm = effects.size() > 1 ? double_column_mm : single_column_mm,
+                  .panel_height_mm = 36.0,
+                  .margins = {.left = 11.0, .right = 2.5, .bottom = 10.0, .top = 3.0}};
+  DataTable table;
+  table.comment(about);
+  Script script(name, about, grid.width_mm, grid.height_mm());
+  script.line("set multiplot");
+  std::size_t place = 0, block = 0;
+  for (auto const& [quantity, label] : shown_quantities) {
+    std::vector<ConditionPanel> panels;
+    for (auto const effect : effects) panels.push_back(condition_panel(result, curves, quantity, effect, units));
+    auto const range = range_of_factors(panels);
+    for (auto const& panel : panels) {
+      script.place(grid, place++);
+      if (panel.levels.empty()) continue;
+      table.comment(fmt::format("{} over {}", rules::name(quantity), rules::name(panel.effect)));
+      auto plots = write_panel(table, panel, name + ".dat", block);
+      set_log_axis(script, range);
+      set_condition_axis(script, panel);
+      script.line("set ylabel '{}' offset inward,0", label);
+      plots.insert(plots.begin(), fmt::format("1 with lines ls {} dt 1 lw 0.5", grey));
+      script.line("plot {}", joined(plots));
+    }
+  }
+  script.line("unset multiplot");
+  return Figure{name, table.take(), script.take()};
+}
+
+std::vector<Figure> conditions_figures(ConditionsResult const& result, UnitSystem const& units) {
+  std::vector<Figure> figures;
+  for (auto figure : {conditions_figure(result, units), factors_figure(result)})
+    if (figure) figures.push_back(std::move(*figure));
+  return figures;
+}
+
+}  // namespace isolaw::render

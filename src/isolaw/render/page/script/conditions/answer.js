@@ -1,0 +1,100 @@
+import { element, shortList } from '../dom.js';
+import { tableOf } from '../tables.js';
+import { DASH, THIN, count, enumerate, isNumber, shareText, significant, trimmed } from '../text.js';
+import { KN, MM } from '../units.js';
+import { agedText, conditions, cyclesText, factorText, intervalText, restText, statusWord, toneOf } from './data.js';
+
+export const answerFigure = { id: 'conditions-answer', title: '', build: answer };
+
+const SIDES = [['max', 'Upper'], ['min', 'Lower']];
+const WORST_FIRST = ['poor', 'care', 'accent', 'good'];
+
+function answer() {
+  const { bounds, refused, tests, reference, design_conditions: design } = conditions;
+  const [first] = bounds;
+  const tones = bounds.slice(0, 2).flatMap((bound) => SIDES.map(([side]) => toneOf(bound[side].status)));
+  const tone = WORST_FIRST.find((one) => tones.includes(one)) ?? 'muted';
+  const unused = tests.filter(({ role }) => role !== 'reference' && role !== 'effect');
+  const line = (term, text) => (text ? element('p', {}, element('b', {}, term), ' ' + text) : null);
+  const effects = (key) => enumerate([...new Set(bounds.flatMap((bound) => SIDES.flatMap(([side]) => bound[side][key] ?? [])))], 9);
+  const listed = (title, items) =>
+    items.length === 0 ? null : element('div', { class: 'remarks' }, element('b', {}, title), ...shortList(items, 3, 2));
+  const life = conditions.ageing_stands_for_years;
+  return element(
+    'div',
+    {},
+    element(
+      'div',
+      { class: 'band ' + (tone === 'accent' ? 'good' : tone) },
+      element('p', { class: 'headline' }, first ? headline(first) : 'No design conditions are stated, so there are no bounds.'),
+      first ? boundsTable(bounds) : null,
+      line('NOT COVERED:', effects('not_covered')),
+      line('ASSUMED:', effects('assumed')),
+    ),
+    element(
+      'div',
+      { class: 'remarks' },
+      line('Reference', withCycle(conditionsText(reference), cyclesText(reference))),
+      line('Design', designText(design)),
+      line('Stated, not measured', 'temperature, ageing, rest.'),
+      line('No interval', missing(effects('without_interval'), 'one device, or tests that do not differ.')),
+      line('Drift not checked', missing(conditions.drift_not_checked.join(', '), 'no second reference test.')),
+      line('Straightness not checked', missing(conditions.straightness_not_checked.join(', '), 'too few levels.')),
+      line('The ageing test stands for', isNumber(life) && significant(life, 3) + ' years.'),
+    ),
+    listed(count(refused.length, 'test') + ' refused', refused.map(({ device, test, reason }) => element('li', {}, device + ', ' + test + ': ' + reason))),
+    listed(
+      count(unused.length, 'test') + (unused.length === 1 ? ' shows' : ' show') + ' no effect',
+      unused.map(({ device, test, role }) => element('li', {}, device + ', ' + test + ': ' + role)),
+    ),
+  );
+}
+
+const missing = (effects, why) => (effects ? effects + ': ' + why : '');
+const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
+
+// A bound of which an effect is missing can only be farther from 1.
+const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
+
+function headline({ quantity, max, min }) {
+  return quantity + ' goes from ' + boundText('min', min) + ' to ' + boundText('max', max) + ' times its value at reference.';
+}
+
+function boundsTable(bounds) {
+  const cell = (side) => (bound) => {
+    const { interval, status, share_shown: share } = bound[side];
+    return element(
+      'td',
+      {},
+      element('b', {}, boundText(side, bound[side])),
+      ' ',
+      element('span', { class: 'sure ' + toneOf(status) }, statusWord(status)),
+      interval ? element('small', {}, intervalText(interval) + ' (95\u202f%)') : null,
+      share < 1 ? element('small', {}, shareText(share, 0) + ' from tests') : null,
+    );
+  };
+  const columns = [
+    { title: 'Property', cell: ({ quantity }) => quantity }, ...[...SIDES].reverse().map(([side, title]) => ({ title, cell: cell(side) })),
+  ];
+  return tableOf(columns, bounds.slice(0, 2), 'Bounds over the design conditions', { sorts: false });
+}
+
+const span = ([low, high], unit) => (low === high ? trimmed(low) : trimmed(low) + ' to ' + trimmed(high)) + THIN + unit;
+const alone = (value) => (Array.isArray(value) ? value : [value, value]);
+
+// `of` holds numbers or ranges, some of which may be null.
+function conditionsText(of) {
+  const units = [['temperature_C', '\u00b0C'], ['frequency_Hz', 'Hz'], ['load_kN', KN], ['strain_percent', '% strain'], ['disp_mm', MM]];
+  return units.filter(([key]) => isNumber(of[key]) || Array.isArray(of[key])).map(([key, unit]) => span(alone(of[key]), unit)).join(', ');
+}
+
+function designText({ full_rest: full, rest_h: rest, cycles, aged, years, ...of }) {
+  const parts = [
+    conditionsText(of),
+    full ? 'full rest' : isNumber(rest) && 'rest of ' + restText(rest),
+    isNumber(cycles) && count(cycles, 'cycle'),
+    aged && 'aged ' + agedText(aged),
+    isNumber(years) && trimmed(years) + ' years at ' + trimmed(of.service_temperature_C) + THIN + '\u00b0C',
+  ];
+  return parts.filter(Boolean).join(', ') || DASH;
+}

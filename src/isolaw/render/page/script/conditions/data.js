@@ -1,0 +1,78 @@
+// The results of `isolaw conditions` as the page shows them: how temperature, frequency, load, ageing and history change
+// the properties of devices.
+
+import { chosen } from '../choice.js';
+import { report } from '../report.js';
+import { DASH, THIN, count, fixed, isNumber, trimmed } from '../text.js';
+import { KN } from '../units.js';
+
+export const conditions = report.conditions ?? null;
+
+// The conditions that are a number.
+const CONDITIONS = {
+  temperature: { key: 'temperature_C', title: 'temperature', unit: '\u00b0C' },
+  rate: { key: 'frequency_Hz', title: 'frequency', unit: 'Hz', log: true },
+  load: { key: 'load_kN', title: 'vertical load', unit: KN },
+};
+export const conditionOf = (effect) => CONDITIONS[effect] ?? null;
+
+// The keys of a property in the objects of tests and of cycles.
+export const KEYS = { K_eff: 'K_eff_kN_per_mm', damping: 'damping_percent', energy: 'energy_kN_mm', Q_d: 'Q_d_kN', K_d: 'K_d_kN_per_mm' };
+
+// How sure a factor is. The first words are the strongest.
+const STATUSES = {
+  shown: 'good', interpolated: 'accent', extrapolated: 'care', unpaired: 'care', scaled: 'care', assumed: 'poor', 'not covered': 'poor',
+};
+export const toneOf = (status) => STATUSES[status];
+export const statusesAmong = (among) => Object.keys(STATUSES).filter((status) => among.includes(status));
+const IN_CAPITALS = ['assumed', 'not covered'];
+export const statusWord = (status) => (IN_CAPITALS.includes(status) ? status.toUpperCase() : status);
+export const factorText = (value) => fixed(value, 3);
+export const intervalText = (interval) => factorText(interval.low) + ' to ' + factorText(interval.high);
+// A factor without devices is 1, that of the reference itself.
+export const statusText = ({ status, devices, lambda }) =>
+  lambda === 1 && devices === 0 ? 'reference' : statusWord(status) + (devices > 0 ? ' on ' + count(devices, 'device') : '');
+
+export const allLevels = conditions?.levels ?? [];
+const among = (all) => (effect, quantity) => all.filter((one) => one.effect === effect && one.quantity === quantity);
+export const levelsOf = among(allLevels);
+export const endsOf = among(conditions?.ends ?? []);
+export const curvesOf = among(report.condition_curves ?? []);
+export const referenceAt = (effect) => conditions.reference[conditionOf(effect)?.key] ?? null;
+export const rangeOf = (effect) => conditions.design_conditions[conditionOf(effect)?.key] ?? null;
+export const atText = (effect, at) => trimmed(at, 3) + THIN + conditionOf(effect).unit;
+export const agedText = ({ days, at_C: at }) => trimmed(days) + ' days at ' + trimmed(at) + THIN + '\u00b0C';
+export const levelText = ({ effect, at, level, aged_days: days, aged_at_C: atC }) =>
+  conditionOf(effect) ? atText(effect, at) : isNumber(days) ? agedText({ days, at_C: atC }) : level;
+
+export const EFFECTS = [...new Set([...allLevels, ...(conditions?.design ?? [])].map(({ effect }) => effect))];
+const has = (quantity) => allLevels.some((level) => level.quantity === quantity);
+// The reader chooses which properties the figures show.
+export const PROPERTIES = [['K_eff', 'damping'], ['energy'], ['Q_d', 'K_d']].map((group) => group.filter(has)).filter((group) => group.length > 0);
+export const chosenProperties = () => PROPERTIES[Number(chosen.conditionsOf)] ?? [];
+
+// A device was tested under several conditions, and its loops can be drawn over each other.
+const looped = (conditions?.tests ?? []).filter((test) => test.loop_mm.length > 0);
+export const testsOf = (device) => looped.filter((test) => test.device === device);
+export const loopDevices = [...new Set(looped.map(({ device }) => device))].filter((device) => testsOf(device).length > 1);
+const reach = (device) => {
+  const values = testsOf(device).map((test) => test.K_eff_kN_per_mm).filter(isNumber);
+  return Math.max(...values) / Math.min(...values);
+};
+// At first the page shows the device whose loops differ most.
+Object.assign(chosen, {
+  conditionsOf: '0', // place in PROPERTIES
+  conditionsDevice: [...loopDevices].sort((a, b) => reach(b) - reach(a))[0] ?? null,
+});
+
+export const cyclesText = ({ first_cycle: first, last_cycle: last }) =>
+  first === last ? 'cycle ' + first : 'mean of cycles ' + first + ' to ' + last;
+export const restText = (hours) => (isNumber(hours) ? trimmed(hours) + THIN + 'h' : DASH);
+
+// Round factors for an axis of logarithms.
+export function factorTicks(low, high) {
+  const all = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.5, 1.75, 2, 2.5, 3, 4, 5].filter((value) => value >= low && value <= high);
+  const every = Math.ceil(all.length / 7);
+  const one = all.indexOf(1);
+  return all.filter((_, i) => (i - one) % every === 0);
+}

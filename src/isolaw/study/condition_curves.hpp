@@ -1,0 +1,30 @@
+// The lines of the figures of `isolaw conditions`: the factor over temperature, frequency or load, for every device and
+// for their mean.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolaw/study/conditions.hpp"
+
+namespace isolaw::study {
+
+enum class CurveKind {
+  device,        // one device, through the levels at which it was tested
+  mean,          // the devices tested at both of two neighbouring levels
+  extrapolated,  // from the outermost level to an end of the design range
+};
+std::string_view name(CurveKind kind);
+
+struct ConditionCurve {
+  rules::Quantity quantity;
+  conditions::Effect effect;
+  CurveKind kind;
+  std::string device;              // of CurveKind::device
+  std::vector<double> at, lambda;  // the condition in C, Hz or kN, and the factor
+};
+
+std::vector<ConditionCurve> condition_curves(ConditionsResult const& result);
+
+}  // namespace isolaw::study
