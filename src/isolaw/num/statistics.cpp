@@ -9,7 +9,7 @@ namespace isolaw::num {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double mad_to_std = 1.4826;  // standard deviation / MAD of a normal distribution
+constexpr double mad_to_std = 1.4826;  // standard deviation / median absolute deviation of a normal distribution
 
 struct Deviations {
   double mean = nan;
