@@ -45,7 +45,7 @@ struct ParameterDetermination {
 // Parameters that can change together without a visible change of the loop, or a single parameter without effect.
 struct TradeOff {
   std::vector<std::size_t> parameters;  // indices among the law's parameters
-  std::vector<double> change;           // relative change of each parameter; the largest is 1
+  std::vector<double> change;           // how much each changes, relative to its value; scaled so that the largest is 1
   // The rms change of the force that the changes of the parameters cause / standard deviation of the force.
   double force_change = 0.0;
   std::string sentence;

@@ -33,7 +33,7 @@ struct LawAnswer {
   double worst_balance = 0.0;        // largest error of the energy balance of a run / its input or dissipated energy
   std::vector<Distribution> distributions;  // one for each quantity, in the order of quantities()
   std::vector<Coverage> coverage;  // one for each quantity that bound analyses can cover (Quantity); none without draws
-  Judged reach = {};  // the largest displacement of a bearing as codes use it for design, judged against no limit
+  Judged reach = {};  // the largest displacement of a bearing, as a code takes it for design; it is judged by no limit
   std::vector<Judged> judged;   // one for each limit of the building file, and one for the tested displacement
   std::vector<Finding> doubts;  // about the law's calibration
   // How many of this law's draws the bound analyses of another law would cover: the share of the draws whose bearing

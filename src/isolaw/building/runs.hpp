@@ -29,7 +29,7 @@ struct Study {
 
 // One of the inputs on which the runs in a store depend.
 struct StudyProperty {
-  std::string kind, name, value;  // kind: setting, building, motion or law
+  std::string kind, name, value;  // `kind` is "setting", "building", "motion" or "law"
   bool operator==(StudyProperty const&) const = default;
 };
 // Everything on which the runs' numbers depend besides the program and its instruction set: settings by value, inputs

@@ -39,9 +39,9 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
 // Which bearings an analysis has. In all kinds, a bearing that is not a draw has the same parameters, except that
 // `lower`, `upper` and `factor` multiply its forces too.
 enum class CaseKind {
-  nominal,  // bearings that are draws have the population's median parameters
-  lower,    // as nominal, with all forces times Settings::lower (or upper)
-  upper,
+  nominal,   // bearings that are draws have the population's median parameters
+  lower,     // as nominal, with all forces times Settings::lower
+  upper,     // as nominal, with all forces times Settings::upper
   factor,    // as nominal, with all forces times grid_factor(draw)
   draw,      // each bearing that is a draw has parameters of its own, drawn from the population
   uncertain  // as draw, but from a population estimated again (population_again)
@@ -51,6 +51,7 @@ struct Case {
   std::uint32_t population = 0, draw = 0;
   bool operator==(Case const&) const = default;
 };
+// The factors of CaseKind::factor: from 0.60 to 1.40 in steps of 0.02, grid_half on each side of 1.
 inline constexpr std::uint32_t grid_steps_to_1 = 50, grid_half = 20;
 inline constexpr double grid_step = 1.0 / grid_steps_to_1;
 inline double grid_factor(std::uint32_t i) {

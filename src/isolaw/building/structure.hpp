@@ -25,7 +25,7 @@ namespace isolaw::building {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-inline constexpr double Mg_in_mass = 1e-3;  // 1 Mg in kN s2/mm
+inline constexpr double Mg_in_mass = 1e-3;  // a mass of 1 Mg in the unit of mass of this module, kN s2/mm
 
 struct Point {
   double x_mm = 0.0, y_mm = 0.0;

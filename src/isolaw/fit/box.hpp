@@ -13,8 +13,8 @@
 namespace isolaw::fit {
 
 enum class BoxKind {
-  published,  // Table 4 of Cucuzza et al. 2025, always linear; two bounds that it lacks are ours
-  scaled,     // "auto" in the user interface: computed from the sizes in the record
+  published,  // the intervals of Table 4 of Cucuzza et al. 2025 on linear scales; two bounds that it lacks are ours
+  scaled,     // "auto" for users: intervals computed from the record's largest displacement, force, stiffness, ...
 };
 
 // The option --set law.parameter=value|lower:upper|free|other parameter.
@@ -26,7 +26,7 @@ struct Override {
   std::optional<laws::Interval> interval;
   std::string tied_to = {};  // name of the parameter whose value this parameter takes; empty if not tied
 
-  std::string text() const;  // as the user would type it
+  std::string text() const;  // the text of the option --set, as the user would type it
 };
 
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,

@@ -82,7 +82,7 @@ struct HwangWu {
   // multiply the last two.
   template <class N>
   struct Coefficients {
-    N elastic = N(0.0);    // (a1 + a2 x^2 + a3 x^4) x
+    N elastic = N(0.0);    // spring without work: (a1 + a2 x^2 + a3 x^4) x [N]
     N softening = N(0.0);  // a4 x / cosh^2(a5 v)
     N damping = N(0.0);    // (a6 + a7 x^2) v / sqrt(a8^2 + v^2)
     template <class Each>

@@ -160,7 +160,7 @@ struct LawInfo {
   std::string_view name;   // the name in sentences and figures
   std::string_view title;  // one line about the law for the catalogue
   std::string_view source;
-  Unit force, length;  // time is always in seconds
+  Unit force, length;  // the law's units; its unit of time is always the second
   Traits traits;
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
@@ -183,9 +183,9 @@ template <>
 struct StepOf<double> {
   double x0, x1;                    // displacement before and after the step
   double v0, v1;                    // velocity before and after the step; 0 for a record without time
-  double dx;                        // x1 - x0
-  double length;                    // |dx|
-  double direction;                 // +1 or -1; if dx = 0, that of the step before; 0 before the first motion
+  double dx;                        // change of displacement, x1 - x0
+  double length;                    // travel, |dx|
+  double direction;                 // the sign of dx; if dx = 0, that of the step before; 0 before the first motion
   bool reversal;                    // whether the direction is opposite to that of the step before
   bool sample;                      // whether the step ends at a sample of the record, whose force is reported
   double peak0, peak1;              // largest |x| up to the start and up to the end of the step

@@ -96,7 +96,7 @@ struct Vaiana {
   // [export struct Vaiana]
   template <class N>
   struct State {
-    N f = N(0.0);      // the force [N] after the last step
+    N f = N(0.0);      // the force [N] at the end of the last step
     N limit = N(0.0);  // the force [N] of the limit curve for the present direction, at the end of the last step
     template <class Each>
     void members(Each& each) {

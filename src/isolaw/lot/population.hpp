@@ -67,9 +67,9 @@ struct Population {
   std::size_t directions = 0;           // rank of Sigma: number of directions with variance; at most devices - 1
   std::vector<Direction> undetermined;  // directions without variance, smallest ratio first
   std::vector<double> std;              // standard deviation of each parameter between devices, from Sigma
-  std::vector<double> relative_std;     // std if logarithmic, std / |mean| if not; NaN if mean is 0
-  SquareMatrix correlation;             // between parameters, from Sigma; NaN if one of the two has no variance
-  std::string note;                     // why covariance is missing or of low rank; empty otherwise
+  std::vector<double> relative_std;  // std of a logarithm is relative already; otherwise std / |mean|, NaN for mean 0
+  SquareMatrix correlation;          // between parameters, from Sigma; NaN if one of the two has no variance
+  std::string note;                  // why covariance is missing or of low rank; empty otherwise
 
   bool has_covariance() const { return !covariance.empty(); }
 };

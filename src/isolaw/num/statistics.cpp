@@ -13,7 +13,7 @@ constexpr double mad_to_std = 1.4826;  // standard deviation / median absolute d
 
 struct Deviations {
   double mean = nan;
-  double sum_of_squares = nan;  // sum of (value - mean)^2
+  double sum_of_squares = nan;  // sum of (value - mean)^2 over all values
 };
 
 // Two-pass algorithm (Chan, Golub and LeVeque 1983). Without rounding errors the deviations from the mean would have

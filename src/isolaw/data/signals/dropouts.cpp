@@ -22,7 +22,7 @@ constexpr double other_goes_on = 0.002;
 // The other channel does not jump too: its largest jump, divided by its half range, is at most this fraction of the
 // jump of the first channel, divided by that channel's half range. If both channels jump, the device itself has moved.
 constexpr double other_jumps = 0.3;
-// If more than this fraction of all samples lies in dropouts, none is reported: the channel is then taken to be so.
+// If more than this fraction of all samples lies in dropouts, none is reported: they then seem to belong to the signal.
 constexpr double most_gone = 0.15;
 
 struct Size {

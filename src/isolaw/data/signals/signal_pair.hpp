@@ -29,7 +29,7 @@ struct Signal {
 };
 
 struct SignalPair {
-  Signal disp, force;
+  Signal disp, force;              // displacement in mm, force in kN
   std::span<double const> time;    // in s, as recorded; may be empty
   std::vector<std::size_t> turns;  // samples at which displacement turns
   std::size_t half_cycle = 0;      // median number of samples from one turn to the next

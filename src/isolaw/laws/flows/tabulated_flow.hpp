@@ -169,7 +169,7 @@ template <class T, Reach reach>
 auto TabulatedFlow<T, reach>::motion_at(std::size_t i, T const& n, T const& kappa) -> Motion {
   auto const& nodes = Layout::nodes();
   T const one(1.0), power_n = exp2(n * T(nodes.log2_abs_u[i]));
-  T const per_u = n * power_n * T(nodes.inverse_abs_u[i]);  // d(|u|^n) / d|u|
+  T const per_u = n * power_n * T(nodes.inverse_abs_u[i]);  // derivative of |u|^n by |u|
   if (i < Layout::negative) {
     T const rate = one + kappa * power_n;
     return {rate, -kappa * per_u * rate};
