@@ -66,7 +66,8 @@ class Examination {
     return result_;
   }
 
-  Determination nothing_determined() {  // the law has no finite force at the optimum
+  // The result if the law has no finite force at the optimum: every free parameter is open over its whole interval.
+  Determination nothing_determined() {
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
                                     .verdict = Verdict::undetermined,
@@ -189,9 +190,11 @@ class Examination {
   }
 
   struct Side {
-    std::vector<std::pair<double, double>> points;  // coordinate and objective at each point, from the optimum outwards
-    double end = 0.0;   // coordinate where the objective has risen by rise_, or the edge of the box
-    bool open = false;  // the objective does not rise by rise_ inside the box
+    // For each point of the profile, from the optimum outwards: the parameter's coordinate in the unit box, and the
+    // objective there.
+    std::vector<std::pair<double, double>> points;
+    double end = 0.0;   // coordinate where the objective is rise_ above its least value, or else the edge of the box
+    bool open = false;  // true if the objective does not rise by rise_ before the edge of the box
   };
   // The profile of a parameter below and above the optimum. If it meets an objective lower than the optimum's, it stops
   // there and keeps the point in `lower_at` and the objective in `lower`.
@@ -333,7 +336,9 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  Matrix weighted_;  // Jacobian by coordinates of the unit box, each row multiplied by the root of its weight
+  // The derivatives of each sample's residual (row) by the free parameters' coordinates in the unit box (columns),
+  // times the square root of the sample's weight.
+  Matrix weighted_;
   Determination result_;
 };
 

@@ -27,7 +27,8 @@ inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
 // to the value. If the box spans zero, the divisor is at least a hundredth of the box's width.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
-struct Profile {  // for rising values of the parameter, the least objective if it is held at `value`
+// For rising values of one parameter: the least objective that a fit of all others reaches if it is held at `value`.
+struct Profile {
   std::vector<double> value;
   std::vector<double> objective;
 };
@@ -35,16 +36,18 @@ struct Profile {  // for rising values of the parameter, the least objective if 
 struct ParameterDetermination {
   std::size_t parameter = 0;  // index among the law's parameters
   Verdict verdict = Verdict::determined;
-  double lower = 0.0, upper = 0.0;              // the open range (see the top of this file), in the law's units
-  bool open_below = false, open_above = false;  // the range ends at the edge of the box, not at a visible rise
+  double lower = 0.0, upper = 0.0;  // the open range (see the top of this file), in the law's units
+  // True if the range ends there because the search box ends, and not because the objective has risen visibly.
+  bool open_below = false, open_above = false;
   Profile profile;
 };
 
 // Parameters that can change together without a visible change of the loop, or a single parameter without effect.
 struct TradeOff {
   std::vector<std::size_t> parameters;  // indices among the law's parameters
-  std::vector<double> change;           // relative change of each parameter; the largest is 1
-  double force_change = 0.0;            // root mean square change of the force / standard deviation of the force
+  std::vector<double> change;           // how much each changes, relative to its value; scaled so that the largest is 1
+  // The rms change of the force that the changes of the parameters cause / standard deviation of the force.
+  double force_change = 0.0;
   std::string sentence;
 };
 
@@ -52,7 +55,7 @@ struct Determination {
   // Values of all parameters. They differ from the given optimum if a profile found a lower objective.
   std::vector<double> optimum;
   double objective = 0.0;
-  double rise = 0.0;  // rise of the objective at the ends of the open ranges
+  double rise = 0.0;  // by how much the objective at the ends of the open ranges exceeds its least value
   // Singular values, falling, of the force's derivatives with respect to relative changes of the parameters. Parameters
   // at a bound or without effect are left out.
   std::vector<double> singular_values;

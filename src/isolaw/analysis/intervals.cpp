@@ -71,8 +71,8 @@ Matrix curvature(Sensitivity const& response) {
 
 // The degrees of freedom that remain after a fit of p parameters, if neighbouring residuals are correlated.
 struct Freedom {
-  double share = 1.0;    // 1 - p / n, where n is the number of independent samples that the record is worth
-  double degrees = 0.0;  // n - p
+  double share = 1.0;    // 1 - p / n; n is the number of independent samples that tell as much as the whole record
+  double degrees = 0.0;  // n - p, the degrees of freedom of Student's t distribution
 };
 // The residuals of the fit are less correlated than the errors, about by the factor `share`. The number of independent
 // samples that the residuals seem to be worth, `seeming`, is therefore n / share, and n is the larger root of
@@ -183,7 +183,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  auto inner = box;  // the box with every parameter that is at a bound fixed there
+  auto inner = box;  // the search box, but with each parameter that is at a bound of it fixed at that bound
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;
@@ -201,12 +201,12 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   std::vector<std::vector<double>> refits(n);
   double const tail = 0.5 * (1.0 - options.level);
   double const normal_reach = std::numbers::sqrt2 * boost::math::erf_inv(options.level);
-  double reach = normal_reach;  // half the length of a linear interval, divided by the standard deviation
-  double widening = 1.0;        // factor on the lengths of the bootstrap's intervals
+  double reach = normal_reach;  // half the length of an interval by linearisation / standard deviation of the estimate
+  double widening = 1.0;        // factor by which the intervals of the bootstrap are made longer
   auto const response = n > 0 ? sensitivity(problem, start) : Sensitivity();
   if (n > 0) result.evaluations += static_cast<int>(2 * n + 1);
   if (!response.residuals.allFinite()) {
-    start.assign(n, 0.5);  // the law has no finite force at the optimum: the intervals are the whole box
+    start.assign(n, 0.5);  // the law has no finite force at the optimum, so each interval becomes the whole box
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();
@@ -239,7 +239,9 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
 
   std::size_t const free_count = box.free_count();
   result.covariance.assign(free_count * free_count, 0.0);
-  std::vector<std::pair<std::size_t, double>> inside;  // index among free parameters of `box`, d value / d coordinate
+  // For each parameter that is free in `inner`: its index among the free parameters of `box`, and the derivative of its
+  // value by its coordinate in the unit box, which turns the covariance of coordinates into that of values.
+  std::vector<std::pair<std::size_t, double>> inside;
   std::size_t row = 0;
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto const& p = box.parameters[i];

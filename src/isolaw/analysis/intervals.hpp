@@ -37,9 +37,10 @@ struct ParameterInterval {
 
 struct Intervals {
   double level = 0.95;
-  std::size_t samples = 0, block = 0;  // number of samples with a weight above 0; length of a block in samples
-  int replicates = 0;                  // number of successful fits in the bootstrap
-  std::vector<ParameterInterval> parameters = {};  // the free parameters, in order
+  // Number of samples with a weight above 0, and number of successive samples that the bootstrap draws together.
+  std::size_t samples = 0, block = 0;
+  int replicates = 0;                              // number of refits in the bootstrap that succeeded
+  std::vector<ParameterInterval> parameters = {};  // one for each free parameter, in the law's order
   // Covariance of the free parameters by linearisation, in the law's units, row by row. In directions that the record
   // does not determine, it is that of a uniform distribution over the box.
   std::vector<double> covariance = {};
@@ -48,7 +49,7 @@ struct Intervals {
 
 struct IntervalOptions {
   double level = 0.95;
-  int replicates = 100;  // 0: no bootstrap
+  int replicates = 100;  // number of refits in the bootstrap; 0: no bootstrap
 };
 
 // `optimum` holds all of the law's parameters, at the least objective. A parameter at a bound is fixed there, and its

@@ -31,9 +31,10 @@ double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double
 struct LargerSwings {
   std::vector<double> parameters;  // all parameters of the law
   double fitted = 0.0;             // mean objective of the tests on their small swings
-  double predicted = 0.0;          // mean objective on the large swings: the largest among the equally good fits
-  double least_predicted = 0.0;    // mean objective on the large swings: the least among the equally good fits
-  int evaluations = 0;             // each evaluation counts once for every test
+  // Each of the equally good fits has a mean objective of the tests on their large swings: the largest and the least.
+  double predicted = 0.0;
+  double least_predicted = 0.0;
+  int evaluations = 0;  // how often the law was computed for one test
 };
 // Two fits of the small swings are equally good if their objectives differ by at most this share of the least one.
 inline constexpr double equally_good_fit = 0.02;

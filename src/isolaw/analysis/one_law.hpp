@@ -18,9 +18,9 @@ fit::SearchBox common_box(std::span<fit::SearchBox const* const> boxes);
 
 struct OneLaw {
   std::vector<double> parameters;  // all parameters of the law
-  std::vector<double> objectives;  // one for each device
+  std::vector<double> objectives;  // the law's objective on each device
   double mean = 0.0, worst = 0.0;  // mean and largest value of `objectives`
-  int evaluations = 0;             // each evaluation counts once for every device
+  int evaluations = 0;             // how often the law was computed for one device
 };
 
 // Finds the parameters with the smallest mean objective over the devices. Descents start from the median of the
@@ -36,7 +36,7 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
 // rounds.
 struct LeastWorst {
   OneLaw law;
-  double bound = 0.0;  // the largest lower bound of all rounds
+  double bound = 0.0;  // no parameters make the worst device's objective smaller than this: the largest bound found
 };
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});
@@ -46,7 +46,7 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
 // optima of other devices, those with the smallest mean objective.
 struct LeftOut {
   std::vector<double> parameters;
-  double objective = 0.0;  // objective on the device that was left out
+  double objective = 0.0;  // objective of these parameters on the device that was left out
   int evaluations = 0;
 };
 std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,

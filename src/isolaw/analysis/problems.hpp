@@ -15,7 +15,8 @@ namespace isolaw::analysis {
 // Long computations call this between their parts and give up if it returns true.
 using Interrupted = std::function<bool()>;
 
-class Reweighted final : public opt::DeviationProblem {  // a problem with other weights, whose sum must be 1
+// The problem `base` with other weights of its residuals. The sum of the weights must be 1.
+class Reweighted final : public opt::DeviationProblem {
  public:
   Reweighted(opt::DeviationProblem const& base, std::vector<double> weights);
   std::size_t dimension() const override { return base_.dimension(); }
@@ -36,7 +37,8 @@ class Reweighted final : public opt::DeviationProblem {  // a problem with other
   std::unique_ptr<Reweighted> outline_;
 };
 
-class Held final : public opt::DeviationProblem {  // a problem with one coordinate held at a value
+// The problem `base` with one coordinate held at a value, so that a search varies the others.
+class Held final : public opt::DeviationProblem {
  public:
   Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
   std::size_t dimension() const override { return base_.dimension() - 1; }
@@ -75,9 +77,9 @@ class Joint final : public opt::DeviationProblem {
   void add(fit::LawOnRecord const& model, double share);
 
   fit::SearchBox const& box_;
-  std::vector<fit::LawOnRecord const*> models_;  // records whose share is above 0
+  std::vector<fit::LawOnRecord const*> models_;  // the law on each record whose share in the weighted mean is above 0
   std::vector<double> weights_;
-  std::vector<fit::LawOnRecord> fewer_;  // outlines of the models; outline_ refers to them
+  std::vector<fit::LawOnRecord> fewer_;  // the models on fewer samples; outline_ keeps references to them
   std::unique_ptr<Joint> outline_;
 };
 

@@ -11,13 +11,15 @@
 namespace isolaw::analysis {
 
 struct Sensitivity {
-  num::Vector residuals, weights;  // only for samples with a weight above 0
-  num::Matrix jacobian;            // d residual / d coordinate in the unit box; samples x free parameters
+  num::Vector residuals, weights;  // one for each sample with a weight above 0
+  // Derivative of each such sample's residual (row) by each free parameter's coordinate in the unit box (column).
+  num::Matrix jacobian;
 };
 
 // Uses central differences inside the box. The column of a parameter is zero if one of its differences is not finite.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
-double slope(fit::SearchParameter const& parameter, double coordinate);  // d value / d coordinate of the unit box
+// Derivative of a parameter's value by its coordinate in the unit box.
+double slope(fit::SearchParameter const& parameter, double coordinate);
 // The divisor for relative changes of a parameter: |value|. If the box spans zero or the value is 0, the divisor is at
 // least a hundredth of the box's width.
 double natural_size(fit::SearchParameter const& parameter, double value);

@@ -12,7 +12,9 @@ namespace isolaw::analysis {
 namespace {
 
 constexpr std::size_t per_cycle = 4000, cycles = 3;
-constexpr double inner_part = 0.8;  // share of the amplitude; nearer to the peaks, a plausible force may change fast
+// SteadyCycle::jump looks for jumps of force only where |displacement| is below this fraction of the amplitude. Nearer
+// to the peaks a plausible force may change fast.
+constexpr double inner_part = 0.8;
 
 // The sine motion as a record. Its force of 1 kN per mm stands for a measured force: the kernels compute the difference
 // between this force and a law's, from which steady_cycles() gets the law's force. Any force that varies would do.
@@ -52,7 +54,7 @@ SteadyCycle third_cycle(std::vector<double> const& F, std::vector<double> const&
 
 std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std::vector<double> const> parameters,
                                        SteadyMotion const& motion, laws::Integration integration) {
-  constexpr std::size_t most_at_once = 32;  // limits the memory for the forces
+  constexpr std::size_t most_at_once = 32;  // parameter sets computed together; more would need more memory for forces
   auto const record = sine(motion);
   fit::LawOnRecord const model(law, record, integration);
   std::vector<SteadyCycle> found;

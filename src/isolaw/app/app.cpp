@@ -367,7 +367,7 @@ void add_simulate(Commands& commands) {
   add(Heading::search, "--refinement", a.refinement,
       "integration steps per sample (default 1; with --from the campaign's)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
-      "how the law acts in two directions: coupled, by its own form for two directions, if it has one; springs, by springs around a circle");
+      "compute the force in two directions: coupled, from the law's own form for two directions, refused if it has none; springs, from springs around a circle, each of which follows the law (default: one direction only)");
   add(Heading::plane, "--second-disp", a.second_disp,
       "column of the displacement in the second direction; --columns names that in the first");
   add(Heading::plane, "--softening", a.softening,

@@ -22,33 +22,37 @@ namespace isolaw::building {
 
 struct LawAnswer {
   std::string law;
-  Coupling coupling = Coupling::coupled;    // how the law acts in the plane; springs if this differs between motions
-  bool mixed = false;                       // true if it differs: then it is `separate` under motions along x alone
-  bool fitted_as_springs = false;           // true if the springs' parameters were fitted as springs around the circle
-  std::size_t draws = 0;                    // 0: no bearing is drawn
-  std::size_t runs = 0, failed = 0;         // `failed`: runs whose numbers are not finite
-  std::size_t collapsed = 0;                // draws with a failed run; they count as outside of all bounds
-  double worst_balance = 0.0;               // largest error of the energy balance over all runs
-  std::vector<Distribution> distributions;  // [quantity] in the order of quantities()
-  std::vector<Coverage> coverage;           // one for each quantity whose `uncovered` is empty; none without draws
-  Judged reach = {};                        // displacement of a bearing as codes use it for design, without a limit
-  std::vector<Judged> judged;               // one for each limit of the building file, one for the tested displacement
-  std::vector<Finding> doubts;              // about the law's calibration
+  // How the law acts in the plane. If this differs between the motions, `coupling` is springs and `mixed` is true;
+  // under motions along x alone it is then `separate`.
+  Coupling coupling = Coupling::coupled;
+  bool mixed = false;
+  bool fitted_as_springs = false;    // true if the springs' parameters were fitted as springs around the circle
+  std::size_t draws = 0;             // number of drawn buildings; 0 if no bearing is drawn
+  std::size_t runs = 0, failed = 0;  // number of all runs, and of those whose numbers are not finite
+  std::size_t collapsed = 0;         // number of draws with a failed run; they count as outside of all bounds
+  double worst_balance = 0.0;        // largest error of the energy balance of a run / its input or dissipated energy
+  std::vector<Distribution> distributions;  // one for each quantity, in the order of quantities()
+  std::vector<Coverage> coverage;  // one for each quantity that bound analyses can cover (Quantity); none without draws
+  Judged reach = {};  // the largest displacement of a bearing, as a code takes it for design; it is judged by no limit
+  std::vector<Judged> judged;   // one for each limit of the building file, and one for the tested displacement
+  std::vector<Finding> doubts;  // about the law's calibration
   // How many of this law's draws the bound analyses of another law would cover: the share of the draws whose bearing
   // displacement lies between the bounds of the study's first law with a result. Empty for that first law and without
   // draws.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
-  std::vector<NominalHistory> histories;  // [motion]
+  std::vector<NominalHistory> histories;  // of the nominal building under each motion
   // For each bearing its largest displacement, and its share of the work on all bearings: means over draws and motions,
   // or over the motions of the nominal building if there are no draws. NaN if fewer than least_finite_share of these
   // runs have numbers.
   std::vector<double> bearing_mm, bearing_energy_share;
   BearingLoops loops = {};
-  std::vector<std::vector<double>> floor_spectra_g = {};  // [diaphragm, the base first][period]
+  // Floor spectra in g, [diaphragm, the base first][period of spectrum_periods_s()].
+  std::vector<std::vector<double>> floor_spectra_g = {};
 };
 
-std::string_view name(Coupling coupling);  // "coupled", "separate" or "springs"
+// "coupled", "separate" or "springs".
+std::string_view name(Coupling coupling);
 // Names how the law acts in the plane: as name(), or "springs as given" if the springs have the parameters of the law
 // in one direction because none were fitted for springs.
 std::string_view form(LawAnswer const& law);
@@ -63,14 +67,16 @@ struct Answers {
   std::vector<double> fixed_periods_s;
   // Standard deviation over the laws of ln(median bearing displacement), comparable with Distribution::lot_std_ln.
   std::optional<double> law_std_ln;
-  std::vector<Finding> verdict;           // whether the building holds, how far it moves, and what moves it
-  std::optional<bool> holds;              // nullopt: nothing is limited, or the draws or the tests do not tell
-  std::vector<Finding> about_bounds;      // whether the bound analyses cover the draws
-  std::optional<bool> bounds_are_enough;  // nullopt: no bearing is drawn, or too few draws to tell
-  std::vector<Finding> warnings;          // about the analyses of the building
-  std::vector<Finding> calibration;       // doubts about the laws' calibration, each once
-  std::vector<std::string> assumed;       // the assumptions, a sentence each
-  std::vector<Point> corners;             // corners of the slab, where displacements are measured
+  std::vector<Finding> verdict;  // whether the building keeps its limits, how far it moves, and what this depends on
+  // Whether the building keeps its limits. nullopt if the file sets none, or if the draws or the tests cannot tell.
+  std::optional<bool> holds;
+  std::vector<Finding> about_bounds;  // whether the bound analyses cover the draws
+  // Whether they cover enough of the draws. nullopt if no bearing is drawn, or if the draws are too few to tell.
+  std::optional<bool> bounds_are_enough;
+  std::vector<Finding> warnings;     // about the analyses of the building
+  std::vector<Finding> calibration;  // doubts about the laws' calibration, each once
+  std::vector<std::string> assumed;  // the assumptions of the study, a sentence each
+  std::vector<Point> corners;        // corners of the base slab; the largest displacement of a corner is measured there
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});

@@ -17,7 +17,8 @@ struct Sums {
   Sums with(double stiffness, Point const& at) const {
     return {k + stiffness, x + stiffness * at.x_mm, y + stiffness * at.y_mm};
   }
-  double square() const { return (x * x + y * y) / (k * k); }  // the eccentricity squared
+  // The square of the distance between the centre of stiffness and the centre [mm2].
+  double square() const { return (x * x + y * y) / (k * k); }
 };
 
 class Search {
@@ -99,7 +100,7 @@ class Search {
   std::vector<Point> places_;
   std::span<double const> stiffness_;
   Arrangement best_;
-  double best_square_ = 0.0;  // the eccentricity of best_, squared
+  double best_square_ = 0.0;  // Sums::square() of best_
 };
 
 }  // namespace

@@ -14,8 +14,9 @@ namespace isolaw::building {
 // at least as many devices as places.
 inline constexpr double most_tried = 5e4;
 struct Arrangement {
-  std::vector<std::size_t> device;                  // [place]
-  double eccentricity_mm = 0.0, in_order_mm = 0.0;  // as arranged here, and with the devices in the order given
+  std::vector<std::size_t> device;  // the index of the device on each place
+  // Distance of the centre of stiffness from `centre`: as arranged here, and with the devices in the given order.
+  double eccentricity_mm = 0.0, in_order_mm = 0.0;
 };
 Arrangement arrange(std::span<Point const> places, Point centre, std::span<double const> stiffness);
 

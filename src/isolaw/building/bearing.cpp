@@ -126,7 +126,8 @@ class RestingSprings final : public Bearing {
   struct Spring {
     std::array<double, 2> along;
     laws::Online law;
-    bool went = false, goes = false;  // whether the spring has moved beyond rest: before the trial; with the trial
+    // Whether the spring has moved more than rest_ since the start: in the committed motion, and if the trial is added.
+    bool went = false, goes = false;
   };
   std::vector<Spring> springs_;
   laws::SpringShares share_ = laws::spring_shares(laws::usual_springs);

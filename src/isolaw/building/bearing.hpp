@@ -14,7 +14,8 @@ using Vector = laws::plane::Vector<double>;
 
 struct BearingForce {
   Vector force;
-  double by_displacement[2][2] = {};  // d force (row) / d displacement (column)
+  // The derivatives of the force's x and y (rows) by the displacement's, and by the velocity's, x and y (columns).
+  double by_displacement[2][2] = {};
   double by_velocity[2][2] = {};
 };
 

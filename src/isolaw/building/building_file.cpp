@@ -20,12 +20,12 @@ namespace isolaw::building {
 namespace {
 
 constexpr double mm_in_m = 1e3;
-constexpr double most_drawn = 2e6;  // the largest number of drawn buildings in a study
-constexpr double most_g = 1e3;      // the largest ground acceleration that isolaw accepts, in g
+constexpr double most_drawn = 2e6;  // a study with more drawn buildings is refused
+constexpr double most_g = 1e3;      // a ground motion with a larger acceleration, in g, is refused
 
 struct TableInfo {
   std::string_view name, help;
-  std::size_t most = 0;  // largest number of tables in a list [[name]]; 0 for a table [name]
+  std::size_t most = 0;  // the table is a list [[name]] of at most so many tables; 0: it is a single table [name]
 };
 constexpr TableInfo settings_info{"building", "The analysis. Lengths in m, masses in Mg (t), times in s."},
     limits_info{"limits", "The largest responses that the building may have. Leave out what is not limited."},
@@ -190,7 +190,8 @@ class FileReader {
  public:
   FileReader(toml::table const& parsed, std::string const& file) : root(parsed, file, "", complaints), file_(file) {}
 
-  bool read(TableInfo const& info) {  // returns whether the file has the table
+  // Reads a table if the file has it, and returns whether it has.
+  bool read(TableInfo const& info) {
     auto const* table = root.table(info.name);
     if (table != nullptr) read_row(*table, info);
     return table != nullptr;
@@ -284,7 +285,7 @@ toml::table table_of(Json const& value, int depth);
 toml::array array_of(Json const& value, int depth);
 template <class Insert>
 void insert_toml(Json const& value, int depth, Insert const& insert) {
-  constexpr int deepest = 4;  // the deepest value of a valid file is x_m of a [[bearing]]
+  constexpr int deepest = 4;  // no value of a valid file is nested deeper than x_m of a [[bearing]]
   if (depth > deepest)
     throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
   if (value.is_object()) return insert(table_of(value, depth));

@@ -19,7 +19,7 @@ namespace isolaw::building {
 // The table [building] of a building file.
 struct Settings {
   std::string title;
-  std::vector<std::string> laws;  // empty: the law that the campaign recommends
+  std::vector<std::string> laws;  // ids of the laws to compute; empty: the law that the campaign recommends
   int draws = 500;
   // How often the population is estimated again (population_again()), to show how uncertain the medians are because few
   // devices were tested. Below 2 nothing is shown.
@@ -27,7 +27,7 @@ struct Settings {
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
-  double lower = 0.0, upper = 0.0;  // factors of the bound analyses, on the forces of every bearing
+  double lower = 0.0, upper = 0.0;  // each of the two bound analyses multiplies the forces of all bearings by one
   double step_s = 0.005;
   double rest_s = 5.0;
 };
@@ -39,11 +39,12 @@ struct ResponseLimits {
 
 // A bearing is a draw from the lot, the lot's law, a tested device, or the lot's law times the lower or upper factor.
 enum class Stands { draw, lot, device, lower, upper };
-std::string_view name(Stands stands);  // the word in building files, or "tested device"
+// The word for it in building files, but "tested device" for a device.
+std::string_view name(Stands stands);
 struct BearingPlace {
   Point at;
   Stands stands = Stands::draw;
-  std::string device;  // name; empty unless Stands::device
+  std::string device;  // the device's name if Stands::device, else empty
 };
 
 struct BuildingFile {
@@ -52,9 +53,10 @@ struct BuildingFile {
   ResponseLimits limits = {};
   Frame frame;
   std::vector<BearingPlace> bearings;
-  std::optional<std::array<double, 4>> plan_mm;  // left, right, front, back
+  std::optional<std::array<double, 4>> plan_mm;  // edges of the slab in plan: left and right in x, front and back in y
   std::vector<Motion> motions;
-  std::vector<double> replaced_scales = {};  // scales of the file's motions, if ReplacedKeys::motions replaced these
+  // The factors `scale` of the file's own motions, if ReplacedKeys::motions has taken the place of these motions.
+  std::vector<double> replaced_scales = {};
 
   Plan plan() const;
 };
@@ -107,14 +109,15 @@ struct FileTables {
 // are also keyword arguments in Python.
 struct FileKey : Option<FileTables> {
   std::string_view table;
-  bool required = false;  // the key has no default
-  bool decides = true;    // for [building]: a run's numbers depend on the value, so a store of runs keeps it
+  bool required = false;  // true: the key has no default, and a file without it is refused
+  // For a key of [building]: true if a run's numbers depend on its value, so that a store of runs keeps it.
+  bool decides = true;
 };
 std::span<FileKey const> settings_table();  // the keys of [building]
 
 struct ReplacedKeys {
   std::vector<Motion> motions = {};  // if there are any, they replace all motions of the file
-  isolaw::Values settings = {};      // new values by key of [building]
+  isolaw::Values settings = {};      // values that replace those of the keys of [building]
 };
 
 // The options of the command line that state what the files given to --motion leave open, such as the time step.

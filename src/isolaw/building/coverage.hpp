@@ -18,16 +18,17 @@ namespace isolaw::building {
 inline constexpr double wanted_share = 0.95;
 
 struct Coverage {
-  std::string_view quantity;                       // Quantity::key
-  double inside = 0.0;                             // share of the draws between both bound analyses
-  double interval_low = 0.0, interval_high = 0.0;  // 95 % interval of `inside`, Clopper and Pearson 1934
-  double below = 0.0, above = 0.0;  // shares of the draws below both and above both; a draw that is not finite is above
+  std::string_view quantity;  // Quantity::key of the response that is compared
+  double inside = 0.0;        // share of the draws whose response lies between those of the two bound analyses, 0 to 1
+  double interval_low = 0.0, interval_high = 0.0;  // 95 % confidence interval of `inside`, Clopper and Pearson 1934
+  // Shares of the draws with a response below both bounds, and above both. A response that is not finite is above.
+  double below = 0.0, above = 0.0;
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic = {};  // the sentence of `monotony`, in kN and mm
+  std::string not_monotonic = {};  // the sentence that says so, in kN and mm; empty without `monotony`
 };
 Finding covering_factors(Coverage const& coverage);
 

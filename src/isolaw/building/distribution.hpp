@@ -11,7 +11,8 @@
 
 namespace isolaw::building {
 
-inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};  // the fractiles that the answers give
+// The answers give the responses that these shares of the draws do not exceed.
+inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
 // The fractiles at `shares`. A draw without finite numbers counts as larger than all others, so a fractile that falls
 // on such a draw is NaN. Without values all fractiles are NaN.
 std::array<double, 4> fractiles(std::vector<double> values);
@@ -27,16 +28,20 @@ struct Histogram {
 Histogram histogram(std::vector<double> const& values);
 
 struct Distribution {
-  double nominal = 0.0, lower = 0.0, upper = 0.0;  // nominal and the two bound analyses, means over the motions
-  std::array<double, 4> fractiles{};               // fractiles at `shares`, of the draws' means over the motions
+  // The response in the unit of the quantity, as a mean over the motions: of the nominal building and of the two bound
+  // analyses, and the fractiles of the draws at `shares`.
+  double nominal = 0.0, lower = 0.0, upper = 0.0;
+  std::array<double, 4> fractiles{};
   // The standard deviations of ln(response) due to the motions and due to the lot, by the law of total variance, and
   // the share of the lot in the variance of ln(response). All three are NaN if fewer than least_finite_share of the
   // draws have finite numbers under some motion.
   double motion_std_ln = 0.0, lot_std_ln = 0.0, lot_share = 0.0;
-  std::optional<double> uncertain_std_ln;        // standard deviation of ln(median) over the re-estimated populations
-  std::vector<std::array<double, 4>> by_motion;  // [motion] fractiles of the draws at `shares`
+  // Standard deviation of ln(median of the draws) over the populations that were estimated again (population_again()).
+  std::optional<double> uncertain_std_ln;
+  // Under each motion: the fractiles of the draws at `shares`, and the response of the nominal building.
+  std::vector<std::array<double, 4>> by_motion;
   std::vector<double> nominal_by_motion;
-  Histogram histogram = {};  // counts the draws' means over the motions that are finite
+  Histogram histogram = {};  // of the draws' responses (means over the motions); those that are not finite are left out
 };
 
 // The list that cases_of() returns, and the index at which each kind of case begins in it.
@@ -48,8 +53,8 @@ struct CasePlaces {
 
 // The values of one quantity in all runs of a law.
 struct Responses {
-  std::vector<std::vector<double>> by_motion;  // [motion][case]
-  std::vector<double> mean;                    // [case] mean over the motions
+  std::vector<std::vector<double>> by_motion;  // [motion][case of CasePlaces::cases]
+  std::vector<double> mean;                    // for each case the mean over the motions
 };
 // `kept` is [motion][quantity][case], with one motion or more: a building file without motions is refused.
 Responses responses_of(std::vector<std::vector<std::vector<double>>> const& kept, std::size_t quantity);

@@ -26,16 +26,17 @@ struct Motion {
   std::string name;
   double step_s = 0.0;
   std::vector<double> x_mm_s2;
-  std::vector<double> y_mm_s2 = {};  // empty: no motion along y
-  std::vector<Finding> notes = {};   // how the motion was changed when it was read
+  std::vector<double> y_mm_s2 = {};  // empty if the ground moves along x alone
+  std::vector<Finding> notes = {};   // what the reader changed in the motion of the file
 };
 
 struct Options {
   double longest_step_s = 0.005;
-  double rest_s = 0.0;                             // time to continue after the motion
-  bool histories = false, bearing_forces = false;  // bearing_forces needs histories
-  Vector pulled_to = {0.0, 0.0};                   // before the motion the base is pulled to here [mm] and released
-  int most_halvings = 10;                          // how often one step may be halved
+  double rest_s = 0.0;  // how long to integrate after the end of the ground motion
+  // Whether Response::history is kept, and History::bearing_kN in it.
+  bool histories = false, bearing_forces = false;
+  Vector pulled_to = {0.0, 0.0};  // displacement [mm] to which the base is pulled before the motion, then released
+  int most_halvings = 10;         // how often a step that does not converge may be halved; after that the run fails
   std::function<bool()> interrupted = {};  // asked during a run; if it returns true, the run throws InterruptedRun
 };
 struct InterruptedRun {};
@@ -43,21 +44,26 @@ struct InterruptedRun {};
 enum class Outcome { completed, not_converged, not_finite };
 std::string_view name(Outcome outcome);
 
+// The motion at each step. Displacements and velocities are those of the base's centre of mass relative to the ground.
 struct History {
   std::vector<double> time_s;
-  std::vector<std::array<double, 3>> base;        // mm, mm, rad, relative to the ground
-  std::vector<std::array<double, 3>> velocity;    // mm/s, mm/s, rad/s
-  std::vector<std::array<double, 2>> shear_kN;    // sum over the bearings
-  std::vector<std::vector<double>> bearing_kN;    // [sample][2 * bearings], x, y of each; empty without bearing_forces
-  std::vector<std::vector<double>> acceleration;  // [sample][2 * (1 + floors)], absolute, mm/s2, x, y of each diaphragm
+  std::vector<std::array<double, 3>> base;      // displacement along x and y [mm], and rotation [rad]
+  std::vector<std::array<double, 3>> velocity;  // along x and y [mm/s], and of rotation [rad/s]
+  std::vector<std::array<double, 2>> shear_kN;  // sum of the bearings' forces along x and y
+  // For each step the forces of all bearings, x and y of the first one, of the second one, ...; empty without
+  // Options::bearing_forces.
+  std::vector<std::vector<double>> bearing_kN;
+  // For each step the absolute accelerations [mm/s2] of all diaphragms, x and y of the base, of the first floor, ...
+  std::vector<std::vector<double>> acceleration;
 };
 
 struct Response {
   Outcome outcome = Outcome::completed;
-  std::string why;                                                          // why the run did not complete
-  std::vector<double> measured;                                             // measures in the order of Layout
-  double step_s = 0.0;                                                      // integration step
-  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;  // first_tangents: steps by tangents at rest
+  std::string why;               // why the run stopped early; empty if it was completed
+  std::vector<double> measured;  // largest displacements, forces, energies, ... in the order that Layout describes
+  double step_s = 0.0;           // integration step before any halving
+  // Number of steps, of Newton's iterations, of steps that needed the tangents at rest, and of halvings of a step.
+  std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;
   History history;
 
   double of(Measure which) const { return measured[static_cast<std::size_t>(which)]; }
@@ -66,7 +72,7 @@ struct Response {
 // Points in plan, in the axes of the structure.
 struct Plan {
   std::vector<Point> bearings;
-  std::vector<Point> corners = {};  // corners of the slab; if empty, of the rectangle around the bearings
+  std::vector<Point> corners = {};  // corners of the slab; if empty, those of the rectangle around the bearings count
 };
 
 // A structure and its plan. The object owns the arrays that arrays() points to.
@@ -77,9 +83,14 @@ class Model {
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
   StructureArrays arrays() const;
-  std::vector<double> shares(double dt) const;  // [mode] ModeStep::share for steps of length dt
-  Matrix3 condensed_mass(double dt) const;      // M - sum over the modes of share participation participation^T
-  // Stiffness of all bearings against the base's motion at its centre of mass, from each bearing's 2 x 2 by rows.
+  // ModeStep::share of each mode for steps of dt [s].
+  std::vector<double> shares(double dt) const;
+  // The mass that resists an acceleration of the base during a step: M - sum over the modes of share * Gamma Gamma^T,
+  // with M and Gamma of structure.hpp and share of shares(dt).
+  Matrix3 condensed_mass(double dt) const;
+  // The stiffness of all bearings together: the derivatives of their summed forces and moment (rows) by the base's
+  // displacements along x and y and its rotation (columns), all at the base's centre of mass. For each bearing,
+  // `bearings` holds its 2 x 2 stiffness in x and y, row by row [kN/mm].
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
  private:

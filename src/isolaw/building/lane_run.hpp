@@ -15,12 +15,12 @@ inline constexpr std::size_t lane_width = 8;
 struct LaneRun {
   StructureArrays arrays;
   ModeStep step;
-  double const* inverse = nullptr;  // [3][3], see explicit_run
+  double const* inverse = nullptr;  // [3][3], inverse of Model::condensed_mass()
   Ground ground;
-  double const* parameters = nullptr;  // [bearing][parameter][lane]
-  double length = 1.0, force = 1.0;    // the law's units in mm and kN
-  void* memory = nullptr;              // aligned to 64 bytes
-  double* measured = nullptr;          // [measure][lane]
+  double const* parameters = nullptr;  // of the law, [bearing][parameter][lane]
+  double length = 1.0, force = 1.0;    // the law's unit of length in mm, and its unit of force in kN
+  void* memory = nullptr;              // scratch space, aligned to 64 bytes; LaneKernel says how large
+  double* measured = nullptr;          // results, [measure in the order of Layout][lane]
 };
 struct LaneKernel {
   std::string_view law;

@@ -30,7 +30,8 @@ inline constexpr LimitInfo limit_rows[]{
     {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
      "acceleration of any floor or of the base"},
 };
-inline constexpr std::string_view tested_mm = "tested_mm";  // Judged::limit if the tests set it
+// Judged::limit if the limit is no key of the file but the largest displacement to which the devices were tested.
+inline constexpr std::string_view tested_mm = "tested_mm";
 
 enum class Keeps { yes, no, open };
 std::string_view name(Keeps keeps);
@@ -38,12 +39,12 @@ std::string_view name(Keeps keeps);
 // Whether the buildings with one law keep one limit. A response is the one that building codes use for design: the mean
 // over the motions if there are at least motions_for_a_mean of them, else the largest.
 struct Judged {
-  std::string_view limit;     // LimitInfo::key or tested_mm
-  std::string_view quantity;  // Quantity::key
-  double allowed = 0.0;
+  std::string_view limit;       // LimitInfo::key, or tested_mm for the displacement of the tests
+  std::string_view quantity;    // Quantity::key of the response
+  double allowed = 0.0;         // the limit, in the unit of the quantity like all responses below
   double nominal = 0.0;         // response of the nominal building
-  std::optional<double> bound;  // the larger of the two bound analyses; NaN if one of them gave no numbers
-  std::optional<double> p95;    // 95 % fractile of the draws, if bearings are drawn
+  std::optional<double> bound;  // the larger response of the two bound analyses; NaN if one gave no finite numbers
+  std::optional<double> p95;    // response that 95 % of the draws do not exceed, if bearings are drawn
   // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
   std::optional<double> kept, kept_low, kept_high;
   // `no` if the nominal building or a bound analysis breaks the limit, or if fewer than wanted_share of the draws keep
@@ -52,7 +53,7 @@ struct Judged {
   // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed" if
   // this analysis gave no finite numbers. Empty if the limit is kept or open.
   std::string_view broken_by = {};
-  std::optional<std::size_t> draws_wanted = {};  // if open: draws_that_tell()
+  std::optional<std::size_t> draws_wanted = {};  // if open: about how many draws would tell, draws_that_tell()
 };
 // Judges one limit. If `places` is given, `responses` holds all cases of places->cases. If not, `responses` holds the
 // nominal building only, and only this is judged.

@@ -28,8 +28,8 @@ struct BearingLoops {
   std::size_t motion = 0;
   bool drawn = false;
   double step_s = 0.0;
-  std::vector<double> x_mm = {}, y_mm = {}, rotation_rad = {};        // motion of the base's centre of mass
-  std::vector<std::vector<double>> force_x_kN = {}, force_y_kN = {};  // [bearing][sample]
+  std::vector<double> x_mm = {}, y_mm = {}, rotation_rad = {};        // displacement of the base's centre of mass
+  std::vector<std::vector<double>> force_x_kN = {}, force_y_kN = {};  // of each bearing, [bearing][sample]
 };
 
 // The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
@@ -52,8 +52,10 @@ struct Checked {
 struct NominalResult {
   Checked checked = {};
   NominalHistory history = {};
-  std::vector<std::vector<double>> spectra_g = {};  // [diaphragm][period], divided by the number of motions
-  double farthest_mm = 0.0;                         // largest displacement of a bearing, even of a run that stopped
+  // Floor spectra under this motion, [diaphragm][period], divided by the number of motions: the sum over the motions is
+  // then the mean.
+  std::vector<std::vector<double>> spectra_g = {};
+  double farthest_mm = 0.0;  // largest displacement of a bearing; if the run stopped early, the largest until then
 };
 
 // A study keeps these results in its store, so that nothing is integrated again if only the limits change. kept_text()

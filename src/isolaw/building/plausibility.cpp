@@ -70,7 +70,9 @@ std::vector<Finding> study_doubts(Study const& study) {
       doubts.push_back({.kind = FindingKind::unequal_sides, .law = law.law, .words = {{"how", "along axes"}}});
     Devices const devices(law, study.file, study.file.motions.front());
     double const amplitude_mm = law.tested_mm > 0.0 ? 0.5 * law.tested_mm : 100.0;
-    constexpr double usual_s = 2.0;  // usual period of an isolated building, for laws that depend on the velocity
+    // Laws that depend on velocity need a period for their effective stiffness: this is a usual one of isolated
+    // buildings.
+    constexpr double usual_s = 2.0;
     double const k = effective(devices, devices.of({}), amplitude_mm, usual_s).stiffness_kN_mm;
     double const period_s = 2.0 * std::numbers::pi * std::sqrt(Mg_in_mass * mass_Mg / k);
     if (period_s < least_period_s || period_s > most_period_s)

@@ -16,6 +16,7 @@ std::span<Quantity const> quantities();
 Quantity const& quantity(std::string_view key);
 
 double measure_of(std::span<double const> measured, Measure which);
-double ratio(double a, double b);  // a / b; 0 if b is not positive
+// a / b, or 0 if b is not positive.
+double ratio(double a, double b);
 
 }  // namespace isolaw::building

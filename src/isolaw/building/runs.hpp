@@ -21,14 +21,15 @@ namespace isolaw::building {
 struct Study {
   BuildingFile file;
   std::vector<LawSource> laws;
-  std::string_view report_units = record_units.id;  // units of the campaign's reports; no result depends on them
+  // The units in which the campaign's reports and the building's are written. No stored number depends on them.
+  std::string_view report_units = record_units.id;
 
   UnitSystem const& units() const { return find_unit_system(report_units); }
 };
 
 // One of the inputs on which the runs in a store depend.
 struct StudyProperty {
-  std::string kind, name, value;  // kind: setting, building, motion or law
+  std::string kind, name, value;  // `kind` is "setting", "building", "motion" or "law"
   bool operator==(StudyProperty const&) const = default;
 };
 // Everything on which the runs' numbers depend besides the program and its instruction set: settings by value, inputs
@@ -50,7 +51,8 @@ class Blocks {
  public:
   Blocks(std::size_t laws, std::size_t motions, std::size_t cases) : laws_(laws), motions_(motions), cases_(cases) {}
   struct Block {
-    std::size_t law, motion, from, to;  // indices in cases_of(): from <= index < to
+    // Indices of the law and the motion in the study. The block holds the cases with from <= index in cases_of() < to.
+    std::size_t law, motion, from, to;
   };
   std::size_t count() const { return laws_ * motions_ * blocks_per_motion(); }
   Block at(std::size_t number) const;
@@ -74,7 +76,8 @@ class RunStore {
            StudyPart const& part = {});
 
   struct Row {
-    std::size_t law = 0, motion = 0, place = 0;  // place: index in cases_of()
+    // Indices of the law and the motion in the study, and of the case in cases_of().
+    std::size_t law = 0, motion = 0, place = 0;
     std::vector<double> measured;
   };
   std::size_t runs_there() const;
@@ -105,15 +108,15 @@ CheckedRuns check_runs(std::filesystem::path const& file);
 
 struct MissingRun {
   std::string law, motion, analysis;
-  int part = 0;  // the part that should hold it; 0 if the number of parts is not known
+  int part = 0;  // the part, counted from 1, that should hold the run; 0 if the number of parts is not known
 };
 struct MergedStudy : campaign::Merged {
-  StudyPart part = {};  // the first part that was merged
+  StudyPart part = {};  // which part the first of the merged files holds, and the paths of its input files
 };
 struct MergeOptions {
   std::function<void()> before_replacing = {};          // called when the study's outputs become outdated
   std::function<void(MissingRun const&)> missing = {};  // called for each missing run, in the order of the blocks
-  bool fresh = false;                                   // see campaign::Merge::run
+  bool fresh = false;  // true: an output file of another study is overwritten (campaign::Merge::run)
 };
 // See campaign::Merge::run.
 MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
@@ -134,18 +137,18 @@ class Runs {
   Model model_;
   std::vector<Case> cases_;
   std::size_t place(Blocks::Block const& block) const { return block.law * study_.file.motions.size() + block.motion; }
-  std::vector<Devices> devices_;  // [law][motion]
+  std::vector<Devices> devices_;  // one for each law and motion, at place()
   std::vector<Options> options_;
   Blocks blocks_;
 };
 
 struct RunProgress {
-  std::size_t done = 0, total = 0;  // numbers of analyses
+  std::size_t done = 0, total = 0;  // number of runs that are stored, and of all runs to compute
 };
 struct RunAllOptions {
   std::function<void(RunProgress const&)> progress = {};  // called by one thread at a time; an exception ends the runs
-  std::optional<campaign::Part> part = {};                // compute this part only
-  std::function<bool()> interrupted = {};                 // asked between and during runs, from any thread
+  std::optional<campaign::Part> part = {};                // the part of the study to compute; nullopt: all of it
+  std::function<bool()> interrupted = {};  // asked between and during runs, from any thread; true ends the runs
 };
 // Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
 // constructor of Runs. If a run throws, run_all() first stores the runs that have finished and then throws on.

@@ -21,15 +21,15 @@ namespace isolaw::building {
 // Parameters in the law's order and units.
 struct LawSource {
   std::string law;
-  std::vector<double> lot;                             // the lot's law
-  std::map<std::string, std::vector<double>> devices;  // tested devices, by name
-  lot::Population population;                          // from which bearings are drawn, if it has a covariance
+  std::vector<double> lot;                             // the one set of parameters for all devices of the lot
+  std::map<std::string, std::vector<double>> devices;  // the parameters of each tested device, by its name
+  lot::Population population;                          // bearings are drawn from it, if it has a covariance
   // [parameter] index of the parameter in the population; nullopt if all devices have the value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
-  std::vector<lot::Limits> limits;   // [parameter of the population]
-  double tested_mm = 0.0;            // largest displacement in the tests; 0: not known
-  std::vector<LawSource> springs;    // the law with the parameters fitted as springs around the circle; none or one
+  std::vector<lot::Limits> limits;   // physical limits of each parameter of the population
+  double tested_mm = 0.0;            // largest displacement in the tests; 0 if it is not known
+  std::vector<LawSource> springs;    // the law with parameters fitted as springs around a circle; none or one element
   std::vector<Finding> doubts = {};  // about the law's calibration; no number depends on them
 };
 
@@ -39,9 +39,9 @@ std::vector<double> with_force(std::string_view law, std::vector<double> paramet
 // Which bearings an analysis has. In all kinds, a bearing that is not a draw has the same parameters, except that
 // `lower`, `upper` and `factor` multiply its forces too.
 enum class CaseKind {
-  nominal,  // bearings that are draws have the population's median parameters
-  lower,    // as nominal, with all forces times Settings::lower (or upper)
-  upper,
+  nominal,   // bearings that are draws have the population's median parameters
+  lower,     // as nominal, with all forces times Settings::lower
+  upper,     // as nominal, with all forces times Settings::upper
   factor,    // as nominal, with all forces times grid_factor(draw)
   draw,      // each bearing that is a draw has parameters of its own, drawn from the population
   uncertain  // as draw, but from a population estimated again (population_again)
@@ -51,13 +51,15 @@ struct Case {
   std::uint32_t population = 0, draw = 0;
   bool operator==(Case const&) const = default;
 };
+// The factors of CaseKind::factor: from 0.60 to 1.40 in steps of 0.02, grid_half on each side of 1.
 inline constexpr std::uint32_t grid_steps_to_1 = 50, grid_half = 20;
 inline constexpr double grid_step = 1.0 / grid_steps_to_1;
 inline double grid_factor(std::uint32_t i) {
   return static_cast<double>(grid_steps_to_1 - grid_half + i) / grid_steps_to_1;
 }
 
-std::string text(Case const& which);  // "nominal", "factor 0.60", "draw 7", "population 2 draw 7"; counted from 1
+// The name of a case: "nominal", "factor 0.60", "draw 7", "population 2 draw 7". The numbers count from 1.
+std::string text(Case const& which);
 // All analyses of a law under one motion, in the order in which the store counts them.
 std::vector<Case> cases_of(Settings const& settings);
 // How the law acts in the plane under a motion. Coupling::coupled if all its parameter sets have a coupled form. If
@@ -73,9 +75,10 @@ class Devices {
   Devices(LawSource const& source, BuildingFile const& file, Motion const& motion);
 
   LawSource const& source() const { return source_; }
-  Coupling coupling() const { return coupling_; }  // the same for all bearings
+  Coupling coupling() const { return coupling_; }  // how the law acts in the plane, the same for all bearings
   std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
-  std::vector<double> of(Case const& which) const;  // [bearing][parameter]
+  // The parameters of all bearings in a case, those of the first bearing first.
+  std::vector<double> of(Case const& which) const;
 
  private:
   // The populations that were estimated again. Copies of the object share them, and the first copy that needs them

@@ -30,12 +30,13 @@ struct StructureArrays {
   std::size_t modes = 0, floors = 0, bearings = 0, corners = 0;
   double const *mass = nullptr, *frequency = nullptr, *damping = nullptr, *participation = nullptr, *shape = nullptr,
                *rigid = nullptr, *deformation = nullptr, *shear = nullptr;
-  double const *bearing_at = nullptr, *corner_at = nullptr;  // [][2], mm from the base's centre of mass
+  // x and y of each bearing, and of each corner of the slab [mm], from the base's centre of mass.
+  double const *bearing_at = nullptr, *corner_at = nullptr;
 };
 
-// The array of a run's measures begins with these. The accelerations of all diaphragms from the base up follow, then
-// the shears of all storeys, the drifts of all storeys, the displacements of all bearings, and the work on each
-// bearing.
+// The array of a run's measures begins with these (quantities.cpp says what they mean). The accelerations of all
+// diaphragms from the base up follow, then the shears of all storeys, the drifts of all storeys, the displacements of
+// all bearings, and the work on each bearing. Units kN, mm, s, rad.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 
@@ -58,7 +59,7 @@ struct Layout {
 // A step of length dt. At its end mode k has the acceleration q'' = share_k (free_part_k - participation_k . Run::A).
 struct ModeStep {
   double dt = 0.0;
-  double const* share = nullptr;  // [mode]
+  double const* share = nullptr;  // share_k of each mode
 };
 
 // The state and the measures of a run. The caller owns the arrays.
@@ -66,10 +67,10 @@ template <class T>
 struct Run {
   T u[3], v[3], A[3];          // base: displacement and velocity relative to the ground, absolute acceleration
   T f[3];                      // bearings' forces summed at the base's centre of mass, positive along displacement
-  T *q, *qv, *qa, *free_part;  // [mode]
-  T *d, *force;                // [bearing][2]: displacement and force
-  T* measured;                 // [Layout::count()]; lengths of vectors are squared until finish_run()
-  T damped_rate;               // power of the modes' damping at the last instant
+  T *q, *qv, *qa, *free_part;  // of each mode: amplitude q, its velocity and acceleration, and free_part of ModeStep
+  T *d, *force;                // of each bearing: x and y of its displacement, and of its force
+  T* measured;                 // the measures in the order of Layout; squares of lengths until finish_run()
+  T damped_rate;               // power that the modes' damping dissipates at the present instant
 };
 ISOLAW_AWAY constexpr std::size_t run_scalars(std::size_t modes, Layout const& layout) {
   return 4 * modes + 4 * layout.bearings + layout.count();
@@ -289,7 +290,7 @@ inline void finish_run(Run<T>& run, StructureArrays const& s) {
 
 // Ground accelerations at equal steps, linear between samples. After the last sample they fall to zero in one interval.
 struct Ground {
-  double const *x = nullptr, *y = nullptr;  // mm/s2; y may be nullptr
+  double const *x = nullptr, *y = nullptr;  // accelerations along x and y [mm/s2]; y is nullptr without motion along y
   std::size_t samples = 0;
   std::size_t parts = 1;  // integration steps between two samples
   std::size_t steps = 0;  // integration steps of the run

@@ -12,7 +12,7 @@
 namespace isolaw::building {
 namespace {
 
-constexpr double gravity = data::gravity_mm_s2 / 1e3;  // kN/Mg
+constexpr double gravity = data::gravity_mm_s2 / 1e3;  // weight of 1 Mg in kN
 
 void check_slab(Diaphragm const& slab, std::string const& name, std::vector<Complaint>& complaints) {
   auto const positive = [&](double value, std::string_view what, std::string_view unit) {

@@ -25,7 +25,7 @@ namespace isolaw::building {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-inline constexpr double Mg_in_mass = 1e-3;  // 1 Mg in kN s2/mm
+inline constexpr double Mg_in_mass = 1e-3;  // a mass of 1 Mg in the unit of mass of this module, kN s2/mm
 
 struct Point {
   double x_mm = 0.0, y_mm = 0.0;
@@ -36,13 +36,15 @@ Matrix3 carried(Point from, Point at);
 
 struct Diaphragm {
   double mass_Mg = 0.0;
-  double gyration_mm = 0.0;  // radius of gyration about the vertical through the centre of mass
+  double gyration_mm = 0.0;  // radius of gyration of its mass about the vertical through the centre of mass
   Point centre = {};         // centre of mass in plan
 };
 
 struct Storey {
-  Matrix3 stiffness = Matrix3::Zero();  // about `centre`: kN/mm, kN (coupling), kN mm
-  Point centre = {};                    // centre of stiffness in plan
+  // Derivatives of the storey's forces and moment by its drifts along x and y [kN/mm] and its twist about `centre`
+  // [kN mm]; kN between a drift and a twist.
+  Matrix3 stiffness = Matrix3::Zero();
+  Point centre = {};  // centre of stiffness in plan
 };
 Storey storey(double x_kN_mm, double y_kN_mm, double rotation_kNmm, Point centre = {});
 
@@ -58,8 +60,8 @@ std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double
 
 struct Frame {
   Diaphragm base;
-  std::vector<Floor> floors;         // from the lowest up; empty: a rigid mass on its bearings
-  std::vector<double> damping = {};  // [mode on a fixed base] ratios; the last holds for all further modes
+  std::vector<Floor> floors;         // from the lowest up; empty: the building is only the base slab on its bearings
+  std::vector<double> damping = {};  // damping ratios of the modes on a fixed base; the last holds for all further ones
 };
 
 // A frame and its modes on a fixed base. The arrays are row-major.
@@ -73,17 +75,22 @@ class Structure {
   std::size_t floors() const { return frame_.floors.size(); }
   std::size_t modes() const { return frequency_.size(); }
 
-  Matrix3 const& mass() const { return mass_; }            // whole building, rigid, about the base's centre of mass
-  Matrix3 const& base_mass() const { return base_mass_; }  // the base slab only
+  // Mass matrices in (ux, uy, rotation) of the base's centre of mass: of the whole building as a rigid body (M above),
+  // and of the base slab alone.
+  Matrix3 const& mass() const { return mass_; }
+  Matrix3 const& base_mass() const { return base_mass_; }
   double weight_kN() const;
-  std::vector<double> const& frequency_rad_s() const { return frequency_; }  // of the modes on a fixed base, ascending
+  // Circular frequencies [rad/s], ascending, and damping ratios of the modes on a fixed base.
+  std::vector<double> const& frequency_rad_s() const { return frequency_; }
   std::vector<double> const& damping() const { return damping_; }
-  std::vector<double> const& participation() const { return participation_; }  // Gamma [mode][3]
-  // A floor's centre of mass has the absolute acceleration rigid A + shape q''.
-  std::vector<double> const& shape() const { return shape_; }              // [floor][3][mode]
-  std::vector<double> const& rigid() const { return rigid_; }              // [floor][3][3]
-  std::vector<double> const& deformation() const { return deformation_; }  // [storey][3][mode], at Storey::centre
-  std::vector<double> const& shear() const { return shear_; }              // [storey][3][mode], kN and kN mm
+  std::vector<double> const& participation() const { return participation_; }  // Gamma above, [mode][3]
+  // A floor's centre of mass has the absolute acceleration rigid A + shape q''. [floor][3][mode] and [floor][3][3].
+  std::vector<double> const& shape() const { return shape_; }
+  std::vector<double> const& rigid() const { return rigid_; }
+  // If a mode has the amplitude 1: the drifts and the twist of each storey at Storey::centre, and its shears [kN] and
+  // its moment [kN mm]. [storey][3][mode].
+  std::vector<double> const& deformation() const { return deformation_; }
+  std::vector<double> const& shear() const { return shear_; }
 
   // Circular frequencies [rad/s], ascending, on bearings with this stiffness about the base's centre of mass.
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
@@ -95,8 +102,8 @@ class Structure {
 
   Frame frame_;
   Matrix3 mass_, base_mass_;
-  num::Vector masses_;     // [degree of freedom], the base first
-  num::Matrix stiffness_;  // storeys only, without bearings
+  num::Vector masses_;     // mass of each degree of freedom: ux, uy and rotation of the base, then of each floor
+  num::Matrix stiffness_;  // of the storeys between these degrees of freedom, without the bearings
   std::vector<double> frequency_, damping_, participation_, shape_, rigid_, deformation_, shear_;
 };
 

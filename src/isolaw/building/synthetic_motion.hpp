@@ -12,8 +12,8 @@ namespace isolaw::building {
 
 struct SyntheticMotion {
   double step_s = 0.005, duration_s = 20.0;
-  double peak_g = 0.35;          // along x; the independent component along y has 0.85 of this
-  double ground_period_s = 0.5;  // natural period of the soil
+  double peak_g = 0.35;          // largest acceleration along x; the independent component along y has 0.85 of it
+  double ground_period_s = 0.5;  // natural period of the soil, and below its damping ratio: the filter of the noise
   double ground_damping = 0.6;
   bool two_components = true;
 };

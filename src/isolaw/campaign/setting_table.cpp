@@ -124,7 +124,7 @@ std::vector<Setting> make_settings() {
       {{{.key = "laws",
          .kind = Kind::list,
          .help =
-             "laws to fit: usual (default; all that isolaw laws lists as paper or usual), paper, all, or ids such as bilinear,bouc-wen",
+             "laws to fit: usual (default), paper (those of Cucuzza et al. 2025), all, or ids such as bilinear,bouc-wen. The command 'isolaw laws' lists all laws and marks each as paper, usual or all; usual fits the laws marked paper or usual",
          .heading = Heading::everyday},
         [](S const& s) -> Json { return s.laws; },
         set_laws}},
@@ -141,7 +141,7 @@ std::vector<Setting> make_settings() {
           "where the motion turns: sampled (default), at a sample; interpolated, between samples, for records with little noise",
           at(&S::turning_points), turnings)},
       {number<S>("runs", "number of independent searches for each law on each device", at(&S::runs),
-                 {.least = 1, .most = 1e5}, "2; ga: 20")},
+                 {.least = 1, .most = 1e5}, "2; with --method ga 20")},
       // The upper limits keep the number of evaluations within an int. The limit of selection_pressure keeps the
       // weights above zero with which the genetic algorithm selects parents.
       {number<S>("population", "with --method ga: number of individuals", at(&S::genetic, &Ga::population),
@@ -185,7 +185,7 @@ std::vector<Setting> make_settings() {
       dead_band(),
       {word<S>(
            "weights",
-           "how samples count in the fit: time, by their time; swing, by the size of their swing; travel, by the distance moved; auto (default), by time if all swings are alike, with --method ga and with --box published, otherwise by swing",
+           "what a sample counts by in the fit: time, the time between samples; swing, that time weighted by the size of the swing (the way between two turning points), so that a large swing counts more than small ones; travel, the distance moved between samples; auto (default), which is time if all swings are alike within 10 %, or with --method ga, or with --box published, and otherwise swing",
            at(&S::clean, &Clean::weights), weightings),
        {},
        false,

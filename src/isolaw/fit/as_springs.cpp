@@ -12,7 +12,8 @@
 namespace isolaw::fit {
 namespace {
 
-struct Share {  // one spring, or two at mirrored angles; their force along the test is `force` times the law's force
+// One spring, or two at mirrored angles. Their force along the test is `force` times the force of `law`.
+struct Share {
   LawOnMotion law;
   double force;
 };
@@ -28,7 +29,7 @@ class SpringsOnRecord {
     auto const [force_share, way_share] = laws::spring_shares(count);
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
-      if (2 * i == count) continue;  // this spring is at right angles to the motion
+      if (2 * i == count) continue;  // this spring is at right angles to the motion, so it neither moves nor pulls
       // For an odd law, the spring at count - i gives the same force along the test as the one at i. Spring i counts
       // twice instead.
       bool const mirrored = law.info.traits.odd && i > 0;
@@ -44,7 +45,8 @@ class SpringsOnRecord {
 
   std::size_t size() const { return measured_.size(); }
   std::span<double const> weights() const { return model_.residual_weights(); }
-  double objective_of_law(std::span<double const> parameters) const {  // objective of the law itself, without springs
+  // The objective of the law along one direction, without springs.
+  double objective_of_law(std::span<double const> parameters) const {
     std::vector<double> work;
     return model_.objective(parameters, work);
   }

@@ -13,7 +13,7 @@
 namespace isolaw::fit {
 
 struct AsSprings {
-  std::vector<double> parameters;  // used in every spring; in the law's order and units
+  std::vector<double> parameters;  // the law's parameters in every spring, in the law's order and units
   // Objectives as in LawOnRecord, averaged over the records: `law` is that of the law itself, `given` that of springs
   // with the law's own parameters, and `fitted` that of springs with `parameters`.
   double law = 0.0, given = 0.0, fitted = 0.0;

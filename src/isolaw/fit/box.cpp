@@ -16,7 +16,9 @@ namespace {
 // scale covers the six decades below the end that is farther from zero.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-struct AcrossZero {  // value = linear_size sinh(c), c from asinh(lower / linear_size) to asinh(upper / linear_size)
+// The logarithmic scale of an interval that touches or spans zero: value = linear_size sinh(c). It is logarithmic where
+// |value| is above linear_size and linear below. c goes from `from` = asinh(lower / linear_size) to `to` at `upper`.
+struct AcrossZero {
   double linear_size, from, to;
 
   AcrossZero(double lower, double upper)
@@ -215,7 +217,8 @@ AtBound at_bound(SearchParameter const& parameter, double value) {
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound) {
   constexpr double farther = 10.0;
-  auto const away = [&](double end, double other) {  // moves `end` outwards: away from zero or towards it
+  // Moves one end of the interval outwards, which is away from zero or towards it. `other` is the other end.
+  auto const away = [&](double end, double other) {
     if (end == 0.0) return -other;
     bool const from_zero = (end > 0.0) == (end > other);
     return from_zero ? farther * end : end / farther;
@@ -258,14 +261,19 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
   double const disp = record.largest_scored(x), force = record.largest_scored(f);
   double stiffness = peak_to_peak_stiffness(record);
-  if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;  // the record has no clear slope
+  // If the record has no clear slope from peak to peak, the largest force over the largest displacement takes its
+  // place.
+  if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;
 
   auto const at_zero = forces_at_zero(record);
   double strength = 0.0;
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
-  if (!(strength > 0.02 * force)) strength = 0.25 * force;  // no crossing of zero, or hardly any dissipation
+  // If the displacement never crosses zero, or the device hardly dissipates, a quarter of the largest force is taken.
+  if (!(strength > 0.02 * force)) strength = 0.25 * force;
 
-  double work = 0.0;  // over all samples, scored or not, because a law's state accumulates all work of a test
+  // The work of a test over all samples, also those that do not count in the objective, because a law's state adds up
+  // all work.
+  double work = 0.0;
   for (auto const& test : data::test_ranges(record.starts, record.size())) {
     double of_test = 0.0;
     for (std::size_t i = test.first + 1; i < test.end; ++i) of_test += 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1]);

@@ -13,22 +13,26 @@
 namespace isolaw::fit {
 
 enum class BoxKind {
-  published,  // Table 4 of Cucuzza et al. 2025, always linear; two bounds that it lacks are ours
-  scaled,     // "auto" in the user interface: computed from the sizes in the record
+  published,  // the intervals of Table 4 of Cucuzza et al. 2025 on linear scales; two bounds that it lacks are ours
+  scaled,     // "auto" for users: intervals computed from the record's largest displacement, force, stiffness, ...
 };
 
-struct Override {  // the option --set law.parameter=value|lower:upper|free|other parameter
+// The option --set law.parameter=value|lower:upper|free|other parameter.
+struct Override {
   std::string law;
   std::string parameter;
-  std::optional<laws::Interval> interval;  // equal ends fix the parameter; nullopt: free in its usual interval, or tied
-  std::string tied_to = {};                // name of the parameter whose value this parameter takes; empty if not tied
+  // The interval to search. Equal ends fix the parameter. nullopt: the option frees it in its usual interval, or ties
+  // it.
+  std::optional<laws::Interval> interval;
+  std::string tied_to = {};  // name of the parameter whose value this parameter takes; empty if not tied
 
-  std::string text() const;  // as the user would type it
+  std::string text() const;  // the text of the option --set, as the user would type it
 };
 
 Override const* last_override(std::span<Override const> overrides, laws::LawEntry const& law,
                               std::string_view parameter);
-std::string limits_text(laws::Interval const& limits, std::string_view unit);  // for example "above 0 kN/mm"
+// Says which values physical limits allow, for example "above 0 kN/mm".
+std::string limits_text(laws::Interval const& limits, std::string_view unit);
 // Reads the text of one --set option. Throws Error if the text has another form, the law or the parameter is unknown,
 // lower >= upper, a value is outside the physical limits, or the parameter is tied to itself or to a parameter of
 // another unit.
@@ -37,9 +41,9 @@ Override parse_override(std::string_view text);
 struct SearchParameter {
   std::string name, unit;
   bool free = true;
-  double value = 0.0;                       // if the parameter is fixed
+  double value = 0.0;                       // the value if the parameter is neither free nor tied
   std::optional<std::size_t> tied_to = {};  // index of the parameter whose value this one takes; it is then not free
-  double lower = 0.0, upper = 0.0;
+  double lower = 0.0, upper = 0.0;          // the interval to search, in `unit`, if the parameter is free
   laws::Scale scale = laws::Scale::linear;
   // at() maps [0, 1] to the parameter's interval and coordinate() maps back. Values outside are clamped.
   double at(double unit_coordinate) const;

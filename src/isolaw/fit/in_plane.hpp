@@ -20,8 +20,10 @@ struct PlaneMotion {
 struct LawInPlane {
   laws::LawEntry const* law;
   std::vector<double> parameters;
-  double dead_band_mm = 0.0;  // used by springs only
-  int refinement = 1;         // steps per sample for springs; the coupled extension needs no smaller steps
+  // Both are for springs only. A spring ignores reversals smaller than the dead band, and makes `refinement`
+  // integration steps from sample to sample. The coupled extension needs neither.
+  double dead_band_mm = 0.0;
+  int refinement = 1;
 
   laws::InPlane form(laws::Bidirectional how, laws::plane::Softening softening) const;
 };
@@ -31,13 +33,14 @@ std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, law
 
 // A law's results on the second turn of a figure of eight of 200 samples: x = size_mm sin p, y = size_mm / 2 sin 2p.
 struct OnAnEight {
-  std::string_view rule;  // the extension to two directions: "coupled", "springs", ...
-  double peak_kN, work_kN_mm;
+  std::string_view rule;       // the extension to two directions: "coupled", "springs", ...
+  double peak_kN, work_kN_mm;  // the largest force, and the dissipated energy
 };
 // Returns one result for each extension that the law has: coupled and springs. A law that softens with the largest
 // displacement so far has a second coupled one, in which each axis has its own largest displacement.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-struct Spread {  // the largest differences between the extensions, relative to the first extension's value
+// The largest difference between the results of an extension and of the first one, divided by those of the first.
+struct Spread {
   double peak = 0.0, work = 0.0;
 };
 Spread spread_of(std::vector<OnAnEight> const& rules);

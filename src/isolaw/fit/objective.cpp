@@ -53,7 +53,9 @@ std::vector<double> shared_among(std::span<std::size_t const> kept, std::span<do
 // the weight 0.
 struct Weights {
   std::vector<double> weight;
-  double total = 0.0;  // their sum before they were scaled; for weights by time the duration of the scored part
+  // Sum of the weights before they were scaled to the sum 1. For weights by time it is the duration [s] of the part
+  // that is scored.
+  double total = 0.0;
 };
 // Trapezoidal weights in time. Only intervals between two scored samples count.
 Weights time_weights(data::FitRecord const& record) {
@@ -136,7 +138,7 @@ std::size_t require_something_to_fit(laws::LawInfo const& law, std::span<data::F
                       spread, largest),
           "a force that changes during the test");
   }
-  number = 0;  // from here on, a refusal is about all tests
+  number = 0;  // the message of a refusal below names no single test
   if (count == 0)
     refuse("no sample that counts in the objective", "a part of the test in which time goes on and the device swings");
   return count;
@@ -331,7 +333,8 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
     std::size_t const used = std::min(left, width);
     std::array<bool, wide_block> usable{};
     for (std::size_t lane = 0; lane < width; ++lane) {
-      candidate(lane < used ? first + lane : first, one);  // an incomplete block repeats its first candidate
+      // Lanes without a candidate of their own repeat the first one of the block. Their results are not used.
+      candidate(lane < used ? first + lane : first, one);
       usable[lane] = std::ranges::all_of(one, [](double value) { return std::isfinite(value); });
       for (std::size_t p = 0; p < dimension; ++p) block[p * width + lane] = one[p];
     }

@@ -15,7 +15,8 @@
 
 namespace isolaw::fit {
 
-inline constexpr int shift_refinement = 20;  // integration_shift() makes this many steps for each step of the fit
+// integration_shift() makes this many integration steps in place of each step of the fit.
+inline constexpr int shift_refinement = 20;
 // The largest relative difference between the objectives that two machines compute for the same record and parameters;
 // the same limit holds for forces, relative to the peak force. Compilers, mathematical libraries and processors round
 // differently. `./isolaw.sh compilers` found 6e-14 for objectives and 1.2e-12 for forces (bouc-wen in x87 arithmetic;
@@ -26,7 +27,8 @@ inline constexpr double evaluation_tolerance = 1e-9;
 // laws. Objectives above 1e6 may differ more, and so may integrations of the kind `paper` with unstably long steps.
 inline constexpr double block_tolerance = 1e-11;
 
-class LawOnMotion {  // a law on a displacement history; no measured force is needed
+// A law on a displacement history. No measured force is needed.
+class LawOnMotion {
  public:
   // The law makes `refinement` equal steps from sample to sample. A law that remembers its path ignores motions within
   // the record's dead band. The object keeps no reference to the history. Throws Error for a history without samples,
@@ -55,7 +57,8 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   // law's order and units; `force` has one element per sample. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
   std::vector<double> force_kN(std::span<double const> parameters) const;
-  void evaluate(std::span<double const> parameters, std::span<double> force) const;  // in the law's unit of force
+  // As force_kN(), but in the law's unit of force.
+  void evaluate(std::span<double const> parameters, std::span<double> force) const;
 
  private:
   void make_tests(std::span<data::TestRange const> ranges);
@@ -64,7 +67,7 @@ class LawOnMotion {  // a law on a displacement history; no measured force is ne
   laws::Integration integration_;
   laws::TurningPoints turning_points_;
   int refinement_ = 1;
-  std::vector<double> time_s_, x_, v_;  // x_ and v_ use the law's unit of length
+  std::vector<double> time_s_, x_, v_;  // time, displacement and velocity; the last two in the law's unit of length
   std::vector<Test> tests_;
 };
 
@@ -104,9 +107,11 @@ class LawOnRecord {
   void residual_rows(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                      std::size_t stride, std::span<double> rows, InstructionSet set = instruction_set()) const;
 
-  std::span<double const> residual_weights() const { return share_; }  // objective = sum of weight * |residual|
+  // One weight for each sample, such that the objective is the sum of weight * |residual|. Their sum is 1.
+  std::span<double const> residual_weights() const { return share_; }
   std::size_t samples() const { return measured_.size(); }
-  std::vector<double> spreads_kN() const;  // for each sample, the standard deviation of the measured force in its test
+  // For each sample the standard deviation of the measured force in the test that it belongs to.
+  std::vector<double> spreads_kN() const;
 
   std::vector<double> force_kN(std::span<double const> parameters) const { return motion_.force_kN(parameters); }
 
@@ -118,9 +123,9 @@ class LawOnRecord {
   double misfit(std::vector<double> const& force) const;
 
   LawOnMotion motion_;
-  std::vector<double> measured_;  // in the law's unit of force
-  std::vector<double> weight_;    // share_ / standard deviation of the measured force in the test
-  std::vector<double> share_;     // weight (by time, swing or travel) of a sample among those of all tests; sum 1
+  std::vector<double> measured_;  // measured force of each sample, in the law's unit of force
+  std::vector<double> weight_;    // for each sample share_ / standard deviation of the measured force in its test
+  std::vector<double> share_;     // weight of each sample by time, swing or travel; the sum over all tests is 1
   std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 

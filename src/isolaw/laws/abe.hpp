@@ -69,13 +69,15 @@ struct Abe {
     p.Y0 *= b;
     return p;
   }
-  static constexpr bool crowded = true;  // a step keeps so many values that kernels use fewer lanes (fit/kernels.cpp)
+  // A step holds so many values at once that kernels compute fewer parameter sets together (fit/kernels.cpp).
+  static constexpr bool crowded = true;
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Abe]
   template <class N>
   struct State {
-    N F2 = N(0.0);
-    N growth = N(0.0);  // |x / Uh|^p at the present x
+    N F2 = N(0.0);      // the hysteretic force [kN]
+    N growth = N(0.0);  // |x / Uh|^p at the present displacement x; the yield force is Y0 (1 + growth)
     abe_parts::Softened<N> softened;
     template <class Each>
     void members(Each& each) {

@@ -60,11 +60,12 @@ struct AbeY0 {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct AbeY0]
   template <class N>
   struct State {
-    N u = N(0.0);     // F2 / Y0
-    N time = N(0.0);  // travel along the curve u(t) of `flow`
+    N u = N(0.0);     // the hysteretic force F2 / its yield force Y0
+    N time = N(0.0);  // the t at which the curve u(t) of Constants::flow has u, taken positive along the motion
     abe_parts::Softened<N> softened;
     template <class Each>
     void members(Each& each) {

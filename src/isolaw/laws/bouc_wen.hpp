@@ -83,10 +83,13 @@ struct BoucWen {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct BoucWen]
   template <class N>
   struct State {
-    N z = N(0.0), time = N(0.0);  // time: travel along the curve u(t) of Flow
+    // z is the hysteretic variable [mm]. `time` is the t at which the curve u(t) of Constants::flow has the value of
+    // z / z_max, taken positive in the direction of motion.
+    N z = N(0.0), time = N(0.0);
     template <class Each>
     void members(Each& each) {
       each(z, time);
@@ -142,7 +145,8 @@ struct BoucWen {
   static T step_paper(Params<T> const& p, Constants<T, double> const&, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
-      T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;  // beta sgn(x' z) + gamma
+      // beta sgn(z dx) + gamma, if z has the sign of the motion dx, and if it has the opposite sign.
+      T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;
       return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
     });
     return force(p, state.z, T(step.x1));

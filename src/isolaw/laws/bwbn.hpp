@@ -111,7 +111,9 @@ struct Bwbn {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Bwbn]
+  // z is the hysteretic variable [mm], and e the work of its force, with which strength and stiffness degrade.
   template <class N>
   struct State {
     N z = N(0.0), e = N(0.0);
@@ -122,8 +124,8 @@ struct Bwbn {
   };
   template <class T, class X>
   struct Constants {
-    T strength;  // zu without degradation
-    T share;     // (1 - alpha) ko
+    T strength;  // zu, the largest |z|, before any degradation [mm]
+    T share;     // (1 - alpha) ko, the hysteretic force for z = 1 mm [kN/mm]
     Flow<T, X, Reach::within_saturation> flow;
   };
   template <class T, class X>

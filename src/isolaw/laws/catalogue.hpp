@@ -21,7 +21,7 @@ struct JointLimitEntry {
 
 struct LawEntry {
   LawInfo info;
-  std::size_t index = 0;  // in the catalogue
+  std::size_t index = 0;  // position of the law in catalogue()
   std::vector<ParameterInfo> parameters;
   // Writes the force [law's unit] at each of path.samples() samples into `force`, for `parameters` in the law's order
   // and units. A force that overflows is infinite or NaN. If a parameter is not finite, all forces are NaN. Throws

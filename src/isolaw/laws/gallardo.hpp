@@ -105,6 +105,7 @@ struct Gallardo {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Gallardo]
   // On one side of x = 0 the elastic force is km linear g - cubic g^3 + quintic g^5, with g = x / 100 mm.
   template <class N>
@@ -119,10 +120,12 @@ struct Gallardo {
   struct State {
     Side<N> sides[2];
     N z = N(0.0);
-    N here = N(1.0);                // strength of the branch that z was on at the last turn
-    N ahead = N(1.0);               // strength of the branch that z is on once it has passed 0
-    N from = N(0.0), way = N(0.0);  // travel from z = 0 in yield displacements, at the last turn and now
-    double turn_x = 0.0;            // displacement of the last turn
+    N here = N(1.0);   // strength (see strength_at) of the branch that z was on at the last turn of the motion
+    N ahead = N(1.0);  // strength of the branch that z is on once it has passed 0 after that turn
+    // The travel, in yield displacements uy, from where z is 0 to the last turn, and to the present displacement. It is
+    // negative before z is 0.
+    N from = N(0.0), way = N(0.0);
+    double turn_x = 0.0;  // displacement of the last turn
     template <class Each>
     void members(Each& each) {
       each(sides[0], sides[1], z, here, ahead, from, way, turn_x);
@@ -134,10 +137,10 @@ struct Gallardo {
   // it is State::ahead times u.
   template <class T, class X>
   struct Constants {
-    T per_uy;
-    T strongest;  // the largest strength that any branch can have
+    T per_uy;     // 1 / uy
+    T strongest;  // the largest strength that a branch can have, that for phi = phimax
     Flow<T, X, Reach::within_saturation> flow;
-    T zero;  // the time at which `flow` passes u = 0
+    T zero;  // the t at which the curve u(t) of `flow` passes u = 0
   };
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {
@@ -193,7 +196,7 @@ struct Gallardo {
 
   template <class T, class X, class N, class PathMemory>
   static N elastic(Params<T> const& p, Side<N>& side, X const& x, PathMemory const& memory) {
-    constexpr double log2_reference = 6.64385618977472470;  // log2(reference_mm)
+    constexpr double log2_reference = 6.64385618977472470;  // log2 of reference_mm, 100 mm
     if (memory.softens) {
       N const G(memory.log2_softening - log2_reference);
       T const rate(-log2_e);

@@ -72,11 +72,12 @@ struct HistoryIntegral {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct HistoryIntegral]
   template <class N>
   struct State {
-    N slow = N(0.0), quick = N(0.0);  // q1, q2
-    N elastic = N(0.0);               // K (M/100)^(g-1) / 100
+    N slow = N(0.0), quick = N(0.0);  // the memories q1, of length D, and q2, of length u D
+    N elastic = N(0.0);               // elastic stiffness K (M/100)^(g-1) / 100 [kN/mm]; M is the largest |x| so far
     template <class Each>
     void members(Each& each) {
       each(slow, quick, elastic);
@@ -86,7 +87,8 @@ struct HistoryIntegral {
   using Memory = Remembered<X, Peaks<X>>;
   template <class T, class X>
   struct Constants {
-    T per_slow, per_quick;  // log2(e) / D and log2(e) / (u D)
+    // log2(e) / D and log2(e) / (u D): during a travel l a memory fades to 2^(-l times this) of its value.
+    T per_slow, per_quick;
   };
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {

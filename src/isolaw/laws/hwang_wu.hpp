@@ -76,11 +76,13 @@ struct HwangWu {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct HwangWu]
-  // The force at one point of the path, in three terms: the exponentials of the work multiply the last two.
+  // The force at one point of the path, with displacement x and velocity v, in three terms. Exponentials of the work W
+  // multiply the last two.
   template <class N>
   struct Coefficients {
-    N elastic = N(0.0);    // (a1 + a2 x^2 + a3 x^4) x
+    N elastic = N(0.0);    // spring without work: (a1 + a2 x^2 + a3 x^4) x [N]
     N softening = N(0.0);  // a4 x / cosh^2(a5 v)
     N damping = N(0.0);    // (a6 + a7 x^2) v / sqrt(a8^2 + v^2)
     template <class Each>
@@ -99,7 +101,7 @@ struct HwangWu {
   };
   template <class T, class X>
   struct Constants {
-    T decay9, decay10;  // a9 and a10 times log2(e), for exp2
+    T decay9, decay10;  // a9 and a10 times log2(e), because a power of 2 takes the place of the exponential
   };
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {

@@ -68,9 +68,10 @@ struct Jankowski {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Jankowski]
   template <class N>
-  struct State {  // the law has no memory
+  struct State {  // empty: the force depends on the present displacement and velocity alone
     template <class Each>
     void members(Each&) {}
   };

@@ -30,6 +30,7 @@ namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
+// isolaw export copies the lines from here to [end] into C++ files, in this namespace (programs/header_parts.cpp):
 // [export namespace kikuchi_aiken]
 // Values that depend on the peak: force, equivalent damping ratio, hysteretic share, exponent of the hardening part.
 template <class N>
@@ -45,9 +46,10 @@ inline T area_left(T const& a) {
 
 template <class T>
 struct Constants {
-  T least_area;
-  T c, twice_c2, bump_end;  // the parameter c times log2(e), for exp2; 2 c^2; exp(-2c)
-  T most_b;                 // the limit of b where U = 1/2
+  T least_area;  // area_left for the largest a
+  // With the parameter c: c log2(e), because a power of 2 takes the place of the exponential; 2 c^2; and exp(-2c).
+  T c, twice_c2, bump_end;
+  T most_b;  // e min(c, 5), the limit of b (see the top of this file) without its factor 1/U - 1
 };
 template <class T>
 inline Constants<T> constants(T const& largest_a, T const& c) {
@@ -60,7 +62,9 @@ template <class N>
 struct Loops {
   struct Turn {
     double x = 0.0;
-    bool bump = false;  // whether the branch from this turn has the term b s exp(-c s)
+    // Whether the branch from this turn has the term b s exp(-c s), with s the travel since then / the peak.
+    bool bump = false;
+    // The hysteretic force at the turn, and the factor on the rise of the branch from there.
     N force = N(0.0), scale = N(0.0);
     template <class Each>
     void members(Each& each) {
@@ -68,8 +72,11 @@ struct Loops {
     }
   };
   N hysteretic = N(0.0);
-  N strength = N(0.0), half_elastic = N(0.0), exponent = N(0.0);  // u Fm, (1 - u) Fm / 2, n
-  N a = N(0.0), b = N(0.0), closing = N(0.0);                     // a times log2(e), b, 2 exp(-2a)
+  // At the present peak, with the force Fm there, of which u is the hysteretic share: the strength u Fm, half the
+  // elastic force, (1 - u) Fm / 2, and the exponent of the hardening part.
+  N strength = N(0.0), half_elastic = N(0.0), exponent = N(0.0);
+  // a log2(e), b and 2 exp(-2a), with the a and b of the branches (see the top of this file).
+  N a = N(0.0), b = N(0.0), closing = N(0.0);
   std::vector<Turn> turned;
   template <class Points>
   void make_room(Points const& points) {
@@ -213,6 +220,7 @@ struct KikuchiAiken {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct KikuchiAiken]
   template <class N>
   using State = kikuchi_aiken::Loops<N>;

@@ -86,16 +86,18 @@ struct Interval {
 // The scale on which an interval is searched. logarithmic: in log|value|, but linearly below 1e-6 of the larger end.
 enum class Scale { linear, logarithmic };
 
-struct RecordScales {      // sizes of a record, in the law's units; the bounds of a search are multiples of them
+// Sizes of a record, in the law's units. The bounds of a search are multiples of them.
+struct RecordScales {
   double disp = 0.0;       // largest |displacement|
   double force = 0.0;      // largest |force|
-  double stiffness = 0.0;  // effective stiffness, peak to peak
+  double stiffness = 0.0;  // effective stiffness: difference of the forces at the two peaks / difference of the peaks
   double strength = 0.0;   // mean |force| where the displacement crosses zero (characteristic strength)
   double velocity = 0.0;   // largest |velocity|; 0 without a time channel
   double work = 0.0;       // energy dissipated in a whole test; of several tests, the largest
 };
 
-struct ScaledInterval {  // a search interval in multiples of a size of the record (parts/limits.hpp has the sizes)
+// A search interval: `lower` and `upper` times a size of the record, which `size` returns (parts/limits.hpp).
+struct ScaledInterval {
   double lower, upper;
   double (*size)(RecordScales const&);
 
@@ -106,7 +108,7 @@ struct ParameterInfo {
   std::string_view name;
   std::string_view unit;
   std::string_view meaning;
-  Interval physical;                            // a value outside is refused
+  Interval physical;                            // physically possible values; any other value is refused
   std::optional<Interval> published;            // bounds of Cucuzza et al. 2025, Table 4; always searched linearly
   ScaledInterval scaled;                        // bounds of the search for a device of any size
   Scale scaled_search = Scale::linear;          // whether the search between these bounds is linear or logarithmic
@@ -137,28 +139,28 @@ struct Row {
 // it, no point of the box does.
 template <class Params>
 struct JointLimit {
-  std::string_view statement;  // "K1 >= K2"
+  std::string_view statement;  // the condition as text, for example "K1 >= K2"
   bool (*holds)(Params const&);
 };
 
 struct Traits {
-  bool rate_independent = false;  // the velocity does not matter
-  bool odd = false;               // the mirrored motion gives the mirrored force
-  bool path_integrated = false;   // a differential law: the integration method matters
-  bool remembers = false;         // its step reads the path's Memory
+  bool rate_independent = false;  // the force does not depend on the velocity
+  bool odd = false;               // the motion -x(t) gives the force -F(t)
+  bool path_integrated = false;   // a differential equation gives the force, so Integration matters
+  bool remembers = false;         // the law's step reads the path's Memory
   bool masing = false;            // branches close where they began; a small loop leaves no trace once it has closed
-  bool exact_flow = false;        // follows the curve of saturating_flow.hpp; a trial uses a table of that curve
+  bool exact_flow = false;        // the law follows the curve of saturating_flow.hpp; a trial uses a table of the curve
 };
 
 // paper: a law of Cucuzza et al. 2025. These and the usual laws are computed by default, the further ones on request.
 enum class LawSet { paper, usual, further };
 
 struct LawInfo {
-  std::string_view id;     // typed by users and stored in files
-  std::string_view name;   // for sentences and figures
-  std::string_view title;  // for the catalogue
+  std::string_view id;     // the name that users type and files store, for example "bouc-wen"
+  std::string_view name;   // the name in sentences and figures
+  std::string_view title;  // one line about the law for the catalogue
   std::string_view source;
-  Unit force, length;  // time is always in seconds
+  Unit force, length;  // the law's units; its unit of time is always the second
   Traits traits;
   std::string_view formula;    // lines of plain text with the parameters' names; x, v and F in the units above
   std::string_view note = "";  // how the source was read where it is incomplete, what the law was made for
@@ -170,21 +172,24 @@ struct LawInfo {
 };
 
 enum class Integration { converged, paper };
-enum class TurningPoints { as_sampled, interpolated };  // whether the path turns only at samples, or also between them
+// Whether the path turns only at samples, or also between them (make_path_with_turning_points()).
+enum class TurningPoints { as_sampled, interpolated };
 
+// One step of a motion with numbers of type X, in the law's units.
 template <class X>
-struct StepOf;  // one step of a motion with numbers of type X, in the law's units
+struct StepOf;
+// One step of the path of a record. It depends on the record alone.
 template <>
-struct StepOf<double> {             // one step of the path; it depends on the record alone
-  double x0, x1;                    // displacement before and after
-  double v0, v1;                    // velocity before and after; 0 for a record without time
-  double dx;                        // x1 - x0
-  double length;                    // |dx|
-  double direction;                 // +1 or -1; if dx = 0, that of the step before; 0 before the first motion
-  bool reversal;                    // the direction differs from the step before
-  bool sample;                      // the end is a sample of the record, so its force is reported
-  double peak0, peak1;              // largest |x| up to the start and the end of the step
-  double log2_abs_x0, log2_abs_x1;  // |x| counts as at least num::smallest_power_base
+struct StepOf<double> {
+  double x0, x1;                    // displacement before and after the step
+  double v0, v1;                    // velocity before and after the step; 0 for a record without time
+  double dx;                        // change of displacement, x1 - x0
+  double length;                    // travel, |dx|
+  double direction;                 // the sign of dx; if dx = 0, that of the step before; 0 before the first motion
+  bool reversal;                    // whether the direction is opposite to that of the step before
+  bool sample;                      // whether the step ends at a sample of the record, whose force is reported
+  double peak0, peak1;              // largest |x| up to the start and up to the end of the step
+  double log2_abs_x0, log2_abs_x1;  // log2 |x| before and after; |x| counts as at least num::smallest_power_base
 };
 using Step = StepOf<double>;
 
@@ -195,29 +200,31 @@ struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;           // whether the motion turned at the begin of this step
   std::size_t kept;     // if it turned: stack index at which a law keeps its force at that turning point
-  std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step
-  std::size_t branch;   // stack index of the turning point that began the branch; none: on the skeleton
-  double branch_x;      // displacement of that turning point
-  double direction;     // +1, -1; 0 before the first motion
-  double peak0, peak;   // largest |x| before and after the step
-  double inside;        // the part of the step's length with |x| below peak0
-  double side_peak;     // largest |x| on the side of x after the step; N, G and C below belong to this side too
-  double virgin;        // (1 + N)^(-1/3), N: travel on the side divided by side_peak; N fades as side_peak grows
-  double log2_worn;     // log2(1 + NT), NT: travel on both sides divided by the largest |x|; NT fades as that grows
-  double pushed;        // growth of the largest |x| at x > 0 minus its growth at x < 0
-  // log2 of G and C. G is half the travel outwards plus four times the travel back, C is the travel back.
+  std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step; or none
+  // The turning point at which the present branch began: its stack index (none: the path is on the skeleton), and its
+  // displacement.
+  std::size_t branch;
+  double branch_x;
+  double direction;    // direction of the step, +1 or -1; 0 before the first motion
+  double peak0, peak;  // largest |x| before and after the step
+  double inside;       // the part of the step's length in which |x| is below peak0
+  double side_peak;    // largest |x| so far on the side of x (x >= 0 or x < 0) on which the step ends
+  double virgin;       // (1 + N)^(-1/3); N is the travel on this side / side_peak, and fades as side_peak grows
+  double log2_worn;    // log2(1 + NT); NT is the travel on both sides / the largest |x|, and fades as that grows
+  double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
+  // log2 of G and of C on this side. G is half the travel outwards plus four times the travel back, C the travel back.
   double log2_softening, log2_way_back;
-  std::size_t side;                  // 0: x >= 0, 1: x < 0
-  bool softens, returns;             // whether G, C have changed since the last step that ended on this side
-  bool peak_grows, side_peak_grows;  // whether the peak grows in this step
+  std::size_t side;                  // the side on which the step ends; 0: x >= 0, 1: x < 0
+  bool softens, returns;             // whether G, and C, have changed since the last step that ended on this side
+  bool peak_grows, side_peak_grows;  // whether `peak`, and side_peak, grow in this step
 };
 
 // The record as a piecewise linear path. The first step has no length; its end is the first sample.
 struct Path {
   std::vector<Step> steps;
   std::size_t sample_count = 0;
-  std::vector<Memory> memory = {};  // one per step; empty if not asked for
-  std::size_t deepest = 0;          // the most turning points that are remembered at once
+  std::vector<Memory> memory = {};  // the memory after each step; empty if the caller did not ask for it
+  std::size_t deepest = 0;          // the largest number of turning points that a law's stack must hold
 
   std::size_t samples() const { return sample_count; }
 };
@@ -231,7 +238,8 @@ Path make_path(std::span<double const> x, std::span<double const> v, int refinem
 Path make_path_with_turning_points(std::span<double const> x, std::span<double const> v, std::span<double const> time,
                                    int refinement = 1, bool with_memory = true);
 
-void remember(Path& path);  // fills in path.memory and path.deepest
+// Fills in path.memory and path.deepest.
+void remember(Path& path);
 // Takes movements within `dead_band` [unit of x] out of x (memory/followed.hpp).
 std::vector<double> followed(std::span<double const> x, double dead_band);
 

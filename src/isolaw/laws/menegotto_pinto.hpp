@@ -59,12 +59,17 @@ struct MenegottoPinto {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct MenegottoPinto]
   template <class N>
   struct State {
     N z = N(0.0);
-    N top = N(0.0), bottom = N(0.0);                           // E xm of each side, xm its farthest reversal
-    N turn_z = N(0.0), distance = N(0.0), sharpness = N(0.0);  // zr, D and R of the branch
+    // E times the largest and the least displacement at which the motion has turned. They start Fy above and below the
+    // elastic force at the first sample.
+    N top = N(0.0), bottom = N(0.0);
+    // At the last reversal: z, and its distance from the value +-Fy ahead (zr and D above). R, the sharpness of the
+    // branch that began there.
+    N turn_z = N(0.0), distance = N(0.0), sharpness = N(0.0);
     double turn_x = 0.0;
     template <class Each>
     void members(Each& each) {

@@ -75,10 +75,13 @@ struct Ozdemir {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Ozdemir]
   template <class N>
   struct State {
-    N z = N(0.0), time = N(0.0);  // time: travel along the curve u(t) of Flow
+    // z is the hysteretic part of the force [kN]. `time` is the t at which the curve u(t) of Constants::flow has the
+    // value of z / Y, taken positive in the direction of motion.
+    N z = N(0.0), time = N(0.0);
     template <class Each>
     void members(Each& each) {
       each(z, time);
@@ -86,7 +89,7 @@ struct Ozdemir {
   };
   template <class T, class X>
   struct Constants {
-    T rate;  // K/Y, the time on the curve of `flow` by which a travel of 1 mm advances z
+    T rate;  // K/Y: by so much t grows on the curve u(t) of `flow` while the device moves by 1 mm
     Flow<T, X, Reach::within_saturation> flow;
   };
   template <class T, class X>

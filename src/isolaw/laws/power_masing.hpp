@@ -67,11 +67,12 @@ struct PowerMasing {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct PowerMasing]
   template <class N>
   struct State {
     MasingBranches<N> branches;
-    N per_strength = N(0.0);  // 1 / (skeleton's force at the peak)
+    N per_strength = N(0.0);  // 1 / the strength, which is the force of the skeleton at the largest |x| so far [1/kN]
     Scragging<N> scragging;
     template <class Points>
     void make_room(Points const& points) {

@@ -43,6 +43,7 @@ struct PowerMasingViscous : PowerMasing {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct PowerMasingViscous : PowerMasing]
   template <class T, class X, class N, class PathMemory>
   static N step(Params<T> const& p, NoConstants const& c, State<N>& state, StepOf<X> const& step,

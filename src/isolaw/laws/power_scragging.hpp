@@ -69,12 +69,14 @@ struct PowerScragging {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct PowerScragging]
   template <class N>
   struct State {
-    N slow = N(0.0), quick = N(0.0);  // w1, w2
-    N strength = N(0.0);              // Y (M/100)^g
-    N per_length = N(0.0);            // log2(e) / (U (M/100)^h)
+    // M is the largest |x| so far.
+    N slow = N(0.0), quick = N(0.0);  // the two fading memories w1 and w2 of the direction of motion, -1 to 1
+    N strength = N(0.0);              // largest hysteretic force, Y (M/100)^g [kN]
+    N per_length = N(0.0);            // log2(e) / length of the memory w1, which is U (M/100)^h [mm]
     Scragging<N> scragging;
     template <class Each>
     void members(Each& each) {

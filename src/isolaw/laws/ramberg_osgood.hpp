@@ -58,6 +58,7 @@ struct RambergOsgood {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct RambergOsgood]
   template <class N>
   struct State {
@@ -75,7 +76,7 @@ struct RambergOsgood {
   using Memory = Remembered<X, OpenBranches>;
   template <class T, class X>
   struct Constants {
-    T per_yield, root;  // K/Fy, a^(-1/r)
+    T per_yield, root;  // K/Fy, which divides a displacement by the yield displacement Fy/K; and a^(-1/r)
   };
   template <class T, class X>
   static Constants<T, X> constants(Params<T> const& p) {

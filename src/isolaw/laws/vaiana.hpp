@@ -92,11 +92,12 @@ struct Vaiana {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Vaiana]
   template <class N>
   struct State {
-    N f = N(0.0);
-    N limit = N(0.0);  // the limit curve of the current direction at the last sample
+    N f = N(0.0);      // the force [N] at the end of the last step
+    N limit = N(0.0);  // the force [N] of the limit curve for the present direction, at the end of the last step
     template <class Each>
     void members(Each& each) {
       each(f, limit);

@@ -11,9 +11,9 @@
 namespace isolaw::lot {
 
 struct Outlier {
-  std::size_t device = 0, property = 0;  // indices of values[property][device]
+  std::size_t device = 0, property = 0;  // `value` is values[property][device] of find_outliers()
   double value = 0.0;
-  double median = 0.0;   // over all devices that have this property
+  double median = 0.0;   // median of this property over all devices that have it
   double score = 0.0;    // modified z-score; negative if the value is below the median
   double percent = 0.0;  // 100 (value - median) / |median|; infinite if the median is zero
 };

@@ -17,7 +17,9 @@ using num::Matrix;
 using num::Vector;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-13;  // eigenvalues below this share of the largest one are rounding errors
+// An eigenvalue of a covariance matrix counts as 0 if it is below this fraction of the largest one: it may be only a
+// rounding error.
+constexpr double rounding = 1e-13;
 // Devices count as different in a direction if the variance of the estimates exceeds that of their errors by this share
 // of the sum of the two variances.
 constexpr double least_remainder = 1e-10;
@@ -83,9 +85,10 @@ void check(std::vector<std::string> const& names, std::span<DeviceEstimate const
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-struct Located {  // one device in transformed coordinates
-  Vector at;
-  Matrix error;  // C_d, covariance of the fit's error
+// One device in transformed coordinates.
+struct Located {
+  Vector at;     // theta_d, the estimate of its parameters
+  Matrix error;  // C_d, the covariance of the error of its fit
 };
 
 Located transformed(Population const& population, DeviceEstimate const& device) {
@@ -112,12 +115,14 @@ std::vector<double> physical(Population const& population, Vector const& at) {
   return values;
 }
 
-Vector or_one(Vector v) {  // replaces 0 by 1, so that the result can be a divisor
+// Replaces each element that is not above 0 by 1, so that the result can be a divisor.
+Vector or_one(Vector v) {
   for (double& x : v) x = x > 0.0 ? x : 1.0;
   return v;
 }
 
-Matrix scaled(Matrix const& m, Vector const& factors) {  // multiplies rows and columns by the factors
+// Multiplies row i and column i of a matrix by factors[i].
+Matrix scaled(Matrix const& m, Vector const& factors) {
   return factors.asDiagonal() * m * factors.asDiagonal();
 }
 
@@ -291,7 +296,8 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
   auto const n = static_cast<Index>(names.size());
   auto const count = static_cast<double>(devices.size());
   Vector const first = transformed(population, devices.front()).at;
-  Vector mean = first;  // the loop adds differences from `first`, so that equal devices have exactly zero scatter
+  // Starts from the first device and adds differences from it, so that equal devices have exactly zero scatter.
+  Vector mean = first;
   for (auto const& device : located) mean += (device.at - first) / count;
   population.mean = plain(mean);
   population.medians = physical(population, mean);

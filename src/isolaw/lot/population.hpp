@@ -34,9 +34,10 @@ Transform transform_for(std::span<double const> values);
 
 using SquareMatrix = std::vector<std::vector<double>>;  // [row][column]
 
-struct DeviceEstimate {        // the fit of a law to one device, in the units of the parameters
-  std::vector<double> values;  // [n], the best fit
-  // [n][n], covariance of the fit's error; empty means no error. It may be singular, and huge in directions that the
+// The fit of a law with n free parameters to one device, in the units of the parameters.
+struct DeviceEstimate {
+  std::vector<double> values;  // the n parameters of the best fit
+  // n x n covariance of the fit's error; empty means no error. It may be singular, and huge in directions that the
   // test does not determine. Only its symmetric part is used. If parameters i and j are both transformed to logarithms,
   // C_ij becomes C_ij / (value_i value_j).
   SquareMatrix covariance;
@@ -45,18 +46,19 @@ struct DeviceEstimate {        // the fit of a law to one device, in the units o
 // A direction in which devices show no variance. Its coordinates are the transformed ones, each divided by
 // root(S_ii + C_ii), the standard deviation from scatter and uncertainty together.
 struct Direction {
-  std::vector<double> weights;  // [n], with length 1; the largest element is positive
-  double ratio = 0.0;           // lambda: variance of the estimates / variance of their errors; at most 1
+  // One component for each parameter: a vector of unit length, with the sign that makes its largest component positive.
+  std::vector<double> weights;
+  double ratio = 0.0;  // lambda: variance of the estimates / variance of their errors, in this direction; at most 1
 };
 
 // Vectors and matrices have one element per parameter, in the given order, transformed unless a comment says otherwise.
 struct Population {
   std::vector<std::string> names;
   std::vector<Transform> transforms;
-  std::vector<double> signs;  // sign of a logarithmic parameter, 1 or -1; 1 for others
+  std::vector<double> signs;  // 1 or -1: the sign of a parameter whose Transform is a logarithm; 1 for the others
   std::size_t devices = 0;
 
-  std::vector<double> mean;     // mu, the centre; empty if there are no devices
+  std::vector<double> mean;     // mu, the mean of the devices' estimates; empty if there are no devices
   std::vector<double> medians;  // mu transformed back to the units of the parameters
   // From here on, all members except `note` are empty if there are fewer than two devices.
   SquareMatrix estimates;               // S, the covariance of the estimates
@@ -64,10 +66,10 @@ struct Population {
   SquareMatrix covariance;              // Sigma, the covariance between devices
   std::size_t directions = 0;           // rank of Sigma: number of directions with variance; at most devices - 1
   std::vector<Direction> undetermined;  // directions without variance, smallest ratio first
-  std::vector<double> std;              // standard deviations from Sigma
-  std::vector<double> relative_std;     // std if logarithmic, std / |mean| if not; NaN if mean is 0
-  SquareMatrix correlation;             // NaN between two parameters of which one has no variance
-  std::string note;                     // why covariance is missing or of low rank; empty otherwise
+  std::vector<double> std;              // standard deviation of each parameter between devices, from Sigma
+  std::vector<double> relative_std;  // std of a logarithm is relative already; otherwise std / |mean|, NaN for mean 0
+  SquareMatrix correlation;          // between parameters, from Sigma; NaN if one of the two has no variance
+  std::string note;                  // why covariance is missing or of low rank; empty otherwise
 
   bool has_covariance() const { return !covariance.empty(); }
 };
@@ -84,15 +86,17 @@ struct Population {
 Population estimate_population(std::vector<std::string> const& names, std::span<DeviceEstimate const> devices,
                                std::span<std::size_t const> undetermined = {});
 
-struct Limits {  // physical limits of a parameter, in its units; the limits themselves are allowed
+// Physical limits of a parameter, in its unit. A value equal to a limit is allowed.
+struct Limits {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
 };
 
 struct Sample {
-  SquareMatrix values;          // [count][n], in the units of the parameters
-  std::size_t rejected = 0;     // number of draws outside the limits
-  std::size_t pulled_back = 0;  // number of devices that were moved into the limits after `most_tries` draws outside
+  SquareMatrix values;       // [device drawn][parameter], in the units of the parameters
+  std::size_t rejected = 0;  // number of draws that were thrown away because a parameter was outside its limits
+  // Number of devices that were moved into the limits, because `most_tries` draws in a row had been outside.
+  std::size_t pulled_back = 0;
 };
 inline constexpr std::uint32_t most_tries = 100;
 // Draws `count` devices from N(mu, Sigma) as mu + Sigma^(1/2) z, with all parameters of a device together. The root is

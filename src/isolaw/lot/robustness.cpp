@@ -11,13 +11,16 @@
 namespace isolaw::lot {
 namespace {
 
-constexpr double near_zero = 1e-9;  // share of the largest value; the rounding of sums of 10 to 1000 values is smaller
+// A mean counts as 0 if it is at most this fraction of the largest |value|. Rounding errors in sums of 10 to 1000
+// values are smaller.
+constexpr double near_zero = 1e-9;
 
 bool all_finite(std::span<double const> values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-std::optional<double> reference_mean(std::span<double const> values) {  // nullopt if differences are undefined
+// The mean by which differences are divided; nullopt if it is nearly 0, or if a value is not finite.
+std::optional<double> reference_mean(std::span<double const> values) {
   if (values.empty() || !all_finite(values)) return std::nullopt;
   double largest = 0.0;
   for (double const value : values) largest = std::max(largest, std::abs(value));

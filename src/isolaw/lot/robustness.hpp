@@ -19,8 +19,9 @@ std::vector<double> percent_differences(std::span<double const> device_means);
 std::optional<double> largest_relative_difference(std::span<double const> device_means);
 
 struct Robustness {
-  std::optional<double> beta;  // Eq. (31), the mean of Delta_n over the parameters; smaller is more robust
-  std::string note;            // why beta is undefined, for example the parameters whose mean is near zero
+  // Eq. (31): the mean of Delta_n over the parameters. With a smaller beta, the parameters differ less between devices.
+  std::optional<double> beta;
+  std::string note;  // why beta is undefined: no or one device, or the parameters whose mean is near zero; else empty
 };
 
 // names[n] and device_means[n][d] belong to free parameter n and device d. beta is undefined if Delta_n is undefined

@@ -17,9 +17,10 @@ struct Dual {
 
   Dual() = default;
   explicit Dual(double v) : value(v) {}
-  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }  // value of independent variable i
+  Dual(double v, std::size_t i) : value(v) { slope[i] = 1.0; }  // independent variable i, which has the value v
 
-  static Dual chain(Dual const& u, double f, double derivative) {  // f(u) by the chain rule
+  // f(u) with its derivatives by the chain rule: `f` is the value of f at u and `derivative` is df/du.
+  static Dual chain(Dual const& u, double f, double derivative) {
     Dual out(f);
     for (std::size_t i = 0; i < N; ++i) out.slope[i] = derivative * u.slope[i];
     return out;

@@ -67,7 +67,7 @@ struct Lanes<double> {
 #ifdef __FMA__
     return __builtin_fma(a, b, c);
 #else
-    return a * b + c;  // std::fma would call a library function here
+    return a * b + c;  // without a fused instruction, std::fma would call a slow library function
 #endif
   }
   [[gnu::always_inline]] static inline double multiply_add_apart(double a, double b, double c) {
@@ -111,7 +111,8 @@ inline constexpr double fifth_root_terms[] = {0x1.ffffffffffe17p-1, 0x1.99999999
 // Read as whole numbers, the first 52 bits of x^(-1/5) are about this constant minus a fifth of the first 52 bits of x.
 inline constexpr double fifth_root_guess = 0x1.7febced916873p+52;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
-inline constexpr double ln2_high = 0x1.62e42fee00000p-1;  // its product with an exponent is exact
+// ln(2) is the sum of these two. The first has so few bits that its product with a double's exponent is exact.
+inline constexpr double ln2_high = 0x1.62e42fee00000p-1;
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 // x + shifter rounds |x| < 2^51 to an integer n. The last bits of the sum hold n + 1023; 1023 is the exponent's bias.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;

@@ -49,7 +49,8 @@ template <class T, std::size_t Count>
 template <class T>
 T erf(T const& u) {
   using namespace error_function;
-  T const y = min(abs(u), T(6.0)), square = y * y;  // with this order of arguments min() returns NaN for NaN
+  // min() returns its first argument if that is NaN, so a NaN in u reaches the result.
+  T const y = min(abs(u), T(6.0)), square = y * y;
   auto const inner = y < T(0.46875);
   T const top = select(inner, y * polynomial(inner_top, square), polynomial(outer_top, y));
   T const ratio = top / select(inner, polynomial(inner_bottom, square), polynomial(outer_bottom, y));

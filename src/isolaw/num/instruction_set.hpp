@@ -12,7 +12,8 @@ namespace isolaw::num {
 enum class InstructionSet { scalar, portable, avx2, avx512 };
 std::string_view name(InstructionSet set);
 
-std::vector<InstructionSet> available_instruction_sets();  // compiled into this program and supported by this processor
+// The instruction sets that this program contains code for and that this processor has.
+std::vector<InstructionSet> available_instruction_sets();
 // Returns the fastest available set, or the set that the environment variable ISOLAW_SIMD names. The first call
 // chooses. Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();

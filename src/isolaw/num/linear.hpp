@@ -19,13 +19,13 @@ Matrix product_of_transposed(Matrix const& A, Vector const& d, Matrix const& B);
 Matrix weighted_gram(Matrix const& J, Vector const& weights, double factor = 1.0);  // factor Jᵀ diag(weights) J
 
 struct Symmetric {
-  Vector values;   // in ascending order
+  Vector values;   // the eigenvalues in ascending order
   Matrix vectors;  // one eigenvector of unit length in each column
 };
 Symmetric symmetric_eigen(Matrix const& A);
 
 struct Singular {
-  Vector values;  // in descending order
+  Vector values;  // the singular values in descending order
   Matrix right;   // one right singular vector in each column
 };
 Singular singular_values(Matrix const& A);

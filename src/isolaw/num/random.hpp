@@ -36,7 +36,7 @@ class Draws {
   static constexpr result_type max() { return 0xffffffffu; }
   result_type operator()();
 
-  double uniform();                  // in [0, 1), with 53 random bits
+  double uniform();                  // uniformly distributed in [0, 1), with 53 random bits
   std::size_t below(std::size_t n);  // an index from 0 to n - 1, unbiased; n > 0
   double normal();                   // normal with mean 0 and standard deviation 1
 

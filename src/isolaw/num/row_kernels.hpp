@@ -19,16 +19,18 @@ constexpr std::size_t padded(std::size_t columns) {
 struct RowTable {
   double const* values;
   std::size_t stride;
-  std::span<double const> weights;  // one weight for each row
+  std::span<double const> weights;  // weight of each row's residual in the sums
 };
 
 // The sums for a Newton step. Column 0 of the table holds the residuals at the present point, the other columns those
 // at neighbouring points. In each row, r is the value of column 0, size = sqrt(r^2 + delta^2), and the difference of a
 // column is its value minus r. A column that is not finite makes every sum that contains it not finite.
 struct NormalSums {
-  double* gradient;         // [columns]: sum of weight * difference * r / size
-  double *cautious, *bold;  // [columns][columns], lower triangle: sums of curvature * product of two differences
-  double* value;            // sum of weight * size
+  double* gradient;  // [columns]: sum of weight * difference * r / size
+  // [columns][columns], lower triangle: sum of curvature * difference of one column * difference of the other. The two
+  // matrices take another curvature for a row (see RowKernels::normal).
+  double *cautious, *bold;
+  double* value;  // sum of weight * size
 };
 
 struct RowKernels {
@@ -44,6 +46,7 @@ struct RowKernels {
 };
 inline constexpr std::size_t most_columns = 64;
 
-RowKernels const& row_kernels();  // for the chosen instruction set; `scalar` uses the kernels of `portable`
+// The kernels for the instruction set that instruction_set() returns. For `scalar` they are those of `portable`.
+RowKernels const& row_kernels();
 
 }  // namespace isolaw::num

@@ -9,11 +9,11 @@ namespace isolaw::num {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double mad_to_std = 1.4826;  // standard deviation / MAD of a normal distribution
+constexpr double mad_to_std = 1.4826;  // standard deviation / median absolute deviation of a normal distribution
 
 struct Deviations {
   double mean = nan;
-  double sum_of_squares = nan;  // sum of (value - mean)^2
+  double sum_of_squares = nan;  // sum of (value - mean)^2 over all values
 };
 
 // Two-pass algorithm (Chan, Golub and LeVeque 1983). Without rounding errors the deviations from the mean would have

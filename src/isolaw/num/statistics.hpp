@@ -11,7 +11,7 @@ namespace isolaw::num {
 struct Moments {
   std::size_t count = 0;
   double mean = 0.0;  // NaN when count is 0
-  double std = 0.0;   // with divisor n - 1; 0 when count is 1, NaN when count is 0
+  double std = 0.0;   // standard deviation with divisor count - 1; 0 when count is 1, NaN when count is 0
 };
 Moments moments(std::span<double const> values);
 // Standard deviation with divisor n, as in the objective of a fit. NaN when there are no values.

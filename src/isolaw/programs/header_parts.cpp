@@ -88,7 +88,9 @@ std::size_t closing_angle(std::string_view code) {
   return code.size();
 }
 
-// Replaces the template arguments in `code` by the number types of an export.
+// Rewrites one line of a law for an exported file, which has no templates over the types of numbers T, X and N of
+// laws/law.hpp: a T becomes a double, an X or N a Dual (see written_for). From template arguments these types are left
+// out, so that State<N> becomes State.
 std::string with_plain_numbers(std::string_view code) {
   std::string text;
   while (!code.empty()) {

@@ -25,7 +25,9 @@ struct Parameter {
 
 struct Law {
   int number;
-  std::string_view id;  // isolaw's id; abe-y0 is the variant of docs/source.md nearest to the printed values
+  // The id of the law in isolaw. The paper's law 5 has two readings in isolaw, abe and abe-y0 (docs/source.md). Here it
+  // is abe-y0, because with the printed parameters its loops are closer to those of the other laws.
+  std::string_view id;
   PerDevice objective_mean, objective_std;
   std::span<Parameter const> parameters;
   std::string_view other_reading = {};  // isolaw's id of a second reading of the law; empty if there is none

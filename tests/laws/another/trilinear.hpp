@@ -74,6 +74,7 @@ struct Trilinear {
     return p;
   }
 
+  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
   // [export struct Trilinear]
   template <class N>
   struct State {

@@ -365,7 +365,10 @@ class Handler {
     return affordable;
   }
 
-  std::size_t left_;  // number of cells that may still be kept; a cell takes at least two bytes of the file
+  // Number of table cells that may still be kept. At first it is the file's size in bytes and a little more. Each cell
+  // that the file states takes two bytes or more of it, so only the empty cells of rows that lack a key can use it up.
+  // The file is refused then, since its table would take far more memory than the file.
+  std::size_t left_;
   std::size_t tests_ = 0;
   std::vector<Frame> stack_;
   NumberColumn values_;  // the array of single values being read

@@ -16,29 +16,67 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t least_plateau = 3;   // samples
-constexpr std::size_t least_evidence = 9;  // samples, summed over all plateaus of one sign
-constexpr double least_depth = 0.001;      // times the half range; clipping cuts off at least this much
+// A plateau is a run of samples at the top (or bottom) of a channel that keep one level. The depth of a plateau is the
+// height of the peak that clipping would have cut off it. The half range of a channel is half the difference between
+// its largest and smallest value. The limits below say what a clipped channel looks like, and so which plateaus count.
+
+// Clipped displacement.
+constexpr std::size_t least_plateau = 3;   // fewest samples of a plateau of displacement; one of force has more
+constexpr std::size_t least_evidence = 9;  // fewest samples of all plateaus at one end of the channel together
+// The depth of a plateau exceeds this fraction of the half range of displacement.
+constexpr double least_depth = 0.001;
+// The depth exceeds so many steps of the digitiser, because rounding to these steps makes a plateau of a smooth peak.
 constexpr double depth_quanta = 2.5;
-constexpr double noise_width = 7.0;     // standard deviations of the noise by which samples of a plateau may differ
-constexpr double least_flatness = 0.5;  // times the hump (see Plateau) of a parabola; a clipped noisy plateau has less
-constexpr double flat_thirds = 0.197;   // hump of a parabola (see Plateau) over the height that a plateau cuts off it
-constexpr double least_turn = 0.08;  // times stiffness times depth; if displacement is clipped, Plateau::turn is larger
-constexpr double slower = 0.85;      // times the fastest speed; just before its plateau a clipped sine moves slower
-constexpr double short_plateau = 0.24;  // times half a cycle; the rig's holds are longer
-constexpr double past_the_tip = 0.006;  // times the amplitude; displacement comes back by more while force is clipped
-constexpr double top_deviations = 4.0;  // standard deviations of the noise by which a sample may be off its plateau
-constexpr double least_third = 4.0;     // samples in one third of a plateau, summed over all noisy plateaus
-constexpr double most_window = 0.2;     // times the half range; the slope before a plateau is taken over this at most
+// The samples of a plateau lie at most so many standard deviations of the channel's noise below its highest sample.
+constexpr double noise_width = 7.0;
+// The hump (see Plateau) of a noisy plateau is below this fraction of the hump of a smooth peak, which is
+// flat_thirds times the depth.
+constexpr double least_flatness = 0.5;
+constexpr double flat_thirds = 0.197;
+// The device moves on beyond the plateau's level, so its force turns: Plateau::turn exceeds this fraction of the
+// stiffness times the depth.
+constexpr double least_turn = 0.08;
+// A sine slows down before its peak: just before a plateau its speed is below this fraction of the fastest speed within
+// the last half cycle.
+constexpr double slower = 0.85;
+// The plateau lasts less than this fraction of half a cycle. A longer one may be a hold of the rig.
+constexpr double short_plateau = 0.24;
+
+// Clipped force.
+// The force stays level although displacement comes back from its peak by more than this fraction of the half range of
+// displacement.
+constexpr double past_the_tip = 0.006;
+
+// Clipped force in noise. All plateaus have one level in common, at which the force was clipped.
+// A sample of a plateau lies at most so many standard deviations of the noise off the level.
+constexpr double top_deviations = 4.0;
+// Cut the way of displacement from a plateau's start to its peak into thirds: all plateaus together have at least so
+// many samples in each third.
+constexpr double least_third = 4.0;
+// The slope of force over displacement before a plateau is taken over a window of displacement. The window's length is
+// at most the first of these fractions of the half range of displacement, and more than the second.
+constexpr double most_window = 0.2;
 constexpr double least_window = 0.01;
-constexpr double least_cut = 0.01;    // times the half range of force; clipping in noise cuts off more
-constexpr double most_uneven = 0.15;  // times the force cut off; the mean forces of a plateau's thirds differ by less
-constexpr double same_level = 0.002;  // times the clipping level; a plateau farther from it was not clipped there
-// times the return that clipping causes on a plateau; with less, nothing is clipped
+// The depth exceeds this fraction of the half range of force.
+constexpr double least_cut = 0.01;
+// The mean forces in the three thirds (see least_third) differ by less than this fraction of the depth.
+constexpr double most_uneven = 0.15;
+// The mean force of a plateau is off the level by at most this fraction of the level, beyond what noise explains.
+constexpr double same_level = 0.002;
+// A clipped force stays level until displacement has come back from its peak by the depth divided by the slope after
+// the plateau. While on the plateaus, displacement comes back, on average, by more than this fraction of that distance.
 constexpr double least_return = 0.12;
-constexpr double most_bend = 1.5;  // the slopes in two successive windows before a plateau differ at most by this ratio
-constexpr double least_corner = 5.0;  // slope^2 before a plateau / (earlier slope x slope on it); 1 without a corner
-constexpr double least_back = 0.1;    // times the way to the peak; with less way back, the force is only late
+// The force rises evenly up to a plateau: the slope in the second window before it is at most so many times that in
+// the window next to it. While a device yields, its slope falls.
+constexpr double most_bend = 1.5;
+// A plateau begins at a corner: with the slopes before (in the second window), near (in the window next to the plateau)
+// and flat (on the plateau), near^2 / (before flat) exceeds this number. Without a corner, slopes fall by equal factors
+// and it is 1.
+constexpr double least_corner = 5.0;
+
+// For clipped_force(): while the force stays level, displacement comes back by more than this fraction of its way from
+// the plateau's start to its peak. If it comes back by less, the force is not clipped but recorded a little late.
+constexpr double least_back = 0.1;
 
 class Clipping {
  public:
@@ -128,7 +166,8 @@ class Clipping {
       double fastest = 0.0;
       for (auto i = std::max(lag, first - std::min(first, pair_.half_cycle)); i < first; ++i)
         fastest = std::max(fastest, way(i));
-      ratios.push_back(way(first - 1) / fastest);  // leaves out sample `first`, at the plateau's corner
+      // Ends one sample before the plateau: the step to its first sample may be cut short by the clipping.
+      ratios.push_back(way(first - 1) / fastest);
     }
     return !ratios.empty() && num::median(std::move(ratios)) < slower;
   }
@@ -141,7 +180,8 @@ class Clipping {
       auto const depth = depth_of(pair_.disp, sign, run);
       if (!depth || !(*depth > deep) || (!runs.empty() && runs.back().run.last >= run.last)) continue;
       auto const found = measure(sign, whole(sign, run), *depth);
-      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;  // rest at an end of the record
+      // At an end of the record the device may rest.
+      if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;
       double const humped = least_flatness / 2.0 * flat_thirds * *depth;
       if (!exact && found.hump - 2.0 * pair_.disp.noise * std::sqrt(found.variance) > humped) continue;
       longest = std::max(longest, run.size());
@@ -188,7 +228,9 @@ class Clipping {
     double const expected = into * (x(tip) - x(run.first)) / leaves;
     bool const told = expected > std::max(32.0 * pair_.disp.noise, 3.0 * pair_.disp.quantum);
     auto const later = std::min(tip + 6, pair_.size() - 1);
-    bool const is_turn = x(run.last + 1) <= x(tip);  // the force of a viscous device falls before the motion turns
+    // False if displacement goes on rising after the plateau: the motion has not turned yet. Such a force may be that
+    // of a viscous device, which falls before the motion turns.
+    bool const is_turn = x(run.last + 1) <= x(tip);
     return told && is_turn && run.last <= tip + 1 && x(tip) - x(later) < expected;
   }
 
@@ -247,13 +289,21 @@ class Clipping {
   struct Tops {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
-    double way = 0.0, returned = 0.0;  // sums over plateaus: way from a plateau's start to the peak, and back
-    double rise_before = 0.0, rise = 0.0, window = 0.0;  // sums in the two windows of displacement before a plateau
-    double rise_last = 0.0, last_way = 0.0;              // sums over the step to a plateau's first sample
-    std::array<double, 4> drop{}, drop_way{};            // sums over 1, 2, 4, half_cycle / 24 samples after a plateau
-    std::array<double, 3> third{};                       // sums of force above the level, by thirds of `way`
+    // All numbers below are sums over the plateaus. Displacement is in mm and force in kN, both positive towards the
+    // plateaus. The way of displacement from a plateau's start to its peak, and from there back to the plateau's end:
+    double way = 0.0, returned = 0.0;
+    // Rise of force in the second window of displacement before a plateau and in the window next to the plateau, both
+    // per slope times `window`, and the length of such a window.
+    double rise_before = 0.0, rise = 0.0, window = 0.0;
+    // Rise of force, and way of displacement, over the step to a plateau's first sample.
+    double rise_last = 0.0, last_way = 0.0;
+    // Fall of force below the level, and way back of displacement, within 1, 2, 4 and half_cycle / 24 samples after a
+    // plateau.
+    std::array<double, 4> drop{}, drop_way{};
+    // For each third of `way`: force minus level, added over the samples there, and the number of these samples.
+    std::array<double, 3> third{};
     std::array<double, 3> samples{};
-    double off_level = 0.0;  // number of plateaus whose mean force is not the common level
+    double off_level = 0.0;  // number of plateaus whose mean force differs from the level of all plateaus
   };
 
   double top_level(double sign, double noise) const {

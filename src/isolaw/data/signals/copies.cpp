@@ -12,12 +12,19 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t outline_points = 16;  // points of the outline between two passes
+// The outline of a record (see Trace) has so many values of force between one pass and the next.
+constexpr std::size_t outline_points = 16;
+// A record with fewer passes is not compared; passes after the most are not looked at.
 constexpr std::size_t fewest_passes = 4, most_passes = 64;
-constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;  // samples whose noise is compared
-constexpr double outlines_alike = 0.03;   // error of the outline relative to the force, both as standard deviations
-constexpr double rounding_apart = 1e-4;   // the same for whole records that differ by rounding only
-constexpr double noise_stands_out = 5.0;  // times the correlation out of step; in step, a copy's noise correlates more
+// The noises of two records are compared at this number of samples.
+constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;
+// One outline is fitted as a factor times the other plus an offset. The two are alike if the rms error of this fit is
+// below this fraction of the standard deviation of force along the outline.
+constexpr double outlines_alike = 0.03;
+// If the error of the same fit between all forces of two records is below this, the records differ by rounding only.
+constexpr double rounding_apart = 1e-4;
+// Two records have the same noise if it correlates, in step, more than so many times as strongly as out of step.
+constexpr double noise_stands_out = 5.0;
 
 // The value at a fractional position, by a cubic through four samples (Catmull, Rom 1974).
 double cubic_at(std::span<double const> values, double position) {
@@ -55,11 +62,12 @@ void find_passes(Trace& trace) {
   }
 }
 
+// y = factor x + offset. `error` is the rms distance of the points from this line / standard deviation of y.
 struct Line {
-  double factor = 1.0, offset = 0.0, error = 0.0;  // error: rms distance of y from the line, over its deviation
+  double factor = 1.0, offset = 0.0, error = 0.0;
 };
 
-Line fit_line(std::span<double const> x, std::span<double const> y) {  // y = factor x + offset
+Line fit_line(std::span<double const> x, std::span<double const> y) {
   auto const n = static_cast<double>(x.size());
   double mean_x = 0.0, mean_y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
   for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / n, mean_y += y[i] / n;
@@ -137,7 +145,8 @@ bool is_same_noise(std::span<double const> one, std::span<double const> other, d
   double squares = 0.0, largest = 0.0;
   int count = 0;
   auto const try_lag = [&](std::ptrdiff_t lag) {
-    if (2 * std::abs(lag) > static_cast<std::ptrdiff_t>(one.size())) return;  // too few samples lie on one another
+    // With a lag of more than half the samples, too few samples of the two would lie at the same place to correlate.
+    if (2 * std::abs(lag) > static_cast<std::ptrdiff_t>(one.size())) return;
     double const found = correlation_at(one, other, lag);
     squares += found * found, largest = std::max(largest, std::abs(found)), ++count;
   };
@@ -169,7 +178,8 @@ double shift_between(std::span<double const> one, std::span<double const> other)
   return std::clamp(step.factor / line.factor, -1.0, 1.0);
 }
 
-bool is_white(std::span<double const> values) {  // no correlation of values that are 1 to 10 samples apart
+// Whether the values are white noise: values that are 1 to 10 samples apart do not correlate.
+bool is_white(std::span<double const> values) {
   constexpr int lags = 10;
   double sum = 0.0;
   for (int lag = 1; lag <= lags; ++lag) sum += correlation_at(values, values, lag);
@@ -189,7 +199,9 @@ Trace trace_of(TestRecord const& record) {
   if (record.size() < fewest_compared_samples) return trace;
   find_passes(trace);
   if (trace.passes.empty()) return trace;
-  constexpr double usual_samples = 64.0;  // between two passes; in records that have more, nearby samples share noise
+  // A test usually has so many samples from one pass to the next. In a record with more, neighbouring samples share
+  // noise, so only every `stride`th sample is compared.
+  constexpr double usual_samples = 64.0;
   trace.stride = std::max<std::size_t>(1, static_cast<std::size_t>(trace.samples_per_pass() / usual_samples));
   trace.noise = noise_of(trace.force, trace.stride);
   trace.disp_noise = noise_of(trace.disp, trace.stride);
@@ -208,7 +220,7 @@ Trace trace_of(TestRecord const& record) {
 bool is_altered_copy(Trace const& one, Trace const& other) {
   if (one.passes.size() < fewest_passes || other.passes.size() < fewest_passes) return false;
   double const finer = one.samples_per_pass() / other.samples_per_pass();
-  if (finer < 1.0) return is_altered_copy(other, one);  // `other` has the fewer samples per cycle
+  if (finer < 1.0) return is_altered_copy(other, one);  // from here on, `other` has fewer samples per pass than `one`
   auto const step = best_step(one, other);
   if (!step) return false;
   auto const first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, -*step));
@@ -230,7 +242,8 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const time = picked(other.time), force = picked(other.force), noise = picked(other.noise);
   if (time.size() < fewest_compared_samples) return false;
   double const interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  auto const laid = [&](std::vector<double> const& signal, double shift) {  // values of `one` at the times of `other`
+  // The values of a signal of `one` at the times of `other`, which are first moved on by `shift` sampling intervals.
+  auto const laid = [&](std::vector<double> const& signal, double shift) {
     std::vector<double> values;
     std::size_t hint = 0;
     for (double const instant : time)

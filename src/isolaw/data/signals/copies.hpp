@@ -14,15 +14,18 @@
 
 namespace isolaw::data {
 
-struct Trace {                            // the features by which a record is compared; about as large as the record
-  std::vector<double> time, disp, force;  // without a time that rises throughout, `time` counts samples
-  std::vector<double> passes;             // instants at which the displacement passes through the middle of its range
-  bool rises_first = true;                // whether the displacement rises at the first of them
-  std::vector<double> outline;            // the force at points between these instants
-  // Noise of the displacement, and noise of the force without the part that the noise of the displacement causes.
+// The features by which a record is compared with others. A Trace takes about as much memory as the record.
+struct Trace {
+  // The record's channels in s, mm and kN. If the record has no time, or one that does not rise throughout, `time` is
+  // the number of the sample.
+  std::vector<double> time, disp, force;
+  std::vector<double> passes;   // the values of `time` at which the displacement passes through the middle of its range
+  bool rises_first = true;      // whether the displacement rises at the first pass
+  std::vector<double> outline;  // the force [kN] at 16 equally spaced times from each pass to the next
+  // Noise of the displacement [mm], and noise of the force [kN] without the part that follows from the former.
   std::vector<double> disp_noise, noise;
-  std::size_t stride = 1;    // distance in samples from one sample that is compared to the next
-  double noise_share = 0.0;  // standard deviation of `noise` relative to that of the force
+  std::size_t stride = 1;    // only every `stride`th sample is compared, because nearer samples share noise
+  double noise_share = 0.0;  // rms of `noise` / standard deviation of the force
 
   double samples_per_pass() const { return static_cast<double>(time.size()) / static_cast<double>(passes.size()); }
 };

@@ -21,7 +21,8 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double samples_to_average = 40.0;  // acceleration uses the samples 1/40 of a cycle before and after
+// The acceleration at a sample is computed from the displacement there and 1/40 of a cycle before and after.
+constexpr double samples_to_average = 40.0;
 
 void note(TestRecord& record, FindingKind kind, std::string option, std::vector<FindingNumber> numbers) {
   record.corrections.push_back({.kind = kind, .numbers = std::move(numbers), .words = {{"option", std::move(option)}}});
@@ -119,7 +120,7 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
   std::vector<double> found(x.size(), 0.0);
   auto const motion = reversals(x);
   if (motion.at.size() < 2) return found;
-  std::vector<std::pair<Turn, double>> turns;  // a turn, and the direction of motion before it
+  std::vector<std::pair<Turn, double>> turns;  // each turn of the motion, with the direction (+1 or -1) before it
   for (std::size_t k = 1; k < motion.at.size(); ++k) {
     double const direction = sign(x[motion.at[k]] - x[motion.at[k - 1]]);
     for (auto i = motion.at[k - 1] + 1; i < motion.at[k]; ++i) found[i] = direction;

@@ -9,14 +9,21 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t fewest_gone = 3;    // samples; shorter dropouts are left to the search for spikes
-constexpr double least_gone = 0.1;        // fraction of the half range; both jumps of a dropout are larger
-constexpr double gone_deviations = 10.0;  // standard deviations of the noise; both jumps are larger
-constexpr double gone_quanta = 4.0;       // steps of the digitiser; both jumps are larger
-constexpr double gone_steps = 4.0;        // times the largest step between samples near by; both jumps are larger
-constexpr double other_goes_on = 0.002;   // times the half range of the other channel, which must move by more
-constexpr double other_jumps = 0.3;       // largest jump of the other channel over this one's, each over its half range
-constexpr double most_gone = 0.15;        // fraction of the samples; if more are gone, the channel has no dropouts
+// A dropout has at least so many samples. A shorter one is left to the search for spikes.
+constexpr std::size_t fewest_gone = 3;
+// The channel jumps into a dropout and out of it. Each of the two jumps is larger than all of the next four limits. The
+// half range of a channel is half the difference between its largest and smallest value.
+constexpr double least_gone = 0.1;        // this fraction of the channel's half range
+constexpr double gone_deviations = 10.0;  // so many standard deviations of the channel's noise
+constexpr double gone_quanta = 4.0;       // so many steps of the channel's digitiser
+constexpr double gone_steps = 4.0;        // so many times the largest step between samples just before or after it
+// During a dropout the other channel of the device moves by more than this fraction of its own half range.
+constexpr double other_goes_on = 0.002;
+// The other channel does not jump too: its largest jump, divided by its half range, is at most this fraction of the
+// jump of the first channel, divided by that channel's half range. If both channels jump, the device itself has moved.
+constexpr double other_jumps = 0.3;
+// If more than this fraction of all samples lies in dropouts, none is reported: they then seem to belong to the signal.
+constexpr double most_gone = 0.15;
 
 struct Size {
   double half_range = 0.0, noise = 0.0, quantum = 0.0;

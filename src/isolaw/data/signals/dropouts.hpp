@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 struct Dropout {
   SampleRange samples;
-  double level = 0.0;                // the value during the dropout
-  double before = 0.0, after = 0.0;  // the values just before and after the dropout
+  double level = 0.0;                // the channel's value during the dropout, in the channel's unit
+  double before = 0.0, after = 0.0;  // its values at the samples just before and after the dropout
 };
 
 // Whether the other channel must move during a dropout. It must if the searched channel is a force, because a force may

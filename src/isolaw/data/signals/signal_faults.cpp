@@ -17,10 +17,13 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double one_signed = 0.02;  // fraction of the range; without its sign a channel hardly crosses zero
-constexpr double clear_force = 0.3;  // fraction of the largest force; a smaller force has no clear sign
-constexpr double small_stage =
-    0.5;  // times the half range of the record; only smaller stages are searched by themselves
+// A channel that lost its sign crosses zero by at most this fraction of its range (largest minus smallest value).
+constexpr double one_signed = 0.02;
+// At a peak of displacement, the sign of a force counts only if the force exceeds this fraction of the largest force.
+constexpr double clear_force = 0.3;
+// A stage (a part of the test with one amplitude) is also searched for faults by itself if the half range of its
+// displacement is below this fraction of that of the whole record.
+constexpr double small_stage = 0.5;
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
                          SignalPair const& pair) {
@@ -47,7 +50,8 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
     auto const i = turns[k];
     bool const is_high = pair.disp.x[i] > pair.disp.x[turns[k - 1]];
-    auto const before = std::min(i, std::max<std::size_t>(2, pair.half_cycle / 12));  // the force jumps at the turn
+    // The force is read a little before the turn, at which it may jump.
+    auto const before = std::min(i, std::max<std::size_t>(2, pair.half_cycle / 12));
     double const F = pair.force.x[i - before];
     if (std::abs(F) > clear_force * size_F && F * (largest_F + least_F) > 0.0) ++alike;
     if (is_high == negative) continue;
@@ -67,9 +71,15 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
 // Finds a force that leaves its range at one end and comes in at the other: it jumps by most of its range at least
 // twice while the motion goes on, and back. The force of friction jumps only where the motion turns or starts.
 std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
-  constexpr double least_jump = 0.8, most_step = 0.1;  // times the range of force: the jump, and the steps beside it
-  constexpr double least_way = 0.005;                  // times the range of displacement, within `lag` samples
-  constexpr double least_trend = 0.005;                // times the range of force, over `lag` samples on both sides
+  // A force that wraps jumps by more than the first of these fractions of its range (largest minus smallest force). Its
+  // steps just before and after the jump are below the second.
+  constexpr double least_jump = 0.8, most_step = 0.1;
+  // The motion goes on: within `lag` samples before the jump, and after it, displacement moves by more than this
+  // fraction of its range.
+  constexpr double least_way = 0.005;
+  // The force has a trend against which it jumps: within `lag` samples before and after the jump together, it changes
+  // by more than this fraction of its range.
+  constexpr double least_trend = 0.005;
   constexpr std::size_t lag = 3;
   auto const &x = pair.disp.x, &F = pair.force.x;
   double const range = 2.0 * pair.force.half_range, way = 2.0 * least_way * pair.disp.half_range;

@@ -20,8 +20,8 @@
 
 namespace isolaw::data {
 
-std::string_view said_of(
-    FaultKind kind);  // "clipped", "stuck", "disturbed by spikes", "without its sign", "interrupted", ...
+// The words for a channel with this fault: "clipped", "stuck", "disturbed by spikes", "without its sign", ...
+std::string_view said_of(FaultKind kind);
 
 // The kind of fault that a finding is about; nullopt for any other finding.
 std::optional<FaultKind> fault_kind(FindingKind kind);

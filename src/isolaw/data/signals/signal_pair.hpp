@@ -9,32 +9,36 @@
 
 namespace isolaw::data {
 
-inline constexpr double same_value = 1e-9;    // times the range; values that differ by less are equal
-inline constexpr double most_of_force = 0.6;  // times the range of force; in a hold, force relaxes by less
+// Two values of a channel are equal if they differ by less than this fraction of its range (largest minus smallest).
+inline constexpr double same_value = 1e-9;
+// In a hold of displacement the force may relax, but by less than this fraction of its range. If it changes by more
+// while displacement stands still, displacement is faulty.
+inline constexpr double most_of_force = 0.6;
 struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;
   std::size_t size() const { return last - first + 1; }
 };
 
+// One channel, with its spikes replaced by what their neighbours suggest. All numbers are in mm, or in kN.
 struct Signal {
   std::vector<double> x;
-  double half_range = 0.0;
-  double quantum = 0.0;  // the smallest step between two values
-  double noise = 0.0;    // standard deviation of white noise
+  double half_range = 0.0;  // half the difference between the largest and the smallest value
+  double quantum = 0.0;     // step of the digitiser: the smallest difference between two different values
+  double noise = 0.0;       // standard deviation of the white noise in the signal
 };
 
 struct SignalPair {
-  Signal disp, force;
-  std::span<double const> time;  // in s, as recorded; may be empty
-  std::vector<std::size_t> turns;
-  std::size_t half_cycle = 0;  // median number of samples in half a cycle
-  double interval = 0.0;       // usual sampling interval in s
+  Signal disp, force;              // displacement in mm, force in kN
+  std::span<double const> time;    // in s, as recorded; may be empty
+  std::vector<std::size_t> turns;  // samples at which displacement turns
+  std::size_t half_cycle = 0;      // median number of samples from one turn to the next
+  double interval = 0.0;           // usual sampling interval in s; 0 without time
 
   SignalPair(std::span<double const> disp_mm, std::span<double const> force_kN, std::span<double const> time_s,
              std::vector<Spike> const& of_disp, std::vector<Spike> const& of_force);
 
-  bool moves() const;  // both channels move, and all values are finite
+  bool moves() const;  // whether displacement and force both change, and all their values are finite
   std::size_t size() const { return disp.x.size(); }
   double stiffness() const { return force.half_range / disp.half_range; }
   bool gap_after(std::size_t i) const;

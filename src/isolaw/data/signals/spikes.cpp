@@ -10,14 +10,20 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_spike = 0.04;       // fraction of the half range; kinks of true records deviate by 3 %
-constexpr double spike_deviations = 13.0;  // standard deviations of the noise
+// A spike is farther from the cubic through its neighbours than each of these three: a fraction of the channel's half
+// range (half the difference between its largest and smallest value), so many standard deviations of its noise, and so
+// many steps of its digitiser. At kinks of true records samples are off by 3 % of the half range.
+constexpr double least_spike = 0.04;
+constexpr double spike_deviations = 13.0;
 constexpr double spike_quanta = 2.5;
 // Times the rms distance of the neighbours from the cubic through them; a spike is farther from this cubic. Corners
 // reach 7.4, steps 5.6.
 constexpr double spike_contrast = 10.0;
-constexpr double edge_contrast = 2.0;  // times spike_contrast near an end, where most neighbours are on one side
-constexpr double on_one_side = 0.5;    // times a spike's size; a sample closer to its neighbours' line is no spike
+// Near an end of the record, where most neighbours lie on one side, spike_contrast is multiplied by this.
+constexpr double edge_contrast = 2.0;
+// A sample is no spike if it lies on the line through the two samples before it, or after it: its distance from that
+// line is below this fraction of its distance from the cubic.
+constexpr double on_one_side = 0.5;
 // In a rough signal many samples look like spikes: more than 24, and more than one in 75. The largest 24, or one in 75,
 // are then set aside, and a fault must exceed the largest of the others by a quarter.
 constexpr double beyond_others = 1.25;
@@ -90,7 +96,8 @@ double ordinary_half_range(std::span<double const> x) {
 double smallest_step(std::span<double const> x, double range) {
   std::vector<double> sorted(x.begin(), x.end());
   std::ranges::sort(sorted);
-  constexpr double no_step = 1e-9;  // fraction of the range
+  // Values that differ by less than this fraction of `range` are equal: their difference is a rounding error.
+  constexpr double no_step = 1e-9;
   double least = range;
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (double const step = sorted[i] - sorted[i - 1]; step > no_step * range) least = std::min(least, step);
@@ -105,7 +112,8 @@ std::vector<Spike> spikes(std::span<double const> values) {
   double const least = std::max({least_spike * half_range, spike_deviations * noise_deviation(values),
                                  spike_quanta * smallest_step(values, 2.0 * half_range)});
   std::vector<Spike> found;
-  std::vector<double> others;  // for each sample that looks like a spike, even a small one: its distance from the cubic
+  // For each sample that looks like a spike, even a small one: its distance from the cubic through its neighbours.
+  std::vector<double> others;
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
     // A cheap test spares the fit for most samples, which lie between their neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;

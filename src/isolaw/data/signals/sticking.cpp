@@ -11,13 +11,22 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t least_stretch = 4;  // samples
-constexpr double least_missed = 0.02;     // times the half range; a stuck channel misses more motion
+// A stretch is a run of samples in which a channel keeps one value. The channel may be stuck there, or the device may
+// rest. The half range of a channel is half the difference between its largest and smallest value.
+constexpr std::size_t least_stretch = 4;  // fewest samples of a stretch
+// The missed motion is the way that displacement would have gone during the stretch at its speed before or after it. If
+// displacement is stuck, this way exceeds a fraction of its half range, and so many steps of its digitiser.
+constexpr double least_missed = 0.02;
 constexpr double missed_quanta = 4.0;
-constexpr double least_jump = 2.0;      // times the usual step in a sampling interval; a stuck channel jumps by more
-constexpr double least_advance = 0.1;   // times stiffness times missed motion; force meanwhile changes by more
-constexpr double most_stretches = 0.3;  // fraction of the samples; a slow channel repeats more values
-constexpr double force_stands = 0.05;   // times the half range; displacement moves by more while the force is stuck
+// At the end of a stretch a stuck channel jumps by more than so many times its step from sample to sample.
+constexpr double least_jump = 2.0;
+// If displacement is stuck, the force changes during the stretch by more than this fraction of the stiffness times the
+// missed motion.
+constexpr double least_advance = 0.1;
+// If more than this fraction of the samples lies in stretches, the channel is not stuck but slow: it repeats values.
+constexpr double most_stretches = 0.3;
+// If the force is stuck, displacement moves during the stretch by more than this fraction of its half range.
+constexpr double force_stands = 0.05;
 
 class Sticking {
  public:

@@ -13,19 +13,29 @@
 namespace isolaw::data {
 namespace {
 
-constexpr std::size_t fewest_standing = 4;  // samples
-constexpr double standing_noise = 6.0;      // standard deviations of the noise by which samples of a plateau may differ
+// A plateau is a run of at least so many samples in which a channel (vertical displacement or load) hardly changes.
+constexpr std::size_t fewest_standing = 4;
+// The width, by which the samples of a plateau may differ, is the larger of so many standard deviations of the
+// channel's noise and so many steps of its digitiser.
+constexpr double standing_noise = 6.0;
 constexpr double standing_quanta = 1.5;
-constexpr double goes_beyond = 0.03;   // times the range; during clipping, the other channel rises by more
-constexpr double goes_on = 0.1;        // times the range; while one channel is stuck, the other moves by more
-constexpr double width_of_both = 4.0;  // times width / range of the plateau's channel; the other channel moves by more
-constexpr double carries = 0.1;     // times the load's range above the least load; with more load, the device is loaded
-constexpr double load_jump = 0.05;  // times the load's range; a stuck load ends with a larger jump
+// While one channel is clipped, the other rises and falls back by more than this fraction of its own range (largest
+// minus smallest value).
+constexpr double goes_beyond = 0.03;
+// While one channel is stuck, the other moves by more than this fraction of its own range.
+constexpr double goes_on = 0.1;
+// Neither fraction counts as less than so many times width / range of the channel that has the plateau.
+constexpr double width_of_both = 4.0;
+// The device is loaded if the load exceeds the least load of the record by this fraction of the load's range.
+constexpr double carries = 0.1;
+// A stuck load jumps at the end of the plateau by more than this fraction of its range.
+constexpr double load_jump = 0.05;
 
 struct VerticalChannel {
   std::string name, unit;
   std::span<double const> x;
-  double least = 0.0, range = 0.0, width = 0.0;  // width: most variation within a plateau
+  // In `unit`: the smallest value, the largest minus the smallest, and the most by which samples of a plateau differ.
+  double least = 0.0, range = 0.0, width = 0.0;
 };
 
 VerticalChannel channel_of(std::string name, std::string unit, std::span<double const> x) {
@@ -59,7 +69,7 @@ std::vector<SampleRange> plateaus(VerticalChannel const& channel) {
 struct Standing {
   std::vector<std::size_t> samples;  // first sample of each plateau
   std::size_t longest = 0;
-  double level = 0.0;  // level of the longest plateau
+  double level = 0.0;  // median of the longest plateau, in the channel's unit
 
   void add(SampleRange const& run, std::span<double const> x) {
     samples.push_back(run.first);

@@ -9,8 +9,9 @@
 namespace isolaw::laws::flow_parts {
 namespace {
 
-// Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2). The flow's value is |u| = x
-// G(v), y = 2 v - 1. Interpolation of G at these zeros spreads the error of |u|, and not that of G, evenly over y.
+// Zeros of the Jacobi polynomial of degree 17 for the weight (1 - y)^(-1/2) (1 + y)^(15/2). The flow is the hysteretic
+// variable u as a function of travel. The header writes it as |u| = x G(v), with v = x^(1/5) and a polynomial G; y is
+// 2 v - 1, from -1 to 1. If G interpolates at these zeros, the error of |u| is spread evenly over y, that of G is not.
 constexpr Nodes::Values jacobi_zeros{
     -0.8482704490830196,  -0.7392800838264653,  -0.6169071342523251, -0.4823317952843121, -0.33811348743513536,
     -0.18729277640369482, -0.03315075851919065, 0.12091734632512882, 0.27149840143588966, 0.4152466151456183,

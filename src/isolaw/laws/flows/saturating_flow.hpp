@@ -37,13 +37,16 @@ namespace isolaw::laws {
 
 namespace flow_parts {
 
+// `terms` is the number of coefficients of G and of H. Newton's first guess is extrapolated from up to `guesses`
+// solutions.
 inline constexpr std::size_t terms = 17, guesses = 6;
 
-struct Nodes {  // numbers of the fit that are the same for all parameter sets, computed at the first call
+// The numbers that the fit of G and H needs for every parameter set. They are computed at the first call of get().
+struct Nodes {
   using Values = std::array<double, terms>;
   // The fixed points of the fit, ascending in (0, 1): values of v, or of |u|^(1/5) divided by its largest value.
   Values place;
-  Values fifth;  // place^5
+  Values fifth;  // the fifth power of each `place`
   Values log2_fifth;
   Values inverse_place;
   // Row i: weights by which the values at all places give their mean over |u|, from 0 to the |u| of place i.
@@ -67,9 +70,13 @@ struct Nodes {  // numbers of the fit that are the same for all parameter sets, 
 // A lane uses the polynomials if n lies between least_n and SaturatingFlow::largest_n and kappa is at most
 // largest_kappa. Other lanes use the table.
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
-inline constexpr double sharp_n = 1.5;  // above it the curve bends so sharply that G needs another Newton pass
+// For n above this the curve bends so sharply that the fit of G makes another pass of Newton's method.
+inline constexpr double sharp_n = 1.5;
+// If |u|, followed back in time, comes to rest only beyond 1 / least_rest, it is taken never to rest. `rate` is then
+// negative and at least least_rate times n in size.
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-inline constexpr double saturated = 1e-13;  // the least E that counts: the time is a logarithm of E
+// The time is a logarithm of E, which falls to 0 at saturation. A smaller E counts as this one.
+inline constexpr double saturated = 1e-13;
 
 }  // namespace flow_parts
 
@@ -82,7 +89,8 @@ class SaturatingFlow {
   using Coefficients = std::array<T, flow_parts::terms>;
 
  public:
-  static constexpr double end_of_curve = 1.0 - 1e-12;  // about the largest u that time_at() can tell from 1
+  // About the largest u below saturation, u = 1, for which time_at() is still exact.
+  static constexpr double end_of_curve = 1.0 - 1e-12;
   // Needs n > 0 and kappa > -1, and kappa = 1 for Reach::beyond_saturation; other values give results that are not
   // finite. Where the polynomials cannot follow the curve, as for n above largest_n, a table takes their place.
   void fit(T const& n, T const& kappa);
@@ -109,7 +117,9 @@ class SaturatingFlow {
   // |u| = x G(2 x^(1/5) - 1), and x = w H(2 w^(1/5) - 1) with w = |u| / largest_u.
   struct Side {
     Coefficients value, inverse;
-    T rate, bend, end, per_end;  // end: (1 - E) / (1 + bend E) at largest_u
+    // `rate` and `bend` as at the top of this file; `end` is the x at largest_u before x was scaled, and per_end =
+    // 1/end.
+    T rate, bend, end, per_end;
     void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
   // Chooses for each lane the coefficient of its side of u = 0. `mixed`: some lanes are below 0.
@@ -165,11 +175,11 @@ class SaturatingFlow {
 
   Side rising_, unloading_;
   T n_;
-  T first_time_, first_rate_;  // time from u = -1 to 0, and rate at u = -1, which also holds below -1
-  T outside_;                  // 1 in lanes that need the table
+  T first_time_, first_rate_;  // the time from u = -1 to u = 0, and du/dt at u = -1, which is also used below -1
+  T outside_;  // 1 in lanes that need the table, because the polynomials do not serve their n or kappa; 0 in others
   bool bends_ = false;
   mutable bool tabulated_ = false;
-  mutable TabulatedFlow<T, reach> table_;  // filled if a lane needs it
+  mutable TabulatedFlow<T, reach> table_;  // filled once a lane needs it; tabulated_ is then true
   T kappa_, table_zero_;
 };
 
@@ -184,7 +194,9 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
     for (std::size_t k = 1; k < terms; ++k) sum = sum + T(matrix[row][k]) * values[k];
     return sum;
   };
-  Coefficients smooth, nodal;  // smooth: dt/d|u| without the pole where |u| comes to rest
+  // At the points Nodes::place: dt/d|u| without its pole where |u| comes to rest, and the values to interpolate, which
+  // are first x / |u| and then |u| / x.
+  Coefficients smooth, nodal;
   for (std::size_t i = 0; i < terms; ++i) {
     T const u(largest_u * nodes.fifth[i]);
     T const flow = one + kappa * exp2(n * T(nodes.log2_fifth[i] + log2_largest)), pole = rounded(n * (one - rest * u));
@@ -255,7 +267,8 @@ void SaturatingFlow<T, reach>::fit(T const& n, T const& kappa) {
   T const one(1.0), zero(0.0);
   n_ = n;
   kappa_ = kappa;
-  auto const within = [&](T const& x, double least, double largest) {  // written so that NaN counts as outside
+  // 1 where x lies between `least` and `largest`, else 0. A NaN gives 0.
+  auto const within = [&](T const& x, double least, double largest) {
     return select(x < T(least), zero, select(x <= T(largest), one, zero));
   };
   T const fitting = within(n, flow_parts::least_n, largest_n) *

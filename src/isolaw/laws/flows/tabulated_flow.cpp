@@ -9,7 +9,7 @@ namespace {
 
 // A point of a grading. A grading is a function u(w) that spaces the nodes: they lie at equal distances in w.
 struct Point {
-  double u, slope, log2_abs_u;  // slope: du/dw
+  double u, slope, log2_abs_u;  // u(w), its derivative du/dw, and log2 |u|
 };
 
 Point below_zero(double w) {  // |u| = e^w
@@ -33,7 +33,8 @@ Point above_one(double w) {  // u = 1 + e^w
 // index after the last one.
 template <std::size_t Count, class Grading>
 std::size_t append(Nodes<Count>& nodes, std::size_t at, Grading grading, double first, double last) {
-  constexpr double inner = 0.27639320225002103;  // (1 - 1/sqrt(5)) / 2
+  // (1 - 1/sqrt(5)) / 2: the first inner point of Lobatto's quadrature with four points on [0, 1].
+  constexpr double inner = 0.27639320225002103;
   int const cells = static_cast<int>(std::lround(std::abs(last - first) / spacing));
   for (int i = 0; i <= cells; ++i, ++at) {
     double const w = first + (last - first) * i / cells;

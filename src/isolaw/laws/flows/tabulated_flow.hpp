@@ -16,6 +16,7 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 // Whether |u| can exceed 1, as it does where the saturation value itself shrinks (abe).
 enum class Reach { within_saturation, beyond_saturation };
@@ -31,20 +32,26 @@ struct Nodes {
   std::array<double, Count> key{};
   std::array<double, Count> inverse_abs_u{};
   std::array<double, Count> log2_abs_u{};
-  std::array<double, Count - 1> inverse_rise{};  // 1 / (key[i+1] - key[i])
+  std::array<double, Count - 1> inverse_rise{};  // for each cell 1 / (key of its second node - key of its first)
+  // The time over a cell, the integral of |du| / |du/dt|, is a sum over the four points of Lobatto's quadrature, of
+  // which the first and the last are the nodes.
   struct Cell {
-    std::array<double, 2> log2_abs_u{};  // at the two inner Lobatto points
-    std::array<double, 4> weight{};      // the |du| that each of the four points stands for, in order
+    std::array<double, 2> log2_abs_u{};  // log2 |u| at the two inner points
+    std::array<double, 4> weight{};      // the |du| that each of the four points stands for, in ascending order
   };
   std::array<Cell, Count - 1> cells{};
 };
 
-inline constexpr double spacing = 1.0 / 3.0;    // between nodes, measured in the w of the gradings in the .cpp file
-inline constexpr double smallest_w = -12.0;     // |u| = 6e-6: between -6e-6 and 6e-6 the curve is a straight line
-inline constexpr double largest_w = 16.0;       // |1 - u| = 1e-7: closer to saturation u no longer changes
-inline constexpr double unloading_w = 14.0;     // |1 + u| = 8e-7: the first node with Reach::within_saturation
-inline constexpr double reach_w = 4.0;          // |u| = 55: beyond it the rate is that at 55
-inline constexpr double falling_origin = 60.0;  // falling keys, 4.4 to 59, lie above the rising ones
+// The nodes lie at equal distances `spacing` of a variable w, by which the functions u(w) of tabulated_flow.cpp (the
+// gradings, such as |u| = e^w) bring them closer together near 0 and near saturation. The limits of w below are those
+// of the table.
+inline constexpr double spacing = 1.0 / 3.0;
+inline constexpr double smallest_w = -12.0;  // |u| = 6e-6; between -6e-6 and 6e-6 the curve is taken as a straight line
+inline constexpr double largest_w = 16.0;    // |1 - u| = 1e-7; closer to saturation u is taken as constant
+inline constexpr double unloading_w = 14.0;  // |1 + u| = 8e-7 at the first node with Reach::within_saturation
+inline constexpr double reach_w = 4.0;       // |u| = 55 at the first node otherwise; beyond it du/dt is taken as at 55
+// On the falling piece, the key falling_origin - u is 4.4 to 59, above all keys of the rising one.
+inline constexpr double falling_origin = 60.0;
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
 inline constexpr double just_below_one = 1.0 - 1e-15;
 
@@ -64,7 +71,7 @@ struct Layout {
   static constexpr std::size_t rising = negative + node_count(smallest_w, largest_w);
   static constexpr std::size_t count = rising + (falls ? node_count(reach_w, -largest_w) : 0);
 
-  static Nodes<count> const& nodes();  // computed at the first call
+  static Nodes<count> const& nodes();  // the nodes are computed at the first call
 };
 extern template struct Layout<Reach::within_saturation>;
 extern template struct Layout<Reach::beyond_saturation>;
@@ -79,10 +86,12 @@ class TabulatedFlow {
  public:
   // Fills the table in place, because it is large. Results are finite only for n > 0 and kappa > -1.
   void tabulate(T const& exponent, T const& unloading);
-  T time_at(T const& u) const { return place_of(u).time(); }  // see SaturatingFlow
+  // As in SaturatingFlow, except that times count from the first node.
+  T time_at(T const& u) const { return place_of(u).time(); }
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
 
-  struct Advance {  // as in SaturatingFlow
+  // As SaturatingFlow::Advance, without the ratio of the rates.
+  struct Advance {
     T u, rate0, rate1;
   };
   Advance advance(T const& u, T const& travel) const {
@@ -97,7 +106,8 @@ class TabulatedFlow {
   }
 
  private:
-  struct Motion {  // slope and curvature of the key over time at a node
+  // The first and second derivative of the key by time at a node.
+  struct Motion {
     T rate, curvature;
   };
   static Motion motion_at(std::size_t i, T const& n, T const& kappa);
@@ -117,14 +127,15 @@ class TabulatedFlow {
     }
     T inside(T const& t) const { return max(T(0.0), min(t, duration)); }
   };
-  struct Place {  // a point of the curve: its cell and the time since the cell's begin
-    Cell cell;
-    T t;
-    T before;  // for a point before the first node: the (negative) time from it; else 0
+  // A point of the curve.
+  struct Place {
+    Cell cell;  // the cell in which it lies
+    T t;        // the time since the begin of this cell
+    T before;   // for a point before the first node: the time from that node to it, which is negative; else 0
 
     T time() const { return cell.begin + t + before; }
     T key() const { return cell.value(t); }
-    T rate() const { return cell.rate(t); }  // d key / dt
+    T rate() const { return cell.rate(t); }  // derivative of the key by time
   };
   Place place_of(T const& u) const;
   Place place_at(T const& time) const;
@@ -133,7 +144,7 @@ class TabulatedFlow {
     return key;
   }
 
-  std::array<T, count> time_;  // when the curve passes each node
+  std::array<T, count> time_;  // the time at which the curve passes each node
   num::Rows8<T, count - 1> cells_;
   T first_rate_;
 };
@@ -158,7 +169,7 @@ template <class T, Reach reach>
 auto TabulatedFlow<T, reach>::motion_at(std::size_t i, T const& n, T const& kappa) -> Motion {
   auto const& nodes = Layout::nodes();
   T const one(1.0), power_n = exp2(n * T(nodes.log2_abs_u[i]));
-  T const per_u = n * power_n * T(nodes.inverse_abs_u[i]);  // d(|u|^n) / d|u|
+  T const per_u = n * power_n * T(nodes.inverse_abs_u[i]);  // derivative of |u|^n by |u|
   if (i < Layout::negative) {
     T const rate = one + kappa * power_n;
     return {rate, -kappa * per_u * rate};
@@ -171,7 +182,9 @@ template <class T, Reach reach>
 T TabulatedFlow<T, reach>::duration_of(std::size_t i, T const& n, T const& kappa, T const& rate0, T const& rate1) {
   auto const& nodes = Layout::nodes();
   T const one(1.0);
-  if (i + 1 == Layout::rising) return one;  // no u and no time lies in the cell between the two pieces
+  // The cell between the last node of the rising piece and the first of the falling one is no part of the curve, and no
+  // look-up ends in it. Its duration may therefore be any number above 0.
+  if (i + 1 == Layout::rising) return one;
   if (i + 1 == Layout::negative) {
     // The cell through 0: the mean of |u|^n over each half is 1 / (n + 1) of its value at the node.
     T const mean0 = one - (one - rate0) / (n + one), mean1 = one - (one - rate1) / (n + one);

@@ -11,6 +11,7 @@
 
 namespace isolaw::laws::online {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 // The exact curve u(t) of a hysteretic variable between two reversals, tabulated once. The travel t is called time:
 //     du/dt = 1 - |u|^n for u >= 0, 1 + kappa |u|^n for u < 0
@@ -21,7 +22,8 @@ class Flow {
   static constexpr bool beyond = reach == Reach::beyond_saturation;
 
  public:
-  static constexpr double end_of_curve = 0.9999998874648379;  // the last u whose time is in the table
+  // The largest u below saturation, u = 1, whose time is in the table: u at w = largest_w.
+  static constexpr double end_of_curve = 0.9999998874648379;
 
   void fit(double n, double kappa) {
     n_ = n;

@@ -5,19 +5,22 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 // Follows x without its noise, which is taken to stay within +-dead_band. After a turn of x the result rests until x
 // has moved by two bands. It then moves one and a half times as fast as x, and equals x again after four more bands.
 template <class X>
 struct Followed {
-  X behind = 0.0, lead = 0.0;  // a point that x pulls along behind it, and the result's distance from that point
+  // `behind` is a point that x pulls along, never farther from x than dead_band. `lead` is the result minus this point.
+  X behind = 0.0, lead = 0.0;
 
   X move(X const& x, double dead_band) {
     X const before = behind;
     behind = max(x - dead_band, min(x + dead_band, behind));
     X const most = 0.5 * abs(behind - before);
     lead += max(-most, min(most, (behind > before ? dead_band : -dead_band) - lead));
-    return dead_band > 0.0 ? behind + lead : x;  // without a band the sum would be x, but with a wrong slope at rest
+    // Without a dead band the sum would have the value of x, but at rest a wrong derivative.
+    return dead_band > 0.0 ? behind + lead : x;
   }
   template <class Each>
   void members(Each& each) {

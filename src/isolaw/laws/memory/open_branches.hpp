@@ -13,18 +13,21 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 // When a branch reaches the point at which the branch before it began, both close. If only one branch is open, it
 // closes where it meets the skeleton curve, at the mirror image of its start.
 struct OpenBranches {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   static constexpr std::size_t most = 256;
-  std::vector<double> turned;  // displacements at which the open branches began
+  // Displacements at which the open branches began, the oldest first. A law's stack has its force at each of them.
+  std::vector<double> turned;
   std::size_t dropped = none;  // stack index of the first of two turning points that are dropped before this step
   std::size_t kept = none;     // if the motion turned at the step's begin: stack index at which to keep the force there
-  std::size_t branch = none;   // stack index of the turning point that began the branch; none: on the skeleton
-  double branch_x = 0.0;       // displacement of that turning point
-  std::size_t depth = 0;       // how many values a stack of the law must hold in this step
+  // The turning point at which the present branch began: its stack index (none: on the skeleton), and its displacement.
+  std::size_t branch = none;
+  double branch_x = 0.0;
+  std::size_t depth = 0;  // the number of values that a law's stack must hold in this step
 
   template <class X>
   void move(X const& from, X const& to, double direction_before, double direction) {

@@ -5,13 +5,14 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 template <class X>
 struct Peaks {
   X peak0 = 0.0;            // largest |x| before the step
   X peak = 0.0;             // largest |x| after the step
-  X inside = 0.0;           // the part of the step's length with |x| below peak0
-  bool peak_grows = false;  // whether the peak grows in this step
+  X inside = 0.0;           // the part of the step's length in which |x| is below peak0
+  bool peak_grows = false;  // whether `peak` exceeds peak0
 
   void move(X const& x0, X const& x1, double, double direction) {
     X const outward = direction * x1;

@@ -7,12 +7,13 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 template <class X, class... Parts>
 struct Remembered : Parts... {
-  double direction = 0.0;  // +1 or -1; 0 before the first motion
-  double moved = 0.0;      // direction of the last motion
-  std::size_t side = 0;    // 0: x >= 0, 1: x < 0
+  double direction = 0.0;  // direction of the step, +1 or -1; 0 before the first motion
+  double moved = 0.0;      // direction of the last step that was not at rest
+  std::size_t side = 0;    // the side of 0 on which the step ends; 0: x >= 0, 1: x < 0
   bool turns = false;      // whether the motion turned at the begin of this step
 
   // Moves from x0 to x1. A trial at rest, before any motion, has the direction `otherwise`.

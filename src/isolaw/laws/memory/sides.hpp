@@ -7,6 +7,7 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 inline double shrunk(double ratio) {
   return std::pow(ratio, 60.0);
@@ -46,10 +47,10 @@ struct Sides {
       peak = to;
     }
   };
-  Side sides[2];                 // x >= 0, x < 0
-  X side_peak = 0.0;             // largest |x| on the side of x after the step
+  Side sides[2];                 // the side x >= 0, and the side x < 0
+  X side_peak = 0.0;             // largest |x| so far on the side on which the step ends
   X travel = 0.0;                // N: travel on that side divided by side_peak; it fades as side_peak grows
-  X virgin = 1.0;                // (1 + N)^(-1/3)
+  X virgin = 1.0;                // (1 + N)^(-1/3): 1 without travel, falling as the device is cycled
   bool side_peak_grows = false;  // whether side_peak grows in this step
 
   void move(X const& x0, X const& x1, double, double direction) {

@@ -16,6 +16,7 @@ inline double log2_of_softening(double G) {
   return log2_of_travel(G);
 }
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 // The slope of a power of a travel has no bound at travel 0. It is therefore taken at a travel of at least 1e-3 mm.
 inline Dual log2_of_travel(Dual const& travel) {
@@ -40,7 +41,9 @@ struct Softening {
   // Computes G and C from the start of the present motion in one direction, so that they do not depend on the number of
   // steps.
   struct SofteningSide {
-    Amounts now, reported, at_start;  // at present; after the last step that ended on this side; where the motion began
+    // G and C at present, after the last step that ended on this side, and where the present motion in one direction
+    // began.
+    Amounts now, reported, at_start;
     X peak = 0.0, start = 0.0, peak_at_start = 0.0;
     bool goes_out = true;
     template <class Each>
@@ -66,8 +69,8 @@ struct Softening {
     }
   };
   SofteningSide softening_sides[2];
-  X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and C on the side of x
-  bool softens = false, returns = false;        // whether G, C have changed since the last step that ended on this side
+  X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and of C on the side on which the step ends
+  bool softens = false, returns = false;  // whether G, and C, have changed since the last step that ended on this side
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

@@ -5,10 +5,11 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 template <class X>
 struct Wear : Peaks<X> {
-  X worn = 0.0;       // travel on both sides divided by the largest |x|; it fades as the largest |x| grows
+  X worn = 0.0;       // travel at |x| below the peak / the peak (the largest |x| so far); it fades as the peak grows
   X pushed = 0.0;     // growth of the largest |x| at x > 0 minus its growth at x < 0
   X log2_worn = 0.0;  // log2(1 + worn)
 

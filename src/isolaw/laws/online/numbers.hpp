@@ -102,8 +102,8 @@ inline double value_of(Dual const& a) { return a.v; }
 template <>
 struct StepOf<Dual> {
   Dual x0, x1, v0, v1, dx, length;
-  double direction = 0.0;  // +1 or -1
-  bool reversal = false;   // the direction differs from the step before
+  double direction = 0.0;  // direction of the step, +1 or -1
+  bool reversal = false;   // whether it is opposite to that of the step before
   Dual peak0, peak1;
 };
 // A trial at rest needs a tangent too, so every trial counts as a motion.
@@ -120,7 +120,8 @@ class Members {
   void operator()(Parts&... parts) {
     (one(parts), ...);
   }
-  bool sound() const { return sound_; }  // every number read as a list length or a truth value was valid
+  // Whether every number that was read as the length of a list, or as true or false, was a valid one.
+  bool sound() const { return sound_; }
 
  private:
   void one(double& x) { act_(x); }

@@ -60,7 +60,7 @@ class FormOf final : public Online::Form {
   }
   void commit() override { Motion::keep(trial_, committed_); }
   std::vector<double> state() const override {
-    auto state = committed_;  // members() is not const
+    auto state = committed_;  // a copy, because members() is not const
     Listed listed;
     listed(state.law, state.x, state.v, state.direction, state.peak);
     return listed.numbers;

@@ -9,7 +9,9 @@
 
 namespace isolaw::laws {
 
-class Online {  // starts virgin at 0, in the law's units and seconds; copies are independent of one another
+// It starts virgin at displacement 0. Numbers are in the law's units and seconds. Copies are independent of one
+// another.
+class Online {
  public:
   // `parameters` are in the law's order. `dead_band` [law's length] is that of the record that they were fitted to;
   // only laws with memory use it. Each trial is divided into `parts` equal steps. Throws Error for an unknown law.

@@ -45,6 +45,7 @@ inline constexpr ParameterInfo r_info =
 
 inline constexpr NoForm beyond_programs{"yield force and displacement, which change with the peak so far"};
 
+// isolaw export copies the lines from here to [end] into C++ files, in this namespace (programs/header_parts.cpp):
 // [export namespace abe_parts]
 template <class T>
 struct Constants {
@@ -58,8 +59,8 @@ inline Constants<T> constants(Params const& p) {
 // The quantities that change only when the peak displacement grows.
 template <class N>
 struct Softened {
-  N K1_now = N(0.0);      // K1 as softened by the peak so far: softened_K1()
-  N inverse_Ut = N(0.0);  // 1 / Ut
+  N K1_now = N(0.0);      // elastic stiffness: K1 as softened by the peak so far [kN/mm], softened_K1()
+  N inverse_Ut = N(0.0);  // 1 / yield displacement Ut, which grows with the peak [1/mm]
   template <class Each>
   void members(Each& each) {
     each(K1_now, inverse_Ut);

@@ -14,10 +14,11 @@ struct BilinearForm {
   double K1, K2, uy;
 };
 
-struct BoucWenForm {  // F = alpha Ke x + (1 - alpha) Ke z, dz/dx = 1 - |z|^n (beta sgn(z dx) + gamma)
+// F = alpha Ke x + (1 - alpha) Ke z, dz/dx = 1 - |z|^n (beta sgn(z dx) + gamma).
+struct BoucWenForm {
   double alpha, Ke, beta, gamma, n;
 
-  double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the yield displacement
+  double z_max() const { return std::pow(beta + gamma, -1.0 / n); }  // the largest |z|: the yield displacement
 };
 
 // F = b E x + (1 - b) z with the branches of Menegotto and Pinto between reversals. cR1 and cR2 lower the sharpness R0.
@@ -35,7 +36,8 @@ struct LimitCurvesForm {
   LimitCurve loading, unloading;
 };
 
-struct NoForm {  // `lacking` names the part of the law that none of the forms above has, or is empty
+// No form above equals the law. `lacking` names the part of the law that none of them has, or is empty.
+struct NoForm {
   std::string_view lacking = {};
 };
 

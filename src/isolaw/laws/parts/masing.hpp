@@ -10,11 +10,12 @@
 
 namespace isolaw::laws {
 
+// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
 // [export]
 template <class N>
 struct MasingBranches {
-  N force = N(0.0);
-  std::vector<N> turned;  // forces at the turning points
+  N force = N(0.0);       // the force after the last step
+  std::vector<N> turned;  // the force at each turning point of OpenBranches::turned
 
   // Moves to the end of a step and returns the force there. skeleton(x) is the odd curve from the origin.
   template <class X, class PathMemory, class Skeleton>

@@ -23,9 +23,9 @@ struct AbeOf {
 
   template <class T>
   struct State {
-    Vector<T> f{T(0.0), T(0.0)};  // F2 / Y0
-    T peak = T(0.0);
-    Vector<T> peaks{T(0.0), T(0.0)};  // largest displacement along each axis
+    Vector<T> f{T(0.0), T(0.0)};      // hysteretic force F2 / Y0
+    T peak = T(0.0);                  // largest distance from the origin so far
+    Vector<T> peaks{T(0.0), T(0.0)};  // largest |x| and largest |y| so far, for Softening::by_axis
   };
 
   template <class T>
@@ -37,7 +37,7 @@ struct AbeOf {
   static Vector<T> step(Params<T> const& p, State<T>& state, Vector<T> const& from, Vector<T> const& to, double) {
     T const zero(0.0), one(1.0), peak0 = state.peak, distance1 = norm(to);
     Straight<T> const way(from, to);
-    Split<T> const origin(from, way.direction);  // where the step starts: along the motion and across it
+    Split<T> const origin(from, way.direction);  // the start of the step, in components along and across the motion
     // After this length of the step the distance from the origin exceeds the largest one so far.
     T const reach = sqrt(max((peak0 - abs(origin.across)) * (peak0 + abs(origin.across)), zero)) - origin.along;
     T const inside = min(max(reach, zero), way.length);

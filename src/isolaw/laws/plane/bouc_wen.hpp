@@ -25,9 +25,9 @@ struct BoucWen {
 
   template <class T>
   struct State {
-    Vector<T> z{T(0.0), T(0.0)};      // in units of z_max
-    T z_max = T(0.0), rate = T(0.0);  // the largest |z|, and A / z_max
-    T unloading = T(0.0);             // the c of the equations above for p < 0
+    Vector<T> z{T(0.0), T(0.0)};      // the hysteretic variable divided by z_max
+    T z_max = T(0.0), rate = T(0.0);  // the largest |z| [mm], and A / z_max, which makes travel dimensionless
+    T unloading = T(0.0);             // c = (gamma - beta) / (gamma + beta) of the equations above
   };
 
   template <class T>
@@ -83,7 +83,9 @@ struct BoucWen {
       T const pull = c * at.along * power(square(at), fall);
       return Split<T>(one - pull * at.along, -pull * at.across);
     };
-    auto const longest = [&](Split<T> const& at, T const& c) {  // the steepest slope is n |c|
+    // The longest step from `at`: a fraction of |z|, or of 1 / (n |c|), since the rates change at most at the rate n
+    // |c|.
+    auto const longest = [&](Split<T> const& at, T const& c) {
       T const own = one / max(n * abs(c), one);
       return T(step_share) * max(min(sqrt(square(at)), own), T(least_distance));
     };

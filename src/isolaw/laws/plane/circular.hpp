@@ -33,9 +33,12 @@ struct Circular {
 
  private:
   static constexpr double half_pi = 1.57079632679489661923;
-  static constexpr double smallest = 1e-4;  // below it two terms of the series suffice for all digits but the last
+  // For an argument sqrt(|c|) x below this, two terms of the series of tan and sec give all digits but the last.
+  static constexpr double smallest = 1e-4;
 
-  struct SineCosine {  // up to pi/2: the series of an eighth of the angle, which is then doubled three times
+  // Sine and cosine of an angle up to pi/2: from the series of an eighth of the angle, which is then doubled three
+  // times.
+  struct SineCosine {
     T sine, cosine;
     explicit SineCosine(T const& angle) : sine(angle), cosine(angle) {
       T const one(1.0), y = T(0.125) * angle, y2 = y * y;
@@ -56,7 +59,8 @@ struct Circular {
       cosine = one - fall;
     }
   };
-  static T arc(T const& v) {  // arctan(v) for v >= 0: a guess within 0.005, improved twice by a rule of fifth order
+  // arctan(v) for v >= 0: a guess within 0.005, improved twice by a rule of fifth order.
+  static T arc(T const& v) {
     T const one(1.0), per_v = one / max(v, T(num::smallest_power_base));
     T angle = select(v <= one, v / (one + T(0.28) * v * v), T(half_pi) - per_v / (one + T(0.28) * per_v * per_v));
     for (int i = 0; i < 2; ++i) {

@@ -61,7 +61,8 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
     auto const next = sixth_order(q, l, h, slope);
     q.along = select(moves, next.along, q.along);
     q.across = select(moves, next.across, q.across);
-    l = select(moves, select(bound < left, l + h, end), l);  // a NaN arrives too, so that the loop ends
+    // A lane arrives unless `bound` is below `left`. So a lane with a NaN arrives too, and the loop ends.
+    l = select(moves, select(bound < left, l + h, end), l);
   }
 }
 

@@ -18,7 +18,9 @@ struct HistoryIntegralOf {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    Vector<T> peaks{T(0.0), T(0.0)};  // by_distance: the largest distance in both; by_axis: largest |x|, |y|
+    // With Softening::by_axis the largest |x| and the largest |y| so far. With by_distance both elements are the
+    // largest distance from the origin so far.
+    Vector<T> peaks{T(0.0), T(0.0)};
   };
 
   template <class T>
@@ -36,7 +38,8 @@ struct HistoryIntegralOf {
     constexpr bool by_axis = softening == Softening::by_axis;
     Vector<T> const size = by_axis ? Vector<T>{abs(to.x), abs(to.y)} : Vector<T>{norm(to), norm(to)};
     state.peaks = {max(state.peaks.x, size.x), max(state.peaks.y, size.y)};
-    auto const stiffness = [&](T const& peak) {  // 0 before any motion, where for g < 1 it has no bound
+    // The elastic stiffness for this peak. For g < 1 it grows without bound towards peak 0, where it is set to 0.
+    auto const stiffness = [&](T const& peak) {
       return select(peak > T(0.0), p.K / reference * power(peak / reference, p.g - one), T(0.0));
     };
     Vector<T> const elastic{stiffness(state.peaks.x) * to.x, stiffness(state.peaks.y) * to.y};

@@ -52,6 +52,7 @@ std::optional<std::string> no_coupled_form(std::string_view law, std::span<doubl
 // Whether springs around a circle follow the law: its force is equal on both sides. Springs of another law would give a
 // force across the motion, which depends on where the circle begins.
 bool springs_follow(std::string_view law);
-bool softens_with_the_peak(std::string_view law);  // if true, plane::Softening matters
+// Whether the largest displacement so far softens the coupled form, so that plane::Softening matters.
+bool softens_with_the_peak(std::string_view law);
 
 }  // namespace isolaw::laws

@@ -41,7 +41,8 @@ To numbers_as(From const& from, U&& one) {
 template <class Law>
 struct Trial {
   Vector<double> force;
-  std::array<std::array<double, 2>, 2> tangent;  // consistent: d force (row) / d displacement (column)
+  // The derivatives of the force's x and y (rows) by the x and y of the displacement at the end of the step (columns).
+  std::array<std::array<double, 2>, 2> tangent;
   typename Law::template State<double> after;
 };
 

@@ -18,7 +18,7 @@ inline constexpr int usual_springs = 16;
 
 // A spring's force is `force` times the law's; the law's displacement is `way` times the device's along the spring.
 struct SpringShares {
-  double force, way;  // rf, rs / rf
+  double force, way;  // rf and rs / rf of the text above
 };
 SpringShares spring_shares(int count);
 
@@ -29,7 +29,8 @@ class Springs {
 
   struct Force {
     plane::Vector<double> force;
-    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;  // d force (row) / d motion (column)
+    // The derivatives of the force's x and y (rows) by the displacement's, and by the velocity's, x and y (columns).
+    std::array<std::array<double, 2>, 2> by_displacement, by_velocity;
   };
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity);
   void commit();

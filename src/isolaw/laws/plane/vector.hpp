@@ -45,7 +45,7 @@ struct Straight {
   T length;
 
   Straight(Vector<T> const& from, Vector<T> const& to) : moved(to - from), length(norm(moved)) {
-    T const shortest(1e-150);  // the square of a shorter step underflows
+    T const shortest(1e-150);  // a shorter step counts as rest, because the square of its length would underflow to 0
     auto const moves = length > shortest;
     direction = (T(1.0) / max(length, shortest)) * moved;
     direction = chosen(moves, direction, Vector<T>{T(0.0), T(0.0)});

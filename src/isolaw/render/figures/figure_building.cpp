@@ -64,7 +64,9 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
       auto const& d = distribution_of(law, drawn_quantity(q));
       auto const& h = d.histogram;
       auto const [unit, factor] = shown_unit(drawn_quantity(q).unit, units);
-      auto const all = static_cast<double>(law.draws);  // draws without numbers count here, but lie in no bin
+      // The bars are percentages of all draws. A draw whose response is not finite lies in no bin, so the bars of a law
+      // with such draws add up to less than 100 %.
+      auto const all = static_cast<double>(law.draws);
       for (std::size_t i = 0; i < h.counts.size(); ++i)
         table.row(factor * (h.from + (static_cast<double>(i) + 0.5) * h.width), factor * h.width,
                   100.0 * static_cast<double>(h.counts[i]) / all);
