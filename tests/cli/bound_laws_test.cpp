@@ -175,7 +175,7 @@ TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {
   auto const bounds = json("e.json")["bounds"];
   EXPECT_TRUE(contains(bounds["source"].get<std::string>(), "no test covers temperature")) << bounds;
   for (auto const* which : {"lower", "upper"})
-    if (!bounds[which].is_null()) EXPECT_FALSE(bounds[which].contains("parameters")) << bounds;
+    EXPECT_TRUE(bounds[which].is_null() || !bounds[which].contains("parameters")) << bounds;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct DesignBound {
 
 struct DesignBounds {
   std::optional<DesignBound> lower = {}, upper = {};  // both or none
-  std::optional<Finding> none = {};         // why there is none
+  std::optional<Finding> none = {};                   // why there is none
 };
 
 // `parameters` are those of a device or of the lot. The reference block has the mean amplitude and frequency of the
