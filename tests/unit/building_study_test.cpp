@@ -144,27 +144,19 @@ Values usual_parameters(laws::LawEntry const& law) {
   return values;
 }
 
-TEST(BuildingStudy, forces_of_every_law_scale) {
-  std::vector<double> x, v;
-  for (int i = 0; i <= 120; ++i) {
-    x.push_back(80.0 * std::sin(0.1 * i) * (0.4 + 0.005 * i));
-    v.push_back(100.0 * std::cos(0.1 * i));
-  }
-  for (auto const& law : laws::catalogue()) {
-    double const length = law.info.length.in_record_units;
-    auto const values = usual_parameters(law);
-    Values scaled_x = x, scaled_v = v;
-    for (double& value : scaled_x) value /= length;
-    for (double& value : scaled_v) value /= length;
-    auto const path = laws::make_path(scaled_x, scaled_v);
-    Values one(path.samples()), other(path.samples());
-    law.evaluate(values, path, laws::Integration::converged, one);
-    law.evaluate(with_force(law.info.id, values, 1.25), path, laws::Integration::converged, other);
-    double most = 0.0;
-    for (double const f : one) most = std::max(most, std::abs(f));
-    EXPECT_GT(most, 0.0) << law.info.id;
-    for (std::size_t i = 0; i < one.size(); ++i)
-      EXPECT_NEAR(other[i], 1.25 * one[i], 1e-9 * most) << law.info.id << " " << i;
+// In a bilinear law K2 is the elastic part and K1 - K2 the stiffness of the hysteretic part.
+TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
+  auto study = usual_study(0.0, 0);
+  study.file.settings.lower.reset();
+  study.laws[0].lower = PartFactors{.elastic = 0.7, .hysteretic = 0.6};
+  Devices const devices(study.laws[0], study.file, study.file.motions[0]);
+  auto const nominal = devices.of({}), lower = devices.of({.kind = CaseKind::lower}),
+             upper = devices.of({.kind = CaseKind::upper});
+  for (std::size_t i = 0; i < nominal.size(); i += 3) {
+    EXPECT_NEAR(lower[i + 1], 0.7 * nominal[i + 1], 1e-12);
+    EXPECT_NEAR(lower[i] - lower[i + 1], 0.6 * (nominal[i] - nominal[i + 1]), 1e-12);
+    EXPECT_EQ(lower[i + 2], nominal[i + 2]);
+    EXPECT_NEAR(upper[i], 1.1 * nominal[i], 1e-12);
   }
 }
 

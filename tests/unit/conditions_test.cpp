@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "isolaw/conditions/bounds.hpp"
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/contrast.hpp"
 #include "isolaw/conditions/dependence.hpp"
@@ -536,6 +537,86 @@ TEST(Response, of_equal_tests_is_one_and_inverts_with_its_reference) {
              back = Response(Effect::temperature, others, own, cold, {}).at(20.0);
   EXPECT_DOUBLE_EQ(there.ln, -back.ln);
   EXPECT_DOUBLE_EQ(*there.se, *back.se);
+}
+
+// The bilinear law of the device P4: K2 = 0.6 (1 - (2000/7505.621896)^2), a strength of 25 kN, and K1 = 6 K2.
+constexpr double amplitude_mm = 208.0, K2 = 0.557397226, xy = 8.970263513, Q = 25.0;
+ReferenceBlock const reference_block{.amplitude_mm = amplitude_mm, .frequency_Hz = 0.5};
+std::vector<double> bilinear() {
+  return {6.0 * K2, K2, xy};
+}
+struct Wanted {
+  double C_K, C_E, a, b, K2, K1;
+};
+constexpr Wanted upper{1.869155861, 1.859391152, 1.871261438, 1.859391152, 1.043035935, 6.225133287},
+    lower{0.705430235, 0.665827352, 0.713969857, 0.665827352, 0.397964818, 2.253616412};
+
+// In closed form K_eff is K2 + Q/D and the energy 4 Q (D - xy).
+TEST(BoundLaws, factors_in_closed_form) {
+  LoopParts const parts{
+      .elastic = {.K_eff_kN_per_mm = K2, .energy_kN_mm = 0.0},
+      .hysteretic = {.K_eff_kN_per_mm = Q / amplitude_mm, .energy_kN_mm = 4.0 * Q * (amplitude_mm - xy)}};
+  double const K_eff = K2 + Q / amplitude_mm, energy = 4.0 * Q * (amplitude_mm - xy);
+  for (auto const& wanted : {upper, lower, Wanted{1.310375321, 1.480158436, 1.273764762, 1.480158436, 0.0, 0.0}}) {
+    auto const found = factors_for(parts, {wanted.C_K * K_eff, wanted.C_E * energy});
+    expect_near(found.a, wanted.a, ends);
+    expect_near(found.b, wanted.b, ends);
+  }
+}
+
+TEST(BoundLaws, of_the_bilinear_law) {
+  auto const& law = laws::find_law("bilinear");
+  for (auto const& wanted : {upper, lower}) {
+    auto const bound = bound_law(law, bilinear(), reference_block, wanted.C_K, wanted.C_E).value();
+    EXPECT_FALSE(bound.one_factor);
+    expect_near(bound.factors.a, wanted.a, 1e-3);
+    expect_near(bound.factors.b, wanted.b, 1e-3);
+    expect_near(bound.parameters[law.index_of("K1")], wanted.K1, 1e-3);
+    expect_near(bound.parameters[law.index_of("K2")], wanted.K2, 1e-3);
+    EXPECT_EQ(bound.parameters[law.index_of("xy")], xy);
+    expect_near(bound.target.K_eff_kN_per_mm, wanted.C_K * 0.677589534);
+    expect_near(bound.reached.K_eff_kN_per_mm, bound.target.K_eff_kN_per_mm);
+    expect_near(bound.target.energy_kN_mm, wanted.C_E * 19902.973649, 2e-4);
+    expect_near(bound.reached.energy_kN_mm, bound.target.energy_kN_mm);
+  }
+}
+
+// The mean of three cycles of a bilinear law: the first has less energy by Q xy / 2, since it starts at rest.
+TEST(BoundLaws, of_a_reference_of_several_cycles) {
+  auto block = reference_block;
+  block.first_cycle = 1;
+  auto const loop = loop_of(laws::find_law("bilinear"), bilinear(), block);
+  expect_near(loop.K_eff_kN_per_mm, 0.677589534);
+  expect_near(loop.energy_kN_mm, 19902.973649 - Q * xy / 6.0, 2e-4);
+}
+
+void expect_one_factor(BoundLaw const& bound, OneFactor why, double C_K, double C_E, double off_percent) {
+  EXPECT_EQ(bound.one_factor, why);
+  EXPECT_EQ(bound.factors.a, C_K);
+  EXPECT_EQ(bound.factors.b, C_K);
+  expect_near(bound.energy_off_percent, off_percent, ends);
+  expect_near(bound.reached.K_eff_kN_per_mm, bound.target.K_eff_kN_per_mm);
+  expect_near(bound.reached.energy_kN_mm, bound.target.energy_kN_mm * C_K / C_E);
+}
+
+TEST(BoundLaws, fall_back_to_one_factor) {
+  auto const& bilinear_law = laws::find_law("bilinear");
+  // The hysteretic part alone has more stiffness than wanted: 4 Q/D is 0.481, and 0.7 K_eff is 0.474.
+  expect_one_factor(bound_law(bilinear_law, bilinear(), reference_block, 0.7, 4.0).value(), OneFactor::not_positive,
+                    0.7, 4.0, -82.5);
+  auto const& kikuchi = laws::find_law("kikuchi-aiken");
+  std::vector<double> parameters(kikuchi.parameters.size());
+  for (auto const& [name, value] : std::initializer_list<std::pair<char const*, double>>{
+           {"G1", 80.0}, {"p", 0.3}, {"h0", 0.15}, {"u0", 0.4}, {"amax", 10.0}, {"c", 10.0}})
+    parameters[kikuchi.index_of(name)] = value;
+  auto const bound = bound_law(kikuchi, parameters, reference_block, 1.25, 1.5).value();
+  expect_one_factor(bound, OneFactor::inseparable, 1.25, 1.5, -100.0 / 6.0);
+  EXPECT_EQ(bound.parameters[kikuchi.index_of("G1")], 100.0);
+}
+
+TEST(BoundLaws, need_a_loop) {
+  std::vector<double> const elastic{1.0, 1.0, 10.0};
+  EXPECT_FALSE(bound_law(laws::find_law("bilinear"), elastic, reference_block, 1.1, 1.1));
 }
 
 }  // namespace

@@ -1,2 +1,2 @@
-isolaw_test(unit_study study_blocks_test.cpp study_doubts_test.cpp study_energy_fall_test.cpp study_published_test.cpp study_recommendation_test.cpp study_results_test.cpp study_typical_device_test.cpp study_verdict_test.cpp study_range_test.cpp)
+isolaw_test(unit_study study_blocks_test.cpp study_design_bounds_test.cpp study_doubts_test.cpp study_energy_fall_test.cpp study_published_test.cpp study_recommendation_test.cpp study_results_test.cpp study_typical_device_test.cpp study_verdict_test.cpp study_range_test.cpp)
 target_link_libraries(unit_study PRIVATE Eigen3::Eigen)

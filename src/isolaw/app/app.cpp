@@ -351,6 +351,9 @@ void add_simulate(Commands& commands) {
   c.add_option("--from", a.from, "directory of the campaign that fitted the law; needs --device");
   c.add_option("--device", a.device,
                "with --from: name of the device, or the word lot for the law that was fitted to all devices together");
+  c.add_option(
+      "--bound", a.bound,
+      "with --from, if the campaign's lot file has a table [conditions]: the bound law over the design conditions, lower or upper");
   c.add_option("--parameters", a.parameters,
                "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
   c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")

@@ -125,7 +125,8 @@ struct SimulateArguments {
   Values read, how;  // how: the options of campaign::setting_table() from integration to dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
-  bool anyway = false;  // simulate even if the prediction is unusable
+  std::optional<std::string> bound = {};  // "lower" or "upper": the bound law over the design conditions
+  bool anyway = false;                    // simulate even if the prediction is unusable
   std::optional<std::string> bidirectional, second_disp, softening, springs;
 };
 int simulate(SimulateArguments const& arguments);

@@ -28,6 +28,7 @@
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/design_bounds.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -44,9 +45,10 @@ double largest(std::vector<double> const& values) {
 
 struct Chosen {
   FittedLaw law;
-  study::Doubts doubts;              // the campaign's doubts about the fitted law
-  std::string origin;                // "device 'a'" or "the lot"; empty if the law is not from a campaign
-  std::vector<std::string> changes;  // values given with --set; the law then differs from the campaign's
+  study::Doubts doubts;               // the campaign's doubts about the fitted law
+  std::string origin;                 // "device 'a'" or "the lot"; empty if the law is not from a campaign
+  std::vector<std::string> changes;   // values given with --set; the law then differs from the campaign's
+  std::optional<Finding> bound = {};  // about the bound law that it is, if it is one
   // Only for a law fitted to one device, without changes: the record and box of its fit.
   struct Fit {
     data::FitRecord record;
@@ -55,6 +57,23 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
+// Puts the bound law in the place of the fitted one. Springs then have its parameters too.
+void take_bound(SimulateArguments const& a, study::Summary const& summary, laws::LawEntry const& law, Chosen& chosen) {
+  if (*a.bound != "lower" && *a.bound != "upper")
+    throw Error({.where = "--bound", .found = *a.bound, .allowed = "lower or upper"});
+  auto const bounds = study::design_bounds(summary, law, chosen.law.parameters);
+  if (bounds.none)
+    throw Error({.where = "--bound",
+                 .found = wording::remark(*bounds.none),
+                 .allowed = "a campaign whose tests cover all design conditions of its lot file",
+                 .advice = "isolaw conditions LOT.toml"});
+  auto const& bound = *a.bound == "lower" ? *bounds.lower : *bounds.upper;
+  chosen.law.parameters = bound.law.parameters;
+  chosen.law.springs.reset();
+  chosen.fit.reset();
+  chosen.bound = study::about_bound(*a.bound, bound);
+}
+
 Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   if (a.parameters && a.from)
     throw Error({.where = "--parameters and --from", .found = "both are given", .allowed = "one of them"});
@@ -62,6 +81,10 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     throw Error({.where = "--anyway",
                  .found = "is given alone",
                  .allowed = "with --from DIR: other parameters are taken without it"});
+  if (a.bound && (!a.from || !a.set.empty()))
+    throw Error({.where = "--bound",
+                 .found = a.from ? "is given with --set" : "is given alone",
+                 .allowed = "with --from DIR and without --set"});
   if (a.from.has_value() != a.device.has_value())
     throw Error({.where = a.from ? "--from" : "--device",
                  .found = "is given alone",
@@ -85,8 +108,10 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
         for (auto const& search : contents.searches)
           if (search.device == *index && search.law == law.info.id)
             chosen.fit = Chosen::Fit{contents.devices[*index].record, search.box};
-      chosen.doubts = study::doubts(study::build_summary(contents), law.info.id, device);
+      auto const summary = study::build_summary(contents);
+      chosen.doubts = study::doubts(summary, law.info.id, device);
       study::require_taken(chosen.doubts, study::whose(law.info.id, device), a.anyway);
+      if (a.bound) take_bound(a, summary, law, chosen);
     }
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
       values.push_back({.name = std::string(law.parameters[i].name), .value = chosen.law.parameters[i]});
@@ -126,6 +151,7 @@ std::vector<std::string> facts(Chosen const& chosen) {
         fmt::format("fitted to {}", reach),
         fmt::format("changed by --set {}: how well this law fits or predicts is not known", joined(chosen.changes))};
   std::vector<std::string> lines{fmt::format("fitted to {}", reach), wording::remark(chosen.doubts.prediction)};
+  if (chosen.bound) lines.push_back(wording::remark(*chosen.bound));
   std::ranges::move(wording::lines(chosen.doubts.findings, wording::with_law), std::back_inserter(lines));
   if (chosen.doubts.objection) lines.push_back(study::let_through(wording::remark(*chosen.doubts.objection)));
   return lines;

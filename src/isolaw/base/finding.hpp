@@ -70,6 +70,8 @@ enum class FindingKind {
   samples_thinned, samples_weighed,
   // Conditions under which a device's damping would have another value (study/value_doubts.hpp).
   if_late_force_is_moved, if_force_is_early, if_jump_is_of_rig, if_rig_rubs,
+  // [conditions] The bound laws over the design conditions (study/design_bounds.hpp).
+  bound_law, no_bound_laws,
 };
 // clang-format on
 

@@ -272,13 +272,17 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
     return std::ranges::count(study.file.bearings, stands, &BearingPlace::stands);
   };
   sentences.push_back(fmt::format(
-      "Of {} bearings {} {}, {} its law, {} tested devices, {} and {} its law times the lower and the upper factor.",
+      "Of {} bearings {} {}, {} its law, {} tested devices, {} and {} its law as in the lower and the upper bound analysis.",
       study.file.bearings.size(), count(Stands::draw),
       s.draws > 0 ? "are draws of the lot" : "have the median parameters of the lot's population", count(Stands::lot),
       count(Stands::device), count(Stands::lower), count(Stands::upper)));
+  auto const bound = [](std::optional<double> const& factor) {
+    return factor ? fmt::format("times {:.2f}: stiffness and strength alike", *factor)
+                  : std::string("as in the bound law over the design conditions of the lot");
+  };
   sentences.push_back(fmt::format(
-      "The bound analyses take every bearing at its nominal values, forces times {:.2f} and {:.2f}: stiffness and strength alike.",
-      s.lower, s.upper));
+      "The bound analyses take every bearing at its nominal values; in the lower one its forces are {}, in the upper one {}.",
+      bound(s.lower), bound(s.upper)));
   sentences.push_back(fmt::format("A building's response is its mean over {}, each scaled as the building file says.",
                                   counted(study.file.motions.size(), "motion")));
   if (has_draws(study))

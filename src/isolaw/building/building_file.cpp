@@ -50,7 +50,7 @@ std::vector<FileKey> make_keys() {
   using F = FileTables;
   constexpr bool required = true;
   constexpr std::string_view stands_help =
-      "draw: a device drawn at random from the lot; lot: the law of the lot; lower, upper: the law of the lot with its force times that factor; or the name of a tested device";
+      "draw: a device drawn at random from the lot; lot: the law of the lot; lower, upper: the law of the lot as in that bound analysis; or the name of a tested device";
   Limits const within{.least = -1e4, .most = 1e4}, many{.least = 1, .most = 200};
   std::vector<FileKey> keys;
   std::string_view table;
@@ -111,10 +111,25 @@ std::vector<FileKey> make_keys() {
   real("seed", "seed of all draws", settings(&Settings::seed), {.least = 0, .most = 2147483647});
   real("damping", "damping ratio of every mode of the superstructure on a fixed base", settings(&Settings::damping),
        {.least = 0.0, .most = 0.5});
-  real("lower", "factor on the force of every bearing in the lower bound analysis", settings(&Settings::lower),
-       {.least = 0.05, .most = 1.0}, required);
-  real("upper", "factor on the force of every bearing in the upper bound analysis", settings(&Settings::upper),
-       {.least = 1.0, .most = 20.0}, required);
+  auto const bound = [&](std::string_view key, std::string_view help, std::optional<double> Settings::*member,
+                         Limits const& limits) {
+    real(key, help, settings(member), limits, required);
+    auto& option = keys.back();
+    option.type = "float | Literal[\"conditions\"]";
+    option.get = [member](F const& f) { return f.building.*member ? Json(*(f.building.*member)) : Json("conditions"); };
+    option.set = [member, number = option.set](F& f, Json const& value) {
+      if (value == "conditions")
+        (f.building.*member).reset();
+      else
+        number(f, value);
+    };
+  };
+  bound(
+      "lower",
+      "factor on the force of every bearing in the lower bound analysis, or \"conditions\": the lower bound law over the design conditions of the lot",
+      &Settings::lower, {.least = 0.05, .most = 1.0, .words = "0.05 to 1, or \"conditions\""});
+  bound("upper", "the same in the upper bound analysis", &Settings::upper,
+        {.least = 1.0, .most = 20.0, .words = "1 to 20, or \"conditions\""});
   real("step_s", "longest integration step", settings(&Settings::step_s), {.least = 1e-5, .most = 0.05});
   real("rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
        settings(&Settings::rest_s), {.least = 0.0, .most = 120.0});

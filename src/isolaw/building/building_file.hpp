@@ -27,7 +27,9 @@ struct Settings {
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
-  double lower = 0.0, upper = 0.0;  // each of the two bound analyses multiplies the forces of all bearings by one
+  // Factors of the bound analyses, on the forces of every bearing. Empty: the bearings follow the bound laws over the
+  // design conditions of the lot (LawSource::lower, upper).
+  std::optional<double> lower = 0.0, upper = 0.0;
   double step_s = 0.005;
   double rest_s = 5.0;
 };

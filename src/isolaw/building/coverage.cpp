@@ -17,11 +17,7 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
   bool const known = std::isfinite(d.lower) && std::isfinite(d.upper);
   if (known && (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most))) {
     coverage.monotony = Finding{.kind = FindingKind::bounds_not_monotonic,
-                                .numbers = {{"lower", d.lower},
-                                            {"nominal", d.nominal},
-                                            {"upper", d.upper},
-                                            {"lower_factor", settings.lower},
-                                            {"upper_factor", settings.upper}},
+                                .numbers = {{"lower", d.lower}, {"nominal", d.nominal}, {"upper", d.upper}},
                                 .words = {{"quantity", std::string(quantity.title)},
                                           {"unit", quantity.unit == "-" ? "" : std::string(quantity.unit)},
                                           {"side", d.nominal < least ? "above" : "below"}}};

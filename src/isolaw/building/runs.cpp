@@ -187,16 +187,16 @@ Expected expected_runs(Connection const& db) {
   auto const properties = read_properties(db);
   auto const value = [&](std::string_view kind, std::string_view name) {
     for (auto const& property : properties)
-      if (property.kind == kind && property.name == name) return Json::parse(property.value);
+      if (property.kind == kind && property.name == name) return property.value;
     throw Error({.found = fmt::format("no value of {}", name)});
   };
   FileTables tables;
   for (auto const& key : settings_table())
-    if (key.decides) key.set(tables, value("setting", key.key));
+    if (key.decides) key.set(tables, value_of(key.kind, {value("setting", key.key)}));
   return {.laws = of_kind(properties, "law"),
           .motions = of_kind(properties, "motion"),
           .cases = cases_of(tables.building),
-          .measures = value("building", "measures").get<std::size_t>()};
+          .measures = Json::parse(value("building", "measures")).get<std::size_t>()};
 }
 
 }  // namespace
@@ -366,6 +366,8 @@ std::vector<StudyProperty> properties_of(Study const& study) {
     for (auto const transform : p.transforms) add(static_cast<int>(transform));
     for (auto const& place : law.place) add(place ? *place + 1 : 0);
     for (auto const& limits : law.limits) add(limits.lower, limits.upper);
+    for (auto const& bound : {law.lower, law.upper})
+      if (bound) add(bound->elastic, bound->hysteretic);
     for (auto const& [name, values] : law.devices) {
       add(name);
       add_all(values);

@@ -12,28 +12,6 @@
 #include "isolaw/laws/plane/in_plane.hpp"
 
 namespace isolaw::building {
-namespace {
-
-// The power of the unit of force in a unit: 1 for "kN", "kN/mm" and "kN s/mm", -1 for "1/(kN mm)".
-int power_of_force(std::string_view unit, std::string_view force) {
-  auto const start = unit.find(force);
-  if (start == std::string_view::npos) return 0;
-  auto const end = start + force.size();
-  if (end < unit.size() && std::string_view("/ )").find(unit[end]) == std::string_view::npos) return 0;
-  return unit.find('/') < start ? -1 : 1;
-}
-
-}  // namespace
-
-std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor) {
-  auto const& entry = laws::find_law(law);
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (auto const power = power_of_force(entry.parameters[i].unit, entry.info.force.symbol);
-        factor != 1.0 && power != 0)
-      parameters[i] = power > 0 ? parameters[i] * factor : parameters[i] / factor;
-  return parameters;
-}
-
 std::string text(Case const& which) {
   switch (which.kind) {
     case CaseKind::nominal:
@@ -161,10 +139,13 @@ std::vector<double> Devices::of(Case const& which) const {
   if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
   if (which.kind == CaseKind::uncertain && draws > 0)
     draw(again(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
-  double factor = 1.0;
-  if (which.kind == CaseKind::lower) factor = settings_.lower;
-  if (which.kind == CaseKind::upper) factor = settings_.upper;
-  if (which.kind == CaseKind::factor) factor = grid_factor(which.draw);
+  auto const one = [](double factor) { return PartFactors{factor, factor}; };
+  auto const lower = settings_.lower ? one(*settings_.lower) : source_.lower.value();
+  auto const upper = settings_.upper ? one(*settings_.upper) : source_.upper.value();
+  PartFactors factors;
+  if (which.kind == CaseKind::lower) factors = lower;
+  if (which.kind == CaseKind::upper) factors = upper;
+  if (which.kind == CaseKind::factor) factors = one(grid_factor(which.draw));
 
   std::vector<double> parameters;
   std::size_t next = 0;
@@ -172,10 +153,12 @@ std::vector<double> Devices::of(Case const& which) const {
     auto values = place.stands == Stands::draw     ? drawn[next++]
                   : place.stands == Stands::device ? source_.devices.at(place.device)
                                                    : source_.lot;
-    double own = factor;
-    if (place.stands == Stands::lower) own *= settings_.lower;
-    if (place.stands == Stands::upper) own *= settings_.upper;
-    values = with_force(source_.law, std::move(values), own);
+    auto own = factors;
+    auto const multiply = [&](PartFactors const& by) { own.elastic *= by.elastic, own.hysteretic *= by.hysteretic; };
+    if (place.stands == Stands::lower) multiply(lower);
+    if (place.stands == Stands::upper) multiply(upper);
+    if (own.elastic != 1.0 || own.hysteretic != 1.0)
+      laws::find_law(source_.law).with_factors(values, own.elastic, own.hysteretic);
     parameters.insert(parameters.end(), values.begin(), values.end());
   }
   return parameters;

@@ -18,6 +18,11 @@
 
 namespace isolaw::building {
 
+// Factors on the elastic and on the hysteretic part of a bearing's forces.
+struct PartFactors {
+  double elastic = 1.0, hysteretic = 1.0;
+};
+
 // Parameters in the law's order and units.
 struct LawSource {
   std::string law;
@@ -27,14 +32,13 @@ struct LawSource {
   // [parameter] index of the parameter in the population; nullopt if all devices have the value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
-  std::vector<lot::Limits> limits;   // physical limits of each parameter of the population
-  double tested_mm = 0.0;            // largest displacement in the tests; 0 if it is not known
-  std::vector<LawSource> springs;    // the law with parameters fitted as springs around a circle; none or one element
-  std::vector<Finding> doubts = {};  // about the law's calibration; no number depends on them
+  std::vector<lot::Limits> limits;  // physical limits of each parameter of the population
+  double tested_mm = 0.0;           // largest displacement in the tests; 0 if it is not known
+  std::vector<LawSource> springs;   // the law with parameters fitted as springs around a circle; none or one element
+  // The bound laws over the design conditions of the lot; empty if the building file states factors in their place.
+  std::optional<PartFactors> lower = {}, upper = {};
+  std::vector<Finding> doubts = {};  // about the law's calibration and its bounds; no number depends on them
 };
-
-// The parameters, in the law's units, of a device whose forces are `factor` times as large.
-std::vector<double> with_force(std::string_view law, std::vector<double> parameters, double factor);
 
 // Which bearings an analysis has. In all kinds, a bearing that is not a draw has the same parameters, except that
 // `lower`, `upper` and `factor` multiply its forces too.

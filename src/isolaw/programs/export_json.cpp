@@ -46,14 +46,17 @@ void write_commands(JsonWriter& out, std::string_view key, Form const& form, Uni
   out.end_array();
 }
 
-void write_factors(JsonWriter& out, std::string_view key, std::optional<BoundFactors> const& factors) {
+void write_factors(JsonWriter& out, std::string_view key, Subject const& subject,
+                   std::optional<BoundFactors> const& factors) {
   out.key(key);
   if (!factors) {
     out.null();
     return;
   }
   out.begin_object().member("stiffness", factors->stiffness).member("strength", factors->strength);
-  out.member("force", factors->overall).member("separate", factors->separate).end_object();
+  out.member("force", factors->overall).member("separate", factors->separate);
+  if (!factors->parameters.empty()) write_parameters(out, "parameters", *subject.law, factors->parameters);
+  out.end_object();
 }
 
 void write_validity(JsonWriter& out, Subject const& subject) {
@@ -158,8 +161,8 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   out.member("warnings", wording::sentences(doubts.findings, wording::with_law));
   out.member("beyond_the_tests", subject.beyond);
   out.key("bounds").begin_object();
-  write_factors(out, "lower", subject.bounds.lower);
-  write_factors(out, "upper", subject.bounds.upper);
+  write_factors(out, "lower", subject, subject.bounds.lower);
+  write_factors(out, "upper", subject, subject.bounds.upper);
   auto const share = subject.bounds.tolerance_factor ? std::optional(95.0) : std::nullopt;
   out.member("coverage_percent", share).member("confidence_percent", share);
   out.member("tolerance_k", subject.bounds.tolerance_factor).member("source", subject.bounds.source).end_object();

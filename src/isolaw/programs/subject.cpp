@@ -14,6 +14,8 @@
 #include "isolaw/campaign/named_device.hpp"
 #include "isolaw/fit/objective.hpp"
 #include "isolaw/programs/untested_motions.hpp"
+#include "isolaw/study/design_bounds.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::programs {
 namespace {
@@ -171,7 +173,7 @@ Bounds spread_of_the_lot(study::Summary const& summary, Subject const& subject, 
       .tolerance_factor = view->tolerance_factor};
 }
 
-Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
+Bounds bounds_of_the_lot(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
   if (!summary.acceptance.has_rules()) return spread_of_the_lot(summary, subject, units, "no rule set was given");
   auto const& rules = summary.acceptance.rules;
   auto const K_d = ruled_bounds(summary, subject, rules::Quantity::K_d, units);
@@ -197,6 +199,28 @@ Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSyst
   bounds.source = fmt::format("rule set {} ({}): {}; {}", rules.id, rules.verified() ? "verified" : "not verified",
                               K_d->text, Q_d->text);
   return bounds;
+}
+
+// The bounds over the design conditions or, if the tests give none, those of the scatter between devices.
+Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
+  auto const design = study::design_bounds(summary, *subject.law, subject.parameters);
+  if (design.none) {
+    auto bounds = bounds_of_the_lot(summary, subject, units);
+    bool const asked = summary.conditions || !summary.no_conditions.empty();
+    if (asked) bounds.source += "; " + wording::remark(*design.none, units);
+    return bounds;
+  }
+  auto const factors = [](study::DesignBound const& bound) {
+    return BoundFactors{.stiffness = bound.law.factors.a,
+                        .strength = bound.law.factors.b,
+                        .overall = bound.C_K,
+                        .separate = !bound.law.one_factor,
+                        .parameters = bound.law.parameters};
+  };
+  return {.lower = factors(*design.lower),
+          .upper = factors(*design.upper),
+          .source = wording::remark(study::about_bound("lower", *design.lower), units) + "; " +
+                    wording::remark(study::about_bound("upper", *design.upper), units)};
 }
 
 void add_device_parameters(Subject& subject, campaign::Contents const& contents, std::size_t device,

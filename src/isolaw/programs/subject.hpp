@@ -42,12 +42,14 @@ struct Fitted : study::Range {
 };
 
 // The factors by which a bound differs from the law: `stiffness` multiplies the part of the force that grows with the
-// displacement (K_d), `strength` the hysteretic part (Q_d). If the rules give no separate factors, both are the factor
-// on the whole force.
+// displacement (K_d), `strength` the hysteretic part (Q_d). If there are no separate factors, both are the factor on the
+// whole force.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;   // factor on the whole force, for programs that cannot scale the parts
-  bool separate = false;  // true if the rules give separate factors
+  bool separate = false;  // true if there are separate factors
+  // The law's own parameters at the bound, in its order and units. Empty for bounds of the scatter between devices.
+  std::vector<double> parameters = {};
 };
 
 struct Bounds {

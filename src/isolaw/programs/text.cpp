@@ -91,6 +91,8 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
 }
 
 std::string factor_text(BoundFactors const& factors, bool one_factor) {
+  if (factors.separate && !one_factor && !factors.parameters.empty())
+    return fmt::format("elastic part x {:.4g}, hysteretic part x {:.4g}", factors.stiffness, factors.strength);
   if (factors.separate && !one_factor)
     return fmt::format("stiffness (K_d) x {:.4g}, strength (Q_d) x {:.4g}", factors.stiffness, factors.strength);
   return fmt::format("force x {:.4g}", factors.overall);
@@ -280,7 +282,9 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   if (one_factor && (separate(bounds.lower) || separate(bounds.upper)))
     facts.push_back(
         {"Bounds act",
-         "as one factor on the whole force, which at the amplitude of the reported cycle is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
+         bounds.upper && !bounds.upper->parameters.empty()
+             ? "as one factor on the whole force, which is that of K_eff: the damping stays as it is"
+             : "as one factor on the whole force, which at the amplitude of the reported cycle is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
   return facts;
 }
 

@@ -9,9 +9,11 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/build_summary.hpp"
+#include "isolaw/study/design_bounds.hpp"
 #include "isolaw/study/doubts.hpp"
 #include "isolaw/study/draws.hpp"
 #include "isolaw/study/recommendation.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 
@@ -98,6 +100,27 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
   return any ? std::optional(std::move(contents)) : std::nullopt;
 }
 
+// Takes over the bound laws over the design conditions that the building file asks for.
+void take_bounds(building::LawSource& source, Summary const& summary, building::Settings const& asked,
+                 std::string_view where) {
+  auto const bounds = design_bounds(summary, laws::find_law(source.law), source.lot);
+  if (bounds.none)
+    throw Error({.where = fmt::format("{}, law {}", where, source.law),
+                 .found = wording::remark(*bounds.none),
+                 .allowed = "a campaign whose tests cover all design conditions, or numbers for lower and upper"});
+  auto const take = [&](std::string_view which, DesignBound const& bound,
+                        std::optional<building::PartFactors> building::LawSource::*member) {
+    building::PartFactors const factors{.elastic = bound.law.factors.a, .hysteretic = bound.law.factors.b};
+    source.*member = factors;
+    for (auto& springs : source.springs) springs.*member = factors;
+    auto finding = about_bound(which, bound);
+    finding.law = source.law;
+    source.doubts.push_back(std::move(finding));
+  };
+  if (!asked.lower) take("lower", *bounds.lower, &building::LawSource::lower);
+  if (!asked.upper) take("upper", *bounds.upper, &building::LawSource::upper);
+}
+
 }  // namespace
 
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
@@ -110,6 +133,7 @@ building::LawSource law_source(campaign::Contents const& contents, Summary const
     if (auto const springs = with_springs_of(contents, law))
       source.springs = {source_of(*springs, build_summary(*springs), law, where)};
   source.doubts = doubts_of(summary, law, file.bearings);
+  if (!file.settings.lower || !file.settings.upper) take_bounds(source, summary, file.settings, where);
   return source;
 }
 

@@ -313,6 +313,7 @@ class Builder {
                             .is_scaled = test.stated.is_scaled,
                             .order = *test.stated.order,
                             .block = block.number,
+                            .amplitude_mm = block.amplitude_mm,
                             .condition = condition,
                             .rest_h = seen.block.rest_h,
                             .loop_mm = block.loop_mm,

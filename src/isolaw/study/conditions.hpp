@@ -42,6 +42,7 @@ struct ConditionsTest {  // one block of one test
   std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
   bool is_scaled = false;
   int order = 0, block = 0;
+  double amplitude_mm = 0.0;
   conditions::Condition
       condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
   std::optional<double> rest_h = {};

@@ -614,6 +614,11 @@ std::span<Row const> rows() {
       fact(if_force_is_early, "if-force-is-early", "the force channel is early"),
       fact(if_jump_is_of_rig, "if-jump-is-of-rig", "the force's jump at reversals is friction of the rig"),
       fact(if_rig_rubs, "if-rig-rubs", "the rig's friction is 0.5 % of the vertical load"),
+      // [conditions]
+      campaign(
+          bound_law, "bound-law", "bounds", note, "", each_alone, with_building, law,
+          "{which} bound over the design conditions ({status}; {share_shown:0%} of it rests on tests at such conditions or between them): K_eff times {K_eff_factor:.3f} and energy times {energy_factor:.3f} in the reference cycle; {made}"),
+      answer(no_bound_laws, "no-bound-laws", "bounds", "no bound law over the design conditions: {because}"),
   };
   // clang-format on
   static_assert(

@@ -1,12 +1,12 @@
 import { sentences, termList } from '../dom.js';
 import { fixed, sentence, significant } from '../text.js';
-import { grouped, isDrawn, laws, study } from './study.js';
+import { BOUNDS, grouped, isDrawn, laws, study } from './study.js';
 import { KN } from '../units.js';
 
 const facts = () => [
   ['weight', grouped(Math.round(study.weight_kN)) + ' ' + KN],
   ['periods on a fixed base', study.fixed_base_periods_s.slice(0, 3).map((s) => fixed(s, 3)).join(', ') + ' s'],
-  ['factors of the bounds', study.lower_factor + ', ' + study.upper_factor],
+  ['factors of the bounds', BOUNDS],
   ['draws', isDrawn ? grouped(study.draws) + ', seed ' + study.seed : 'none: no bearing is a draw of the lot'],
   ['runs without finite numbers', laws.map((law) => law.failed).reduce((a, b) => a + b, 0)],
   ['largest energy error', significant(Math.max(...laws.map((law) => law.energy_error)), 2)],

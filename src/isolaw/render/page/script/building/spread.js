@@ -3,7 +3,7 @@ import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, plain, shareText, short, unitText } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { SPREAD, axisTitle, first, grouped, isCovered, isDrawn, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
+import { BOUNDS, SPREAD, axisTitle, first, grouped, isCovered, isDrawn, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
 
 const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);
@@ -41,7 +41,7 @@ export const spreadSection = {
       id: 'fractiles',
       title: 'In numbers',
       depends: ['quantity'],
-      caption: () => (isDrawn ? 'Scatter: standard deviation of the natural logarithm. ' : '') + 'Bound analyses: forces of all bearings times ' + study.lower_factor + ' and ' + study.upper_factor + '.',
+      caption: () => (isDrawn ? 'Scatter: standard deviation of the natural logarithm. ' : '') + 'Factors of the bound analyses: ' + BOUNDS + '.',
       csv: allData,
       build: fractiles,
     },

@@ -7,6 +7,8 @@ export const laws = study.laws.map((law, index) => ({ ...law, index }));
 // The law of the verdict: the first whose analyses gave numbers.
 export const first = laws.find(({ id }) => id === study.answer[0]?.law) ?? laws[0];
 export const isDrawn = study.draws !== null; // whether any bearing is a draw of the lot
+const bound = (factor) => (factor === null ? 'of the design conditions' : factor);
+export const BOUNDS = bound(study.lower_factor) + ', ' + bound(study.upper_factor);
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);

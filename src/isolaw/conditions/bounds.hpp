@@ -1,0 +1,63 @@
+// The law of a device under the conditions that make its properties largest or smallest: the law at reference, with its
+// elastic part times a and its hysteretic part times b (laws::LawEntry::with_factors). a and b are those with which
+// K_eff and the energy of the reference cycle become the wanted multiples of their values at reference.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "isolaw/laws/catalogue.hpp"
+
+namespace isolaw::conditions {
+
+// A sine from rest, as in the reference tests. The law's K_eff and energy are means over the cycles from first_cycle to
+// last_cycle, counted from 1.
+struct ReferenceBlock {
+  double amplitude_mm = 0.0, frequency_Hz = 0.0;
+  int first_cycle = 3, last_cycle = 3;
+};
+
+struct Loop {
+  double K_eff_kN_per_mm = 0.0, energy_kN_mm = 0.0;
+};
+// The K_eff and energy that each part of a force contributes.
+struct LoopParts {
+  Loop elastic, hysteretic;
+};
+
+// Simulates the block with 400 samples a cycle. Not finite if the law has no finite force there.
+Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
+// The loop with a doubled part less the loop as it is.
+LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
+
+struct PartFactors {
+  double a = 1.0, b = 1.0;
+};
+// The factors on the parts with which their sum becomes `target`. They are not finite if the parts have the same loop.
+PartFactors factors_for(LoopParts const& parts, Loop const& target);
+
+// Why a bound law has one factor on all forces.
+enum class OneFactor {
+  inseparable,   // no parameters of the law tell the parts apart
+  not_positive,  // a or b would not be above 0
+  limits,        // the parameters would leave their limits
+  not_reached,   // K_eff or energy would be farther than 0.5 % from its target, since the parts act on each other
+};
+
+struct BoundLaw {
+  PartFactors factors = {};
+  std::vector<double> parameters = {};  // in the law's order and units
+  Loop target = {}, reached = {};
+  // Set if one factor on all forces takes the place of a and b. It gives K_eff its target and leaves the damping as it
+  // is; the energy then differs from its target by energy_off_percent.
+  std::optional<OneFactor> one_factor = {};
+  double energy_off_percent = 0.0;
+};
+
+// K_eff and energy are to be C_K and C_E times those at reference, both above 0. Empty if the law has no finite force
+// in the block, or if its K_eff or energy is not above 0 there.
+std::optional<BoundLaw> bound_law(laws::LawEntry const& law, std::span<double const> parameters,
+                                  ReferenceBlock const& block, double C_K, double C_E);
+
+}  // namespace isolaw::conditions

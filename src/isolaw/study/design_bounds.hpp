@@ -1,0 +1,34 @@
+// The upper and the lower bound law over the design conditions of a lot file: the law with the largest and with the
+// smallest K_eff and energy that its devices have under these conditions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "isolaw/base/finding.hpp"
+#include "isolaw/conditions/bounds.hpp"
+#include "isolaw/study/summary.hpp"
+
+namespace isolaw::study {
+
+struct DesignBound {
+  double C_K = 1.0, C_E = 1.0;                            // factors on K_eff and energy at reference
+  conditions::Status status = conditions::Status::shown;  // the weaker one of the two factors
+  double share_shown = 1.0;                               // the smaller one of the two factors
+  conditions::BoundLaw law;
+};
+
+struct DesignBounds {
+  std::optional<DesignBound> lower = {}, upper = {};  // both or none
+  std::optional<Finding> none = {};                   // why there is none
+};
+
+// `parameters` are those of a device or of the lot. The reference block has the mean amplitude and frequency of the
+// reference tests.
+DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, std::span<double const> parameters);
+
+// Says what a bound does to K_eff and energy and to the parts of the force. `which` is "upper" or "lower".
+Finding about_bound(std::string_view which, DesignBound const& bound);
+
+}  // namespace isolaw::study
