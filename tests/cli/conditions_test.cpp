@@ -41,7 +41,7 @@ class Conditions : public InFreshDirectory {
 
 TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
   auto const o = isolaw({"conditions", "ex/lot.toml", "--json", "--out", "C"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_EQ(o.code, 1) << o;  // one limit of the rule set is not kept
   EXPECT_EQ(read("C/conditions.json"), o.out);
   auto const j = Json::parse(o.out);
   EXPECT_EQ(j["tests"].size(), 26u);
@@ -93,7 +93,7 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
 TEST_F(Conditions, are_written_as_tables_and_figures) {
   write("C/figures/mine.gp", "# not isolaw's\n");
   auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const lines = [&](std::string const& file) {
     std::vector<std::string> all;
     std::istringstream text(read(file));
@@ -128,7 +128,7 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
 
 TEST_F(Conditions, as_text_begin_with_the_bounds) {
   auto const o = isolaw({"conditions", "ex/lot.toml", "--details"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   for (auto const* part :
        {"upper  1.869", "lower  0.705", "extrapolated on 3 devices", "1.313", "as stated, not measured", "combined"})
     EXPECT_TRUE(contains(o.out, part)) << part << o;
@@ -230,6 +230,51 @@ TEST_F(Conditions, name_a_test_that_cannot_be_used) {
   EXPECT_TRUE(contains(o.out, "Refused: P1, -20C: load-kN is stated, and the record has a channel for the load")) << o;
 }
 
+// The limits of Table 11.9.IV: 20 % on stiffness and damping, 15 % between the loads.
+TEST_F(Conditions, are_held_to_the_limits_of_the_rule_set) {
+  auto const o = isolaw({"conditions", "ex/lot.toml", "--json"});
+  EXPECT_EQ(o.code, 1) << o;
+  auto const j = Json::parse(o.out);
+  auto const row = [&](std::string const& effect, std::string const& quantity, bool variation = false) {
+    for (auto const& each : j["dependence"])
+      if (each["effect"] == effect && each["quantity"] == quantity && each["load_variation"] == variation) return each;
+    ADD_FAILURE() << effect << ' ' << quantity;
+    return Json();
+  };
+  auto const cold = row("temperature", "K_eff");
+  EXPECT_EQ(cold["verdict"], "fail");
+  std::map<std::string, double> const wanted{{"P1", 1.268584351}, {"P2", 1.275580787}, {"P3", 1.263204308}};
+  for (auto const& device : cold["devices"]) {
+    if (device["at"] == -15.0) {
+      EXPECT_EQ(device["verdict"], "fail");
+      near(device["ratio"], wanted.at(device["device"]), 1e-7);
+    } else {
+      EXPECT_EQ(device["verdict"], "not assessed");
+      EXPECT_EQ(device["reason"], "extrapolated");
+    }
+  }
+  for (auto const* quantity : {"K_eff", "damping"}) EXPECT_EQ(row("ageing", quantity)["verdict"], "pass");
+  near(row("ageing", "K_eff")["devices"][0]["ratio"], 1.073392673, 1e-7);
+  auto const slow = row("rate", "K_eff");
+  EXPECT_EQ(slow["verdict"], "pass");
+  near(slow["devices"][0]["ratio"], 0.927280900, 1e-7);
+  auto const loads = row("load", "K_eff", true);
+  EXPECT_EQ(loads["verdict"], "pass");
+  near(loads["devices"][0]["ratio"], 1.12574803, 1e-7);
+  auto const text = isolaw({"conditions", "ex/lot.toml"});
+  EXPECT_TRUE(contains(text.out, "warning: K_eff under temperature: FAIL.")) << text;
+}
+
+TEST_F(Conditions, of_a_set_that_nobody_verified_are_information) {
+  auto rules = isolaw({"rules", "ntc-2018"}).out;
+  auto const line = rules.find("verified_by = ");
+  rules.replace(line, rules.find('\n', line) - line, "verified_by = \"\"");
+  write("ex/copy.toml", rules);
+  auto const o = with("rules = \"ntc-2018\"", "rules = \"copy.toml\"", {"--json"});
+  EXPECT_EQ(o.code, 0) << o;
+  for (auto const& row : Json::parse(o.out)["dependence"]) EXPECT_NE(row["verdict"], "fail");
+}
+
 // The design does not name ageing, and AASHTO's rule set asks for it.
 TEST_F(Conditions, that_rules_ask_for_are_not_covered_or_assumed) {
   write("ex/lot.toml", [&] {
@@ -248,7 +293,7 @@ TEST_F(Conditions, that_rules_ask_for_are_not_covered_or_assumed) {
                "range of it."))
       << open;
   auto const o = with("rules = \"aashto\"\n", "rules = \"aashto\"\nassume = [\"ageing\"]\n", {"--json"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const j = Json::parse(o.out);
   auto const bound = find(j["bounds"], "K_eff", "")["max"];
   near(bound["factor"], 1.869155861 / 1.073392673 * 1.2, 1e-8);
@@ -277,7 +322,7 @@ TEST_F(Conditions, combine_as_the_rule_file_says) {
       "id = \"contract\"\ntitle = \"Contract\"\nedition = \"1\"\nsource = \"none\"\n[formulas]\nstiffness = "
       "\"peak_to_peak\"\ndamping = \"peak_to_peak\"\n[cycles]\none = 3\n[combination]\nform = \"each\"\nadjust = 0.66\n");
   auto const o = with("rules = \"ntc-2018\"", "rules = \"contract.toml\"", {"--json"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const bound = find(Json::parse(o.out)["bounds"], "K_eff", "");
   near(bound["max"]["factor"], 1.532771265, 1e-8);
   near(bound["min"]["factor"], 0.798044329, 1e-8);
@@ -310,7 +355,7 @@ TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
   }
   write("ex/changed.toml", text);
   auto const o = isolaw({"conditions", "ex/changed.toml", "--json"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const j = Json::parse(o.out);
   auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C")["factor"];
   EXPECT_EQ(cold["status"], "unpaired");
@@ -324,7 +369,7 @@ TEST_F(Conditions, of_several_compounds_ask_which_is_meant) {
   EXPECT_TRUE(contains(unclear.err, "devices with compound B, none")) << unclear;
   write("ex/lot.toml", read("ex/changed.toml"));
   auto const o = with("[conditions]\n", "[conditions]\ncompound = \"B\"\n", {"--json"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const j = Json::parse(o.out);
   EXPECT_EQ(find(j["levels"], "K_eff", "temperature", "-20 C")["factor"]["devices"], 1);
   EXPECT_EQ(find(j["design"], "K_eff", "rate")["max"]["status"], "not covered");
@@ -356,7 +401,7 @@ TEST_F(Conditions, with_starts_need_no_order) {
     part.erase(rest, part.find('\n', rest) + 1 - rest);
   write("ex/changed.toml", text.replace(p5, p6 - p5, part));
   auto const o = isolaw({"conditions", "ex/changed.toml", "--json"});
-  ASSERT_EQ(o.code, 0) << o;
+  ASSERT_LE(o.code, 1) << o;
   auto const recovery = Json::parse(o.out)["recovery"];
   ASSERT_EQ(recovery.size(), 3u) << recovery;
   near(recovery[0]["rest_h"], 1.0, 1e-6);

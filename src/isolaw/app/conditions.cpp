@@ -1,5 +1,8 @@
 // `isolaw conditions`: how the properties of devices change with temperature, rate, load, ageing and history.
 #include "isolaw/study/conditions.hpp"
+
+#include <algorithm>
+
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/report.hpp"
@@ -30,7 +33,9 @@ int conditions(ConditionsArguments const& arguments) {
     say_drawn(render::add_figures(render::conditions_figures(result, units), *arguments.out), *arguments.out,
               "the same command");
   }
-  return result.refused.empty() ? exit_done : exit_with_refusals;
+  bool const fails = std::ranges::any_of(
+      result.dependence, [](study::DependenceRow const& row) { return row.verdict() == rules::Verdict::fail; });
+  return result.refused.empty() && !fails ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

@@ -343,6 +343,11 @@ void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
 }  // namespace
 
 bool acceptance_failed(Summary const& summary) {
+  bool const of_this_set = summary.conditions && summary.conditions->rules == summary.acceptance.rules.id;
+  if (of_this_set && std::ranges::any_of(summary.conditions->dependence, [](DependenceRow const& row) {
+        return row.verdict() == rules::Verdict::fail;
+      }))
+    return true;
   return lot_failed(summary.acceptance) || std::ranges::any_of(summary.devices, [](auto const& device) {
            return any_failed(device.acceptance.assessments);
          });

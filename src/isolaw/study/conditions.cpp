@@ -68,6 +68,7 @@ class Builder {
       rules_ = rules::find_rule_set(stated_.rules);
     else if (!acceptance.rules.empty())
       rules_ = rules::read_rule_text(acceptance.rules, acceptance.rules_file);
+    out_.rules = rules_.id;
     take_combination();
     check_assumed();
     auto const& from = stated_.reference;
@@ -105,6 +106,7 @@ class Builder {
                    .allowed = "a reference under which some devices were tested",
                    .advice = "isolaw inspect FILE, which prints frequency, amplitude, load and cycles of a test"});
     for (auto const quantity : rules::measured_quantities()) examine(quantity);
+    out_.dependence = judge_dependence(out_, rules_);
     return std::move(out_);
   }
 
@@ -577,7 +579,7 @@ class Builder {
       if (chosen == nullptr || nearer) chosen = &level, life = years;
     }
     if (chosen == nullptr) return Factor::without(conditions::Lack::no_test);
-    out_.ageing_stands_for_years = life;
+    out_.ageing_stands_for_years = life, out_.ageing_test = chosen->ageing;
     return conditions::aged_factor(response.of(*chosen), *design.years, life);
   }
 

@@ -12,6 +12,7 @@
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/history_effects.hpp"
 #include "isolaw/conditions/observe.hpp"
+#include "isolaw/study/conditions_dependence.hpp"
 
 namespace isolaw::study {
 
@@ -123,6 +124,7 @@ struct ConditionsResult {
   std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
   std::vector<EndRow> ends;
   std::vector<DesignRow> design;
+  std::string rules;  // id of the rule set; empty if there is none
   HowCombined combined;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
@@ -130,7 +132,10 @@ struct ConditionsResult {
   // Effects that were tested on devices without a second reference test, and effects with too few levels to tell how
   // straight the line between them is.
   std::vector<conditions::Effect> drift_not_checked, straightness_not_checked;
+  // The ageing test that stands for the design's years, and the years for which it stands.
+  std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
+  std::vector<DependenceRow> dependence;
 };
 
 // A test that cannot be used is listed in `refused`. Throws Error if no test agrees with the reference, or if the tests

@@ -77,10 +77,39 @@ void add_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
   findings.push_back({.kind = FindingKind::conditions_stated, .words = {{"stated", joined(stated)}}});
 }
 
+Finding judged(DependenceRow const& row, std::string const& rules) {
+  auto const& limit = row.limit;
+  bool const fails = row.verdict() == rules::Verdict::fail;
+  Finding finding{.kind = fails ? FindingKind::dependence_not_kept : FindingKind::dependence_judged,
+                  .numbers = {{"within_percent", limit.within_percent}},
+                  .words = {{"quantity", std::string(name(limit.quantity))},
+                            {"effect", std::string(name(limit.effect))},
+                            {"kept", std::string(name(row.verdict()))},
+                            {"rules", rules},
+                            {"changes", row.is_load_variation ? "loads" : "reference"}}};
+  if (!limit.clause.empty()) finding.words.push_back({"clause", limit.clause});
+  if (auto const* worst = row.worst()) {
+    finding.devices = {worst->device};
+    finding.numbers.push_back({"worst_percent", 100.0 * (worst->ratio->lambda() - 1.0)});
+    if (worst->at) {
+      finding.numbers.push_back({"at", *worst->at});
+      finding.words.push_back({"unit", std::string(unit_of(limit.effect))});
+    }
+  }
+  if (row.verdict() == rules::Verdict::not_assessed)
+    for (auto const& device : row.devices)
+      if (device.reason) {
+        finding.words.push_back({"because", std::string(name(*device.reason))});
+        break;
+      }
+  return finding;
+}
+
 }  // namespace
 
 std::vector<Finding> conditions_findings(ConditionsResult const& result) {
   std::vector<Finding> findings;
+  for (auto const& row : result.dependence) findings.push_back(judged(row, result.rules));
   for (auto const& row : result.bounds) {
     findings.push_back(bound(row.quantity, "upper", row.max));
     findings.push_back(bound(row.quantity, "lower", row.min));

@@ -73,6 +73,22 @@ void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_
     for (auto const& limit : quantity.mean_limits) add_line(fmt::format("mean {}", name(quantity.quantity)), limit);
 }
 
+// Limits on how properties change with conditions, if they are those of this rule set.
+void add_dependence(OverallVerdict& overall, Summary const& summary) {
+  if (!summary.conditions || summary.conditions->rules != summary.acceptance.rules.id) return;
+  for (auto const& row : summary.conditions->dependence) {
+    auto const what = fmt::format("{} under {}{}", name(row.limit.quantity), name(row.limit.effect),
+                                  row.is_load_variation ? ", from load to load" : "");
+    add(overall.requirements, what, row.verdict());
+    if (row.verdict() != Verdict::fail) continue;
+    auto const* worst = row.worst();
+    overall.failing.push_back(
+        {.device = printable(worst->device),
+         .remark = fmt::format("{} {:+.1f} %, limit {:g} %", what, 100.0 * (worst->ratio->lambda() - 1.0),
+                               row.limit.within_percent)});
+  }
+}
+
 void add_device(OverallVerdict& overall, DeviceResult const& device) {
   auto const& lines = device.acceptance.assessments;
   auto const name = printable(device.name);
@@ -270,6 +286,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
   } else {
     for (auto const& device : summary.devices) add_device(overall, device);
     add_lot(overall, acceptance, !summary.conditions_differ);
+    add_dependence(overall, summary);
     bool const open = !overall.not_assessed.empty() ||
                       std::ranges::find(overall.requirements, Verdict::not_assessed, &Requirement::verdict) !=
                           overall.requirements.end();

@@ -108,6 +108,16 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
       out.key("assumed").object(
           [&] { write_members(out, "rules", from->rules, "clause", from->clause, "verified", from->verified); });
   });
+  out.key("dependence").objects(result.dependence, [&](study::DependenceRow const& row) {
+    auto const& limit = row.limit;
+    write_members(out, "effect", limit.effect, "quantity", limit.quantity, "within_percent", limit.within_percent,
+                  "clause", limit.clause, "load_variation", row.is_load_variation, "verdict", row.verdict());
+    out.key("devices").objects(row.devices, [&](conditions::DeviceDependence const& device) {
+      write_members(out, "device", device.device, "at", device.at, "ratio",
+                    device.ratio ? std::optional(device.ratio->lambda()) : std::nullopt, "verdict", device.verdict,
+                    "reason", device.reason ? std::optional(name(*device.reason)) : std::nullopt);
+    });
+  });
   auto const& how = result.combined;
   out.key("combination").object([&] {
     write_members(out, "form", name(how.form), "adjust", how.adjust, "margin", how.margin, "rules", how.rules, "clause",

@@ -1,0 +1,128 @@
+#include "isolaw/study/conditions_dependence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolaw/rules/measured.hpp"
+#include "isolaw/study/conditions.hpp"
+
+namespace isolaw::study {
+namespace {
+
+using conditions::DeviceDependence;
+using conditions::Effect;
+using rules::Verdict;
+
+// Whether the reference tests are those that the set asks for: its cycles, strain, frequency and load.
+bool are_as_asked(ConditionsResult const& result, rules::RuleSet const& rules) {
+  auto const& from = result.stated.reference;
+  if (from.first_cycle != rules.cycles.first || from.last_cycle != rules.cycles.last) return false;
+  return rules::unmet_conditions(rules,
+                                 {.amplitude_mm = from.disp_mm.value_or(0.0),
+                                  .frequency_Hz = from.frequency_Hz,
+                                  .shear_strain_percent = from.strain_percent,
+                                  .load_mean_kN = from.load_kN},
+                                 {})
+      .empty();
+}
+
+conditions::DesignConditions asked(ConditionsResult const& result, Effect effect) {
+  auto const& design = result.stated.design;
+  auto const& range = effect == Effect::temperature ? design.temperature_C
+                      : effect == Effect::rate      ? design.frequency_Hz
+                                                    : design.load_kN;
+  conditions::DesignConditions conditions;
+  if (effect != Effect::ageing) {
+    if (range) conditions.ends = {range->low, range->high};
+  } else if (design.aged) {
+    conditions.ageing = {.test = {.days = design.aged->days, .at_C = design.aged->at_C}};
+  } else if (design.years && result.ageing_test) {
+    conditions.ageing = {.test = *result.ageing_test,
+                         .years = *design.years,
+                         .test_stands_for_years = result.ageing_stands_for_years.value_or(0.0)};
+  }
+  return conditions;
+}
+
+conditions::Response const* response_of(ConditionsResult const& result, Effect effect, rules::Quantity quantity) {
+  auto const found = std::ranges::find_if(result.responses, [&](EffectResponse const& each) {
+    return each.quantity == quantity && each.response.effect() == effect;
+  });
+  return found == result.responses.end() ? nullptr : &found->response;
+}
+
+// The difference between the values of each device at both ends of the design loads, as a limit on its ratio.
+DependenceRow load_variation(ConditionsResult const& result, rules::LoadVariation const& rule, bool verified,
+                             bool as_asked) {
+  DependenceRow row{.limit = {.effect = Effect::load,
+                              .quantity = rules::Quantity::K_eff,
+                              .within_percent = rule.largest_percent,
+                              .clause = rule.clause},
+                    .is_load_variation = true};
+  auto const* response = response_of(result, Effect::load, rules::Quantity::K_eff);
+  auto const& loads = result.stated.design.load_kN;
+  if (response == nullptr || !loads) {
+    row.devices.push_back({.reason = conditions::NotAssessed::no_condition});
+    return row;
+  }
+  auto const at = [&](double load_kN) {
+    auto limit = row.limit;
+    limit.levels = {load_kN};
+    return judge_dependence(limit, verified, *response, {}, as_asked);
+  };
+  auto low = at(loads->low);
+  for (auto const& high : at(loads->high)) {
+    auto const own = std::ranges::find(low, high.device, &DeviceDependence::device);
+    DeviceDependence both{.device = high.device};
+    // An end that is the reference itself has no entry, and the ratio 1.
+    auto const ln_low = own == low.end() ? std::optional(0.0)
+                        : own->ratio     ? std::optional(own->ratio->ln)
+                                         : std::nullopt;
+    both.reason = high.reason ? high.reason : own != low.end() ? own->reason : std::nullopt;
+    if (high.ratio && ln_low) {
+      both.ratio = high.ratio;
+      both.ratio->ln = std::log(1.0 + std::abs(std::exp(*ln_low) - high.ratio->lambda()));
+      if (!both.reason)
+        both.verdict = !verified ? Verdict::information
+                       : rules::is_within(both.ratio->lambda(), 1.0, std::nullopt, rule.largest_percent)
+                           ? Verdict::pass
+                           : Verdict::fail;
+    }
+    row.devices.push_back(std::move(both));
+  }
+  return row;
+}
+
+}  // namespace
+
+Verdict DependenceRow::verdict() const {
+  for (auto const verdict : {Verdict::fail, Verdict::not_assessed, Verdict::information})
+    if (std::ranges::any_of(devices, [&](DeviceDependence const& each) { return each.verdict == verdict; }))
+      return verdict;
+  return devices.empty() ? Verdict::not_assessed : Verdict::pass;
+}
+
+DeviceDependence const* DependenceRow::worst() const {
+  DeviceDependence const* found = nullptr;
+  for (auto const& each : devices)
+    if (each.ratio && each.verdict != Verdict::not_assessed &&
+        (found == nullptr || std::abs(each.ratio->ln) > std::abs(found->ratio->ln)))
+      found = &each;
+  return found;
+}
+
+std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules) {
+  bool const as_asked = are_as_asked(result, rules);
+  std::vector<DependenceRow> rows;
+  for (auto const& limit : rules.dependence)
+    if (auto const* response = response_of(result, limit.effect, limit.quantity))
+      rows.push_back(
+          {.limit = limit,
+           .devices = judge_dependence(limit, rules.verified(), *response, asked(result, limit.effect), as_asked)});
+  if (rules.load_variation) rows.push_back(load_variation(result, *rules.load_variation, rules.verified(), as_asked));
+  // A limit that holds at the reference only is kept by definition.
+  std::erase_if(rows, [](DependenceRow const& row) { return row.devices.empty(); });
+  return rows;
+}
+
+}  // namespace isolaw::study

@@ -1,0 +1,30 @@
+// The limits of a rule set on how far properties may change with conditions, judged on the devices of a lot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolaw/conditions/dependence.hpp"
+
+namespace isolaw::study {
+
+struct ConditionsResult;
+
+struct DependenceRow {
+  rules::DependenceLimit limit;
+  // The limit is on the difference between the values at the least and the largest load of the design, in percent of the
+  // value at reference (rules::LoadVariation); the ratio of a device is then 1 plus this difference.
+  bool is_load_variation = false;
+  std::vector<conditions::DeviceDependence> devices = {};
+
+  // Fail if one device fails; not assessed if one is not; information if the set is not verified.
+  rules::Verdict verdict() const;
+  // The result farthest from 1 among those that have the verdict; nullptr if none has a ratio.
+  conditions::DeviceDependence const* worst() const;
+};
+
+// `result` has its responses, its design and its tests.
+std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules);
+
+}  // namespace isolaw::study
