@@ -144,6 +144,25 @@ Values usual_parameters(laws::LawEntry const& law) {
   return values;
 }
 
+TEST(BuildingFile, takes_the_design_conditions_in_place_of_a_factor) {
+  auto tables =
+      Json::parse(R"({"building": {"lower": "conditions", "upper": 1.1}, "base": {"mass_Mg": 1, "gyration_m": 2},
+      "bearing": [{"x_m": -1, "y_m": 0}, {"x_m": 1, "y_m": 0}]})");
+  auto const read = [&] { return building_of(tables, {.motions = {synthetic_motion(5, 0, {})}, .settings = {}}); };
+  auto const settings = read().settings;
+  EXPECT_FALSE(settings.lower);
+  EXPECT_EQ(settings.upper, 1.1);
+  // A store of runs keeps the word, and reads it back as the same setting.
+  for (auto const& key : settings_table()) {
+    if (key.key != "lower") continue;
+    FileTables from{.building = settings}, to;
+    key.set(to, value_of(key.kind, {text_of(key.get(from))}));
+    EXPECT_FALSE(to.building.lower);
+  }
+  tables["building"]["lower"] = "state";
+  EXPECT_TRUE(contains(refusal_of(read), "0.05 to 1, or \"conditions\"")) << refusal_of(read);
+}
+
 // In a bilinear law K2 is the elastic part and K1 - K2 the stiffness of the hysteretic part.
 TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
   auto study = usual_study(0.0, 0);

@@ -348,8 +348,8 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
     auto const draws = part_of(responses.mean, places.first_draw, places.draws);
     auto const& d = out.distributions.emplace_back(distribution_of(responses, places, settings));
     if (!draws.empty() && quantities()[q].uncovered.empty())
-      out.coverage.push_back(covered(quantities()[q], draws, d, settings,
-                                     part_of(responses.mean, places.first_factor, 2 * grid_half + 1)));
+      out.coverage.push_back(
+          covered(quantities()[q], draws, d, part_of(responses.mean, places.first_factor, 2 * grid_half + 1)));
     if (q == 0)
       out.collapsed =
           static_cast<std::size_t>(std::ranges::count_if(draws, [](double v) { return !std::isfinite(v); }));

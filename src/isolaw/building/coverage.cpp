@@ -9,7 +9,7 @@
 namespace isolaw::building {
 
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
-                 Settings const& settings, std::vector<double> const& grid) {
+                 std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}};
   // The nominal response may be off the range of the two bounds by this fraction: equal responses differ by rounding.

@@ -35,7 +35,7 @@ Finding covering_factors(Coverage const& coverage);
 // `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i). If a
 // building collapsed in the model, its response is not a number; it then lies outside of all bounds.
 Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
-                 Settings const& settings, std::vector<double> const& grid);
+                 std::vector<double> const& grid);
 
 // Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
