@@ -11,6 +11,7 @@
 #include "isolaw/conditions/bounds.hpp"
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/contrast.hpp"
+#include "isolaw/conditions/curves.hpp"
 #include "isolaw/conditions/dependence.hpp"
 #include "isolaw/conditions/history_effects.hpp"
 #include "isolaw/conditions/observe.hpp"
@@ -30,7 +31,7 @@ struct Settings {
   int cycle = 3, settled_at = 3;  // from this cycle on, nothing softens further
 };
 struct Properties {
-  double K_eff, energy, damping;
+  double K_eff, energy, damping, K_d;
 };
 Properties properties(double u, Settings const& at) {
   double const U = std::exp(u + at.noise / 100.0), amplitude = 208.0;
@@ -43,7 +44,7 @@ Properties properties(double u, Settings const& at) {
   double energy = 4.0 * k * Q * (amplitude - D_y);
   if (at.cycle == 1) energy -= Q * k * D_y / 2.0;
   double const K_eff = k * (K2 + Q / amplitude), circle = 2.0 * std::numbers::pi * amplitude * amplitude;
-  return {.K_eff = K_eff, .energy = energy, .damping = 100.0 * energy / (circle * K_eff)};
+  return {.K_eff = K_eff, .energy = energy, .damping = 100.0 * energy / (circle * K_eff), .K_d = k * K2};
 }
 
 struct Test {
@@ -330,6 +331,24 @@ TEST(Ageing, stands_for_years_of_service) {
   EXPECT_EQ(aged_factor(factor, 16.7, life).status, Status::not_covered);
   expect_near(stands_for_years({.days = 100.9527, .at_C = 70.0}, 20.0, 90.0), 60.0, 1e-6);
   expect_near(stands_for_years({.days = 41.3230, .at_C = 80.0}, 20.0, 90.0), 60.0, 1e-6);
+}
+
+// Test 4 of the specification gives .047067226 for a fit with a free intercept, which is not the curve drawn here.
+TEST(Curves, follow_the_tested_levels) {
+  expect_near(10.0 * exponent(temperature()).value(), -0.067696479, 1e-7);
+  expect_near(exponent(rate()).value(), 0.047052427, 1e-7);
+  expect_near(critical_load_kN(load(&Properties::K_d)).value(), 7505.621896, 1e-7);
+  EXPECT_FALSE(exponent(load()));
+}
+
+TEST(Curves, of_softening_find_the_exponent_of_the_example) {
+  std::vector<double> values;
+  for (int cycle = 1; cycle <= 10; ++cycle) values.push_back(properties(0.0, {.cycle = cycle, .settled_at = 10}).K_eff);
+  auto const curve = softening(values);
+  ASSERT_TRUE(curve);
+  EXPECT_NEAR(curve->p, 1.2, 1e-5);
+  expect_near(curve->at(10.0), values.back(), 1e-6);
+  EXPECT_FALSE(softening(std::span(values).first(4)));
 }
 
 // Device P5: ten cycles at first, then again after 1, 24 and 168 hours.

@@ -11,6 +11,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
+#include "isolaw/conditions/curves.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/rules/rule_set.hpp"
 
@@ -512,6 +513,7 @@ class Builder {
                                .ratios = level.ratios,
                                .ageing = level.ageing});
       }
+      add_curves(quantity, response);
       out_.responses.push_back({.quantity = quantity, .response = response});
       if (quantity == Quantity::K_eff && response.levels().size() > 1) {
         if (!response.drift()) out_.drift_not_checked.push_back(effect);
@@ -562,6 +564,20 @@ class Builder {
     return all;
   }
 
+  void add_curves(Quantity quantity, conditions::Response const& response) {
+    auto const effect = response.effect();
+    if (auto const b = conditions::exponent(response))
+      out_.curves.push_back({.quantity = quantity,
+                             .effect = effect,
+                             .parameter = "exponent",
+                             .value = *b,
+                             .unit = effect == Effect::temperature ? "1/K" : ""});
+    if (effect != Effect::load || quantity != Quantity::K_d) return;
+    if (auto const critical = conditions::critical_load_kN(response))
+      out_.curves.push_back(
+          {.quantity = quantity, .effect = effect, .parameter = "critical load", .value = *critical, .unit = "kN"});
+  }
+
   // The factor of ageing that the design asks for; empty if it asks for none.
   std::optional<Factor> aged(conditions::Response const& response) {
     auto const& design = stated_.design;
@@ -609,6 +625,15 @@ class Builder {
         auto const word = history_of(seen, 1);
         if (word == conditions::History::virgin) {
           first.push_back(test);
+          std::vector<double> values;
+          for (int n = 1; at(n); ++n) values.push_back(std::exp(*at(n)));
+          if (auto const curve = conditions::softening(values))
+            out_.curves.push_back({.quantity = quantity,
+                                   .effect = Effect::cycles,
+                                   .parameter = "p",
+                                   .value = curve->p,
+                                   .unit = "",
+                                   .device = seen.block.device});
           first_ratios.push_back({.device = seen.block.device, .ln = *one - *reference});
         } else if (word == conditions::History::first_after_rest) {
           again.push_back(test);

@@ -85,6 +85,15 @@ struct EffectResponse {
   conditions::Response response;
 };
 
+struct CurveRow {  // the parameter of a smooth curve through what tests showed (conditions/curves.hpp)
+  rules::Quantity quantity;
+  conditions::Effect effect;
+  std::string parameter;  // "exponent", "critical load" or "p"
+  double value = 0.0;
+  std::string unit;
+  std::string device = {};  // of the curve over the cycles of one test; else empty
+};
+
 struct AssumedFrom {  // where an assumed factor comes from
   std::string rules, clause;
   bool verified = false;
@@ -128,6 +137,7 @@ struct ConditionsResult {
   HowCombined combined;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
+  std::vector<CurveRow> curves;
   std::optional<int> installed;  // devices of the production lot
   // Effects that were tested on devices without a second reference test, and effects with too few levels to tell how
   // straight the line between them is.

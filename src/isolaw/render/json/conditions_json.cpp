@@ -131,6 +131,10 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
   out.key("recovery").objects(result.recovery, [&](study::RecoveryRow const& row) {
     write_members(out, "rest_h", row.rest_h, "share", row.share, "devices", row.devices);
   });
+  out.key("curves").objects(result.curves, [&](study::CurveRow const& row) {
+    write_members(out, "quantity", row.quantity, "effect", row.effect, "device", row.device, "parameter", row.parameter,
+                  "value", row.value, "unit", row.unit);
+  });
   out.member("drift_not_checked", names_of(result.drift_not_checked));
   out.member("straightness_not_checked", names_of(result.straightness_not_checked));
   out.member("ageing_stands_for_years", result.ageing_stands_for_years);
