@@ -105,7 +105,7 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   };
   auto const factors = lines("C/tables/conditions.csv");
   EXPECT_TRUE(has(factors, "property,effect,level,at,unit,aged [d],at [C],factor [-],status,devices")) << factors[0];
-  EXPECT_TRUE(has(factors, "K_eff,temperature,-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
+  EXPECT_TRUE(has(factors, "K_eff,temperature,'-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
   EXPECT_TRUE(has(factors, "K_eff,ageing,14 days at 70 C,,,14,70,1.07339,shown,1,"));
   EXPECT_TRUE(has(factors, "K_eff,temperature,smallest over the design,,,,,0.848178,extrapolated,3,0.0018003,"));
   EXPECT_TRUE(has(factors, "K_eff,all together,largest over the design,,,,,1.86916,interpolated,"));
