@@ -51,7 +51,7 @@ std::string conditions_csv(ConditionsResult const& result, UnitSystem const& uni
       columns(study::conditions_level_results, {"quantity", "effect", "level", "at", "unit", "aged_days", "aged_at_C"});
   constexpr auto of_factor =
       columns(study::conditions_factor_results,
-              {"lambda", "status", "devices", "line_error", "drift", "mean", "device", "system", "prototypes"});
+              {"lambda", "status", "devices", "line_error", "drift", "mean", "device", "system", "prototypes", "lack"});
   CsvTable table(units);
   table.head(of_level).head(of_factor).end_row();
   auto const factor_row = [&](conditions::Factor const& factor) {
