@@ -38,11 +38,14 @@ async function look() {
     wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
   };
   const chooser = document.getElementById('conditions-device');
+  chooser.scrollIntoView();
+  await new Promise((done) => setTimeout(done, 300));
   chooser.value = 'P4';
   chooser.dispatchEvent(new Event('change'));
   await new Promise((done) => setTimeout(done, 300));
   seen.ofP4 = (await drawn('loops')).map(({ name }) => name);
   figure('panels').scrollIntoView();
+  await new Promise((done) => setTimeout(done, 300));
   figure('panels').querySelector('.choice button:nth-child(2)').click();
   await new Promise((done) => setTimeout(done, 300));
   const energy = (await drawn('panels')).filter(({ xaxis }) => xaxis === 'x').map(points);

@@ -93,7 +93,7 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
 TEST_F(Conditions, are_written_as_tables_and_figures) {
   write("C/figures/mine.gp", "# not isolaw's\n");
   auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});
-  ASSERT_LE(o.code, 1) << o;
+  ASSERT_EQ(o.code, 1) << o;  // one limit of the rule set is not kept
   auto const lines = [&](std::string const& file) {
     std::vector<std::string> all;
     std::istringstream text(read(file));
@@ -105,7 +105,7 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   };
   auto const factors = lines("C/tables/conditions.csv");
   EXPECT_TRUE(has(factors, "property,effect,level,at,unit,aged [d],at [C],factor [-],status,devices")) << factors[0];
-  EXPECT_TRUE(has(factors, "K_eff,temperature,-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
+  EXPECT_TRUE(has(factors, "K_eff,temperature,'-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
   EXPECT_TRUE(has(factors, "K_eff,ageing,14 days at 70 C,,,14,70,1.07339,shown,1,"));
   EXPECT_TRUE(has(factors, "K_eff,temperature,smallest over the design,,,,,0.848178,extrapolated,3,0.0018003,"));
   EXPECT_TRUE(has(factors, "K_eff,all together,largest over the design,,,,,1.86916,interpolated,"));
@@ -122,7 +122,7 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   EXPECT_TRUE(contains(read("C/figures/factors.dat"), "\"temperature\" 1.26911"));
   EXPECT_TRUE(contains(read("C/figures/mine.gp"), "not isolaw's"));
   write("C/figures/front.gp", "# A figure of isolaw: of a campaign in the same directory\n");
-  EXPECT_EQ(isolaw({"conditions", "ex/lot.toml", "--out", "C"}).code, 0);
+  EXPECT_EQ(isolaw({"conditions", "ex/lot.toml", "--out", "C"}).code, 1);
   EXPECT_TRUE(contains(read("C/figures/front.gp"), "of a campaign"));
 }
 
@@ -377,8 +377,9 @@ TEST_F(Conditions, of_several_compounds_ask_which_is_meant) {
 
 TEST_F(Conditions, of_scaled_specimens_say_so) {
   auto text = read("ex/lot.toml");
-  for (std::size_t at = 0; (at = text.find("temperature-C = -20", at)) != std::string::npos; at += 30)
-    text.insert(at, "specimen = \"scaled\"\nscale = 0.3\n");
+  std::string const scaled = "specimen = \"scaled\"\nscale = 0.3\n";
+  for (std::size_t at = 0; (at = text.find("temperature-C = -20", at)) != std::string::npos; at += scaled.size() + 1)
+    text.insert(at, scaled);
   write("ex/changed.toml", text);
   auto const mixed = Json::parse(isolaw({"conditions", "ex/changed.toml", "--json"}).out);
   for (auto const& row : mixed["levels"]) EXPECT_NE(row["level"], "-20 C");

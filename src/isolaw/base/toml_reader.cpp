@@ -148,7 +148,8 @@ std::optional<Json> TomlTable::scalar(toml::node const& node, std::string_view k
   if (auto const* real = node.as_floating_point()) return real->get();
   if (auto const* truth = node.as_boolean()) return truth->get();
   if (auto const* date = node.as_date()) return (std::ostringstream() << *date).str();
-  complain(node, fmt::format("'{}' holds a time, or a list or table within another", key),
+  if (auto const* time = node.as_date_time()) return (std::ostringstream() << *time).str();
+  complain(node, fmt::format("'{}' holds a time of day, or a list or table within another", key),
            "text, a number, true or false");
   return std::nullopt;
 }

@@ -56,6 +56,12 @@ ConditionPanel condition_panel(ConditionsResult const& result, std::vector<Condi
     panel.label = "Vertical load (" + shown.unit + ")", panel.reference = from.load_kN, panel.design = design.load_kN;
   } else {
     panel.reference = 0.0;
+    for (std::size_t i = 0; design.aged && i < panel.levels.size(); ++i) {
+      auto const& aged = panel.levels[i]->ageing;
+      double const place = panel.place(i), half = 0.3;
+      if (aged && conditions::agrees(*aged, {.days = design.aged->days, .at_C = design.aged->at_C}))
+        panel.design = {place - half, place + half};
+    }
   }
   return panel;
 }
@@ -113,20 +119,24 @@ std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& pan
   lines(CurveKind::device, fmt::format("with lines ls {} dt 1 lw 0.6", grey));
   lines(CurveKind::mean, fmt::format("with lines ls {}", blue));
   lines(CurveKind::extrapolated, fmt::format("with lines ls {} dt 3", blue));
-  table.comment(
-      fmt::format("{}, levels: condition factor mean_low mean_high device_low device_high", name(panel.effect)));
-  for (std::size_t i = 0; i < panel.levels.size(); ++i) {
-    auto const& factor = panel.levels[i]->factor;
-    auto const mean = interval(factor, conditions::About::mean), device = interval(factor, conditions::About::device);
-    auto const low = [](auto const& of) { return of ? MaybeNumber(of->low) : std::nullopt; };
-    auto const high = [](auto const& of) { return of ? MaybeNumber(of->high) : std::nullopt; };
-    table.row(panel.place(i), factor.lambda(), low(mean), high(mean), low(device), high(device));
-  }
-  table.end_block();
-  auto const at = fmt::format("'{}' index {} using ", file, block++);
-  plots.push_back(at + fmt::format("1:2:5:6 with yerrorbars ls {} ps 0 lw 0.6", blue));
-  plots.push_back(at + fmt::format("1:2:3:4 with yerrorbars ls {} ps 0 lw 2", blue));
-  plots.push_back(at + fmt::format("1:2 with points ls {} pt 7", blue));
+  // An interval is drawn as an arrow without a head.
+  auto const bars = [&](conditions::About about, double thickness) {
+    bool any = false;
+    for (std::size_t i = 0; i < panel.levels.size(); ++i) {
+      auto const found = interval(panel.levels[i]->factor, about);
+      if (!found) continue;
+      if (!any)
+        table.comment(fmt::format("{}, 95 % interval, {}: condition low high", name(panel.effect), name(about)));
+      table.row(panel.place(i), found->low, found->high);
+      any = true;
+    }
+    if (any) add(fmt::format("using 1:2:(0):($3-$2) with vectors nohead ls {} dt 1 lw {}", blue, number(thickness)));
+  };
+  bars(conditions::About::device, 0.8);
+  bars(conditions::About::mean, 2.5);
+  table.comment(fmt::format("{}, levels: condition factor", name(panel.effect)));
+  for (std::size_t i = 0; i < panel.levels.size(); ++i) table.row(panel.place(i), panel.levels[i]->factor.lambda());
+  add(fmt::format("with points ls {} pt 7", blue));
   return plots;
 }
 

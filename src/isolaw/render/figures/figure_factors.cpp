@@ -66,6 +66,13 @@ FactorBars bars_of(ConditionsResult const& result, BoundRow const& bound) {
   return all;
 }
 
+// A property's symbol, such as K_eff, or its name.
+std::string title_of(rules::Quantity quantity) {
+  auto const name = rules::name(quantity);
+  bool const is_symbol = name.find('_') != std::string_view::npos;
+  return gnuplot_string(is_symbol ? gnuplot_symbol(name) : std::string(name));
+}
+
 }  // namespace
 
 MaybeFigure factors_figure(ConditionsResult const& result) {
@@ -119,7 +126,7 @@ MaybeFigure factors_figure(ConditionsResult const& result) {
     script.place(grid, p);
     script.line("unset label; set yrange [{}:-0.6]; set ytics scale 0 noenhanced ({})",
                 number(static_cast<double>(panel.rows.size()) - 0.4), joined(tics));
-    script.line("set label 100 {} at graph 1,1.06 right", gnuplot_string(gnuplot_symbol(rules::name(panel.quantity))));
+    script.line("set label 100 {} at graph 1,1.06 right", title_of(panel.quantity));
     for (std::size_t const row : panel.not_covered)
       script.line("set label {} ' NOT COVERED' at first 1,first {} left", row + 1, row);
     plots.push_back("NaN notitle");  // a plot even if all factors are 1

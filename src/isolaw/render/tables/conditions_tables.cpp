@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "isolaw/base/symbol.hpp"
 #include "isolaw/render/tables/csv.hpp"
 #include "isolaw/render/tables/latex_tables.hpp"
 #include "isolaw/study/conditions_results.hpp"
@@ -28,12 +29,19 @@ constexpr auto of_test = columns(study::conditions_test_results,
 
 std::string latex_factor(conditions::Factor const& factor) {
   if (factor.status == conditions::Status::not_covered) return "-- & NOT COVERED";
-  auto text = fmt::format("{:.3f}", factor.lambda());
-  if (auto const found = interval(factor, conditions::About::mean); found && found->low < found->high)
-    text += fmt::format(" ({:.3f} to {:.3f})", found->low, found->high);
-  auto const word =
-      factor.status == conditions::Status::assumed ? std::string("ASSUMED") : std::string(name(factor.status));
-  return text + " & " + word;
+  auto const found = interval(factor, conditions::About::mean);
+  auto const low = found ? fmt::format("{:.3f}", found->low) : "",
+             high = found ? fmt::format("{:.3f}", found->high) : "";
+  bool const is_assumed = factor.status == conditions::Status::assumed;
+  return fmt::format("{:.3f}{} & {}", factor.lambda(), low == high ? "" : fmt::format(" ({} to {})", low, high),
+                     is_assumed ? std::string_view("ASSUMED") : name(factor.status));
+}
+
+// A property's symbol, such as K_eff, or its name.
+std::string latex_property(rules::Quantity quantity) {
+  auto const name = rules::name(quantity);
+  bool const is_symbol = name.find('_') != std::string_view::npos;
+  return is_symbol ? latex_symbol(name) : latex_text(name);
 }
 
 }  // namespace
@@ -43,7 +51,7 @@ std::string conditions_csv(ConditionsResult const& result, UnitSystem const& uni
       columns(study::conditions_level_results, {"quantity", "effect", "level", "at", "unit", "aged_days", "aged_at_C"});
   constexpr auto of_factor =
       columns(study::conditions_factor_results,
-              {"lambda", "status", "devices", "line_error", "drift", "mean", "device", "system", "prototypes"});
+              {"lambda", "status", "devices", "line_error", "drift", "mean", "device", "system", "prototypes", "lack"});
   CsvTable table(units);
   table.head(of_level).head(of_factor).end_row();
   auto const factor_row = [&](conditions::Factor const& factor) {
@@ -93,7 +101,7 @@ std::string conditions_tex(ConditionsResult const& result, UnitSystem const&) {
   };
   for (auto const& bound : result.bounds) {
     text += "\\midrule\n";
-    auto property = latex_text(rules::name(bound.quantity));
+    auto property = latex_property(bound.quantity);
     for (auto const& of : result.design)
       if (of.quantity == bound.quantity) row(std::exchange(property, ""), name(of.effect), of.max, of.min);
     row("", all_effects, as_factor(bound.max), as_factor(bound.min));

@@ -13,7 +13,8 @@ function answer() {
   const { bounds, refused, tests, reference, design_conditions: design } = conditions;
   const [first] = bounds;
   const tones = bounds.slice(0, 2).flatMap((bound) => SIDES.map(([side]) => toneOf(bound[side].status)));
-  const tone = WORST_FIRST.find((one) => tones.includes(one)) ?? 'muted';
+  const broken = conditions.dependence.filter(({ verdict }) => verdict === 'fail');
+  const tone = broken.length > 0 ? 'poor' : (WORST_FIRST.find((one) => tones.includes(one)) ?? 'muted');
   const unused = tests.filter(({ role }) => role !== 'reference' && role !== 'effect');
   const line = (term, text) => (text ? element('p', {}, element('b', {}, term), ' ' + text) : null);
   const effects = (key) => enumerate([...new Set(bounds.flatMap((bound) => SIDES.flatMap(([side]) => bound[side][key] ?? [])))], 9);
@@ -29,7 +30,8 @@ function answer() {
       element('p', { class: 'headline' }, first ? headline(first) : 'No design conditions are stated, so there are no bounds.'),
       first ? boundsTable(bounds) : null,
       line('NOT COVERED:', effects('not_covered')),
-      line('ASSUMED:', effects('assumed')),
+      line('ASSUMED:', assumed()),
+      line('LIMIT NOT KEPT:', broken.map(limitText).join('; ')),
     ),
     element(
       'div',
@@ -48,6 +50,18 @@ function answer() {
       unused.map(({ device, test, role }) => element('li', {}, device + ', ' + test + ': ' + role)),
     ),
   );
+}
+
+const limitText = ({ effect, quantity, within_percent: within, clause }) =>
+  effect + ', ' + quantity + ' within ' + trimmed(within) + THIN + '%' + (clause ? ' (' + clause + ')' : '');
+
+// The assumed effects, each with the rule set and the clause that gives its factor.
+function assumed() {
+  const texts = conditions.design.filter((row) => row.assumed).map(({ effect, assumed: { rules, clause, verified } }) => {
+    const source = [[rules, clause].filter(Boolean).join(' '), verified ? '' : 'not verified'].filter(Boolean).join(', ');
+    return effect + (source ? ' (' + source + ')' : '');
+  });
+  return [...new Set(texts)].join(', ');
 }
 
 const missing = (effects, why) => (effects ? effects + ': ' + why : '');

@@ -75,6 +75,8 @@ function drawFactors(look, width) {
     layout.annotations.push(panelHeading(look, narrow ? 0 : along[0], narrow ? down[1] : 1, '<b>' + plain(quantity) + '</b>'));
     for (const side of SIDES) {
       const covered = rows.map((row, k) => ({ row, k, of: row[side] })).filter(({ of }) => isNumber(of.lambda));
+      const isAssumed = ({ k, of }) => of.status === 'assumed' && k < rows.length - 1;
+      const beside = (bar) => (bar.of.lambda === 1 ? '' : factorText(bar.of.lambda) + (isAssumed(bar) ? ' ' + statusWord(bar.of.status) : ''));
       const says = ({ row, of }) =>
         plain(row.effect) + ': ' + factorText(of.lambda) + (of.mean ? ' (' + intervalText(of.mean) + ')' : '') + '<br>' + statusText(of);
       traces.push({
@@ -83,7 +85,7 @@ function drawFactors(look, width) {
         marker: {
           color: covered.map(({ of }) => look.colour(toneOf(of.status))), opacity: covered.map(({ k }) => (k === rows.length - 1 ? 1 : 0.8)),
         },
-        text: covered.map(({ of }) => (of.lambda === 1 ? '' : factorText(of.lambda) + (of.status === 'assumed' ? ' ' + statusWord(of.status) : ''))), textposition: 'outside', cliponaxis: false,
+        text: covered.map(beside), textposition: 'outside', cliponaxis: false,
         textfont: { size: 11.5, color: look.colour('ink') }, customdata: covered.map(says), hovertemplate: '%{customdata}<extra></extra>',
       });
     }
