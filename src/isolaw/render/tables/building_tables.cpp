@@ -66,8 +66,11 @@ std::string building_tex(building::Study const& study, building::Answers const& 
       "% The isolated building: bound analyses{}.\n",
       drawn ? ", fractiles of the draws, parts of the spread of ln(response)" : "; no bearing is drawn from the lot");
   text += "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
-  text += fmt::format("% Means over {} motions, {} draws; forces of the bounds times {} and {}.\n",
-                      study.file.motions.size(), drawn ? s.draws : 0, s.lower, s.upper);
+  auto const bound = [](std::optional<double> const& factor) {
+    return factor ? fmt::format("times {}", *factor) : std::string("those of the bound law over the design conditions");
+  };
+  text += fmt::format("% Means over {} motions, {} draws; forces of the lower bound {}, of the upper one {}.\n",
+                      study.file.motions.size(), drawn ? s.draws : 0, bound(s.lower), bound(s.upper));
   text += fmt::format("\\begin{{tabular}}{{@{{}}l{:r>{}}@{{}}}}\n\\toprule\n", "", columns - 1);
   text += " & \\multicolumn{3}{c}{Analyses}";
   if (drawn) text += " & \\multicolumn{4}{c}{Draws} & \\multicolumn{2}{c}{$\\sigma_{\\ln}$}";
