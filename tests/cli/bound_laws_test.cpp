@@ -132,7 +132,7 @@ constexpr char const* building_file =
     "[building]\ndraws = 2\nlower = \"conditions\"\nupper = 1.2\nstep_s = 0.02\nrest_s = 0.0\nlaws = [\"bilinear\"]\n"
     "[base]\nmass_Mg = 400.0\ngyration_m = 5.0\n[grid]\nalong = 2\nacross = 1\nspacing_x_m = 6.0\nspacing_y_m = 6.0\n"
     "[plan]\nleft_m = -4.0\nright_m = 4.0\nfront_m = -3.0\nback_m = 3.0\n[[motion]]\nx = \"m.csv\"\n";
-std::string ground_motion() {
+std::string strong_pulse() {
   std::string rows = "time [s],acceleration [m/s2]\n";
   for (int i = 0; i < 200; ++i)
     rows += fmt::format("{:.4f},{:.5g}\n", i * 0.01, 2.0 * std::sin(0.1 * i) * std::sin(std::numbers::pi * i / 200.0));
@@ -141,7 +141,7 @@ std::string ground_motion() {
 
 TEST_F(BoundLaws, in_a_building_take_the_place_of_a_factor) {
   calibrate();
-  write("m.csv", ground_motion());
+  write("m.csv", strong_pulse());
   write("b.toml", building_file);
   auto const o = isolaw({"building", "b.toml", "--from", "C", "--out", "B", "--figures", "none"});
   ASSERT_EQ(o.code, 0) << o;
@@ -164,7 +164,7 @@ TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {
   EXPECT_EQ(simulated.code, 2) << simulated;
   EXPECT_TRUE(contains(simulated.err, "no bound law over the design conditions: no test covers temperature"))
       << simulated;
-  write("m.csv", ground_motion());
+  write("m.csv", strong_pulse());
   write("b.toml", building_file);
   auto const building = isolaw({"building", "b.toml", "--from", "C", "--out", "B"});
   EXPECT_EQ(building.code, 2) << building;

@@ -265,6 +265,7 @@ TEST(ReadRules, RefusesWhatIsHalfGiven) {
   auto const with = [](std::string_view tail) { return refused(fmt::format("{}{}", tail, one_limit)); };
   EXPECT_EQ(with(""), "");
   expect_parts(refused(""), {"no limits"});
+  EXPECT_EQ(refused("[[effect]]\nname = \"ageing\"\n"), "");
   expect_parts(with("[test]\nstrains_percent = [100]\n"), {"strains without their tolerance"});
   expect_parts(with("[test]\nfrequencies_Hz = [0.5]\n"), {"frequencies without their tolerance"});
   expect_parts(with("[test]\nfrequencies_Hz = []\nfrequency_tolerance_percent = 5\n"), {"not a list of numbers"});

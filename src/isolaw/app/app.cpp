@@ -32,6 +32,7 @@
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/programs/exports.hpp"
+#include "isolaw/study/conditions_plan.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -245,6 +246,14 @@ void add_conditions(Commands& commands) {
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print conditions.json instead of text");
   c.add_flag("--details", a.details, "also list every test and how it is used");
+  c.add_flag("--plan", a.plan, "print the tests that are missing until enough devices show every end of the design");
+  c.add_option("--devices", a.devices,
+               fmt::format("how many devices that are in the plan (default: {})", study::usual_planned_devices))
+      ->check(CLI::Range(1, study::most_planned_devices).description(""));
+  c.add_flag("--at-reference", a.at_reference,
+             "print the values of acceptance tests under other conditions, as measured and at reference");
+  c.add_option("--write-rules", a.write_rules,
+               "new file for the measured factors, as a rule file that other lots can take them from");
 }
 
 void add_report(Commands& commands) {
@@ -416,11 +425,11 @@ void add_rules(Commands& commands) {
     std::string name;
     bool json = false;
   };
-  auto const [c, a] =
-      commands.add<Arguments>("rules", "List the rule sets, print one, or print a template to write your own",
-                              "isolaw rules template > contract.toml",
-                              [](auto const& arguments) { return list_rules(arguments.name, arguments.json); });
-  c.add_option("name", a.name, "name of a rule set, or the word template");
+  auto const [c, a] = commands.add<Arguments>(
+      "rules", "List the rule sets, print one, check and print a rule file, or print a template to write your own",
+      "isolaw rules template > contract.toml",
+      [](auto const& arguments) { return list_rules(arguments.name, arguments.json); });
+  c.add_option("name", a.name, "name of a rule set, a rule file, or the word template");
   c.add_flag("--json", a.json, "print the list as JSON");
 }
 

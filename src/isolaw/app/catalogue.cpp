@@ -131,7 +131,9 @@ int list_rules(std::string const& name, bool json) {
   if (!name.empty()) {
     if (json)
       throw Error({.where = "--json", .found = "is given with " + in_quotes(name), .allowed = "the list alone"});
-    auto const text = rules::rule_set_text(name);
+    bool const is_template = name == "template";
+    if (!is_template) rules::find_rule_set(name);  // a file must hold a rule set
+    auto const text = is_template ? std::string(rules::rule_set_text(name)) : rules::load_rule_text(name);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }

@@ -70,9 +70,11 @@ struct InspectArguments {
 int inspect(InspectArguments const& arguments);
 
 struct ConditionsArguments {
-  std::filesystem::path lot;                 // a lot file with a table [conditions]
-  std::optional<std::filesystem::path> out;  // for conditions.json
-  bool allow_outside = false, json = false, details = false;
+  std::filesystem::path lot;                         // a lot file with a table [conditions]
+  std::optional<std::filesystem::path> out;          // for conditions.json
+  std::optional<std::filesystem::path> write_rules;  // a new file for the measured factors
+  std::optional<int> devices;                        // that shall show every end of the design in the plan
+  bool allow_outside = false, json = false, details = false, plan = false, at_reference = false;
 };
 int conditions(ConditionsArguments const& arguments);
 

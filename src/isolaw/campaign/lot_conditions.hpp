@@ -34,7 +34,7 @@ struct StatedTest {                                      // about one test of a 
   std::string temperature_of;                            // core, surface or chamber; empty if it is not stated
   std::optional<double> conditioned_h;                   // time in a chamber at the temperature, before the test
   std::optional<StatedAgeing> aged = {};
-  bool is_acceptance = false;  // its record stands for the device everywhere else
+  bool is_acceptance = false;  // its record stands for the device everywhere else, as stated or as the reader chose
   bool takes_part_in_fit = false;
   bool is_scaled = false;  // the specimen is a scaled model of the device
   std::optional<double> scale = {};

@@ -362,6 +362,7 @@ class DeviceReader {
       });
     if (acceptance == all.end()) acceptance = all.begin();
     if (acceptance == all.end()) return;  // no test: a complaint says so
+    acceptance->stated.is_acceptance = true;
     device.tests.push_back(*acceptance);
     for (auto const& test : all)
       if (test.stated.takes_part_in_fit && &test != &*acceptance) device.tests.push_back(test);

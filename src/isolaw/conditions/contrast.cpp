@@ -126,7 +126,7 @@ double Factor::lambda() const {
   return std::exp(ln);
 }
 
-std::optional<Interval> interval(Factor const& factor, About about, int installed) {
+std::optional<double> half_width(Factor const& factor, About about, int installed) {
   bool const from_one = factor.devices < 2 && factor.status != Status::unpaired;
   if (!factor.se || (from_one && about != About::mean)) return std::nullopt;
   // The standard error is that of the mean over the devices. The scatter of a single device is sqrt(D) times as large.
@@ -135,8 +135,13 @@ std::optional<Interval> interval(Factor const& factor, About about, int installe
   if (about == About::device) width = scatter * std::sqrt(1.0 + 1.0 / D);
   if (about == About::system) width = scatter * std::sqrt(std::max(0.0, 1.0 / D - 1.0 / N));
   if (about == About::prototypes) width = scatter * std::sqrt(1.0 / D + 1.0 / N);
-  double const half = std::hypot(num::student_97_5(*factor.df) * width, factor.line_error, factor.drift);
-  return Interval{.low = std::exp(factor.ln - half), .high = std::exp(factor.ln + half)};
+  return std::hypot(num::student_97_5(*factor.df) * width, factor.line_error, factor.drift);
+}
+
+std::optional<Interval> interval(Factor const& factor, About about, int installed) {
+  auto const half = half_width(factor, about, installed);
+  if (!half) return std::nullopt;
+  return Interval{.low = std::exp(factor.ln - *half), .high = std::exp(factor.ln + *half)};
 }
 
 Response::Response(Effect effect, std::span<Sample const> reference, std::span<Sample const> others,
@@ -278,34 +283,55 @@ bool Response::is_at(Level const& level, Condition const& test) const {
   return agree_in(effect_, test, there, tolerance_);
 }
 
-Factor Response::at(double condition) const {
+std::vector<Level const*> Response::behind(double condition, bool only_paired) const {
   auto const asked = with_value(effect_, condition);
   std::vector<Level const*> near;
   for (auto const& level : levels_)
-    if (is_at(level, asked)) near.push_back(&level);
+    if (is_at(level, asked) && !(only_paired && level.unpaired)) near.push_back(&level);
   if (!near.empty())
-    return of(**std::ranges::min_element(
-        near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); }));
+    return {*std::ranges::min_element(
+        near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); })};
   auto const lines = paired_levels();
-  if (lines.size() < 2) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
+  if (lines.size() < 2) return {};
   auto const above = std::ranges::find_if(lines, [&](Level const* level) { return level->at > condition; });
-  if (above != lines.begin() && above != lines.end())
-    return on_line(**std::prev(above), **above, condition, Status::interpolated);
+  if (above != lines.begin() && above != lines.end()) return {*std::prev(above), *above};
   bool const below = above == lines.begin();
-  auto const& outermost = below ? *lines.front() : *lines.back();
-  double const edge = outermost.at;
+  auto const* outermost = below ? lines.front() : lines.back();
+  double const edge = outermost->at;
   constexpr double most_K = 10.0, most_times = 2.0, most_of_load = 0.2, rounding = 1e-9;
   double const beyond = effect_ == Effect::temperature ? std::abs(condition - edge) / most_K
                         : effect_ == Effect::rate      ? std::abs(std::log(condition / edge)) / std::log(most_times)
                                                        : std::abs(condition - edge) / (most_of_load * std::abs(edge));
-  if (!(beyond <= 1.0 + rounding)) return Factor::without(Lack::too_far);
-  return on_line(outermost, below ? *lines[1] : *lines[lines.size() - 2], condition, Status::extrapolated);
+  if (!(beyond <= 1.0 + rounding)) return {};
+  return {outermost, below ? lines[1] : lines[lines.size() - 2]};
+}
+
+std::vector<Level const*> Response::paired_behind(Condition const& test) const {
+  if (effect_ != Effect::ageing) return behind(condition_of(effect_, test), true);
+  for (auto const& level : levels_)
+    if (!level.unpaired && is_at(level, test)) return {&level};
+  return {};
+}
+
+Factor Response::at(std::vector<Level const*> const& levels, double condition) const {
+  if (levels.empty()) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
+  if (levels.size() == 1) return of(*levels.front());
+  bool const is_between = (levels.front()->at < condition) != (levels.back()->at < condition);
+  return on_line(*levels.front(), *levels.back(), condition, is_between ? Status::interpolated : Status::extrapolated);
+}
+
+Factor Response::at(double condition) const {
+  return at(behind(condition), condition);
 }
 
 Factor Response::at(Ageing const& ageing) const {
   auto const level =
       std::ranges::find_if(levels_, [&](Level const& each) { return each.ageing && agrees(*each.ageing, ageing); });
   return level == levels_.end() ? Factor::without(Lack::no_level) : of(*level);
+}
+
+Factor Response::paired_at(Condition const& test) const {
+  return at(paired_behind(test), condition_of(effect_, test));
 }
 
 Response::Extremes Response::over(double low, double high) const {

@@ -91,6 +91,7 @@ struct Interval {
 // The 95 % interval of lambda. Empty without a standard error, and for other devices than the tested ones if only one
 // was tested. `installed` is the number of installed devices.
 std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
+std::optional<double> half_width(Factor const& factor, About about, int installed = 0);  // of this interval, in ln
 
 // The levels of one effect, and the straight lines in ln between them: over the temperature, the logarithm of the
 // frequency, or the square of the load.
@@ -118,6 +119,13 @@ class Response {
   // is extrapolated by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
   Factor at(double condition) const;
   Factor at(Ageing const& ageing) const;  // a level that agrees with it, else not covered
+  // The levels that show at(): the one that agrees with the condition, or the two through which the line goes. Empty if
+  // no tests are near enough.
+  std::vector<Level const*> behind(double condition) const { return behind(condition, false); }
+  // The same in the condition of a test that belongs to the effect, from devices with a reference test alone. Otherwise
+  // a test of another device would be compared with itself.
+  std::vector<Level const*> paired_behind(Condition const& test) const;
+  Factor paired_at(Condition const& test) const;
   // The factor of the largest and of the smallest value in a range of the condition: the reference, its two ends, or a
   // level within it. It is not covered if an end is not.
   struct Extremes {
@@ -130,6 +138,8 @@ class Response {
   Response of_device(std::string_view device) const;
 
  private:
+  std::vector<Level const*> behind(double condition, bool only_paired) const;
+  Factor at(std::vector<Level const*> const& levels, double condition) const;
   Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
   std::vector<Level const*> paired_levels() const;
 

@@ -18,6 +18,24 @@ double stands_for_years(Ageing const& test, double service_temperature_C, double
   return test.days / year_days * std::exp(activation_energy_kJ_per_mol / gas_constant * inverse);
 }
 
+Level const* ageing_level_for(double years, std::span<Level const> levels, double service_temperature_C,
+                              double activation_energy_kJ_per_mol) {
+  Level const* chosen = nullptr;
+  double life = 0.0;
+  for (auto const& level : levels) {
+    if (!level.ageing) continue;
+    double const of_level = stands_for_years(*level.ageing, service_temperature_C, activation_energy_kJ_per_mol);
+    bool const nearer = life < years ? of_level > life : of_level >= years && of_level < life;
+    if (chosen == nullptr || nearer) chosen = &level, life = of_level;
+  }
+  return chosen;
+}
+
+Ageing ageing_for(double years, double oven_C, double service_temperature_C, double activation_energy_kJ_per_mol) {
+  Ageing const day{.days = 1.0, .at_C = oven_C};
+  return {.days = years / stands_for_years(day, service_temperature_C, activation_energy_kJ_per_mol), .at_C = oven_C};
+}
+
 Factor aged_factor(Factor const& of_test, double years, double test_stands_for_years) {
   auto factor = of_test;
   if (factor.status == Status::not_covered || years <= test_stands_for_years) return factor;

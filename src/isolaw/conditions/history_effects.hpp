@@ -13,6 +13,12 @@ namespace isolaw::conditions {
 
 // The time in years at the service temperature for which an ageing test stands, by the law of Arrhenius.
 double stands_for_years(Ageing const& test, double service_temperature_C, double activation_energy_kJ_per_mol);
+// The level of ageing that stands for the shortest life of at least so many years, else the one for the longest life.
+// nullptr if no level is aged.
+Level const* ageing_level_for(double years, std::span<Level const> levels, double service_temperature_C,
+                              double activation_energy_kJ_per_mol);
+// The ageing in an oven of this temperature that stands for so many years.
+Ageing ageing_for(double years, double oven_C, double service_temperature_C, double activation_energy_kJ_per_mol);
 // The factor of ageing after so many years: that of the test for a shorter life than the test stands for, in proportion
 // (extrapolated) up to twice this life, and not covered beyond.
 Factor aged_factor(Factor const& of_test, double years, double test_stands_for_years);

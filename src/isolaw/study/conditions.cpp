@@ -100,6 +100,11 @@ class Builder {
                    .allowed = "records of cyclic tests"});
     require_one_value();
     require_one_kind();
+    auto const& first = out_.tests.front().condition;
+    out_.reference = reference_, out_.tolerance = tolerance_;
+    if (!reference_.frequency_Hz) out_.reference.frequency_Hz = first.frequency_Hz;
+    if (!reference_.load_kN) out_.reference.load_kN = first.load_kN;
+    if (!reference_.strain_percent) out_.reference.strain_percent = first.strain_percent;
     for (auto& seen : all_) judge(seen);
     if (std::ranges::none_of(all_, [](Observed const& seen) { return seen.usable && seen.differs.empty(); }))
       throw Error({.where = "conditions",
@@ -196,6 +201,13 @@ class Builder {
     std::vector<conditions::Block> blocks;
     for (auto const& each : own) blocks.push_back(each.block);
     auto const before = conditions::largest_before(blocks);
+    auto const& last = of_device.back();
+    ConditionsDevice device{
+        .name = last.device, .is_scaled = last.stated.is_scaled, .is_compared = is_compared(last.of_device)};
+    if (auto const& aged = last.stated.aged) device.aged = conditions::Ageing{.days = aged->days, .at_C = aged->at_C};
+    for (auto const& block : blocks)
+      device.largest_percent = std::max(device.largest_percent, block.condition.strain_percent.value_or(0.0));
+    out_.devices.push_back(std::move(device));
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i].largest_before_percent = before[i];
       if (own[i].row) add_history_words(own[i], out_.tests[*own[i].row]);
@@ -314,6 +326,7 @@ class Builder {
                             .of_device = test.of_device,
                             .temperature_of = test.stated.temperature_of,
                             .is_scaled = test.stated.is_scaled,
+                            .is_acceptance = test.stated.is_acceptance,
                             .order = *test.stated.order,
                             .block = block.number,
                             .amplitude_mm = block.amplitude_mm,
@@ -584,17 +597,11 @@ class Builder {
     if (design.aged) return response.at(conditions::Ageing{.days = design.aged->days, .at_C = design.aged->at_C});
     if (!design.years) return std::nullopt;
     if (!stated_.activation_energy_kJ_per_mol) return Factor::without(conditions::Lack::no_energy);
-    // The test that stands for the shortest life of at least the design's, else the one for the longest life.
-    conditions::Level const* chosen = nullptr;
-    double life = 0.0;
-    for (auto const& level : response.levels()) {
-      if (!level.ageing) continue;
-      double const years = conditions::stands_for_years(*level.ageing, *design.service_temperature_C,
-                                                        *stated_.activation_energy_kJ_per_mol);
-      bool const nearer = life < *design.years ? years > life : years >= *design.years && years < life;
-      if (chosen == nullptr || nearer) chosen = &level, life = years;
-    }
+    auto const* chosen = conditions::ageing_level_for(*design.years, response.levels(), *design.service_temperature_C,
+                                                      *stated_.activation_energy_kJ_per_mol);
     if (chosen == nullptr) return Factor::without(conditions::Lack::no_test);
+    double const life = conditions::stands_for_years(*chosen->ageing, *design.service_temperature_C,
+                                                     *stated_.activation_energy_kJ_per_mol);
     out_.ageing_stands_for_years = life, out_.ageing_test = chosen->ageing;
     return conditions::aged_factor(response.of(*chosen), *design.years, life);
   }
@@ -722,7 +729,10 @@ std::string_view name(TestRole role) {
 
 ConditionsResult build_conditions(campaign::ObservedTests const& observed, std::string title,
                                   campaign::Acceptance const& acceptance) {
-  return Builder(observed, std::move(title), acceptance)();
+  auto result = Builder(observed, std::move(title), acceptance)();
+  result.at_reference = values_at_reference(result);
+  result.plan = plan_tests(result, usual_planned_devices);
+  return result;
 }
 
 }  // namespace isolaw::study

@@ -12,7 +12,9 @@
 #include "isolaw/conditions/combine.hpp"
 #include "isolaw/conditions/history_effects.hpp"
 #include "isolaw/conditions/observe.hpp"
+#include "isolaw/study/conditions_at_reference.hpp"
 #include "isolaw/study/conditions_dependence.hpp"
+#include "isolaw/study/conditions_plan.hpp"
 
 namespace isolaw::study {
 
@@ -41,7 +43,7 @@ struct ConditionsTest {  // one block of one test
   std::string device, test, file, sha256;
   campaign::StatedDevice of_device = {};
   std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
-  bool is_scaled = false;
+  bool is_scaled = false, is_acceptance = false;
   int order = 0, block = 0;
   double amplitude_mm = 0.0;
   conditions::Condition
@@ -124,9 +126,20 @@ struct RecoveryRow {
   int devices = 0;
 };
 
+struct ConditionsDevice {  // a device of the lot, in the order of the file
+  std::string name;
+  double largest_percent = 0.0;  // strain that it went to, in any test; infinite if one of them could not be read
+  std::optional<conditions::Ageing> aged = {};  // in its last test
+  bool is_scaled = false, is_compared = true;   // is_compared: it has the compound and size that [conditions] names
+};
+
 struct ConditionsResult {
   std::string title;
   campaign::StatedConditions stated;
+  // With the value in which all tests agree, for a condition that is not stated.
+  conditions::Condition reference;
+  conditions::Tolerance tolerance;
+  std::vector<ConditionsDevice> devices;
   std::vector<ConditionsTest> tests;
   std::vector<RefusedTest> refused;
   std::vector<LevelRow> levels;
@@ -146,6 +159,8 @@ struct ConditionsResult {
   std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
   std::vector<DependenceRow> dependence;
+  std::vector<AtReferenceRow> at_reference;
+  ConditionsPlan plan;
 };
 
 // A test that cannot be used is listed in `refused`. Throws Error if no test agrees with the reference, or if the tests

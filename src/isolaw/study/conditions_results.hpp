@@ -7,9 +7,13 @@
 
 namespace isolaw::study {
 
-template <auto member>
-Value of_condition(ConditionsTest const& test) {
-  return value_of(test.condition.*member);
+template <auto member, class Row>
+Value of_condition(Row const& row) {
+  return value_of(row.condition.*member);
+}
+template <auto member, class Row>
+Value of_ageing(Row const& row) {
+  return row.condition.ageing ? value_of((*row.condition.ageing).*member) : Value();
 }
 
 inline constexpr Result<ConditionsTest> conditions_test_results[]{
@@ -31,13 +35,8 @@ inline constexpr Result<ConditionsTest> conditions_test_results[]{
      "amplitude over the thickness of the rubber; the amplitude in mm if the reference states `disp-mm`",
      of_condition<&conditions::Condition::strain_percent>},
     {"aged_days", "d", "aged", "days in an oven before the test, as stated; null if it is not aged",
-     [](ConditionsTest const& test) {
-       return test.condition.ageing ? value_of(test.condition.ageing->days) : Value();
-     }},
-    {"aged_at_C", "C", "at", "temperature of the oven, as stated",
-     [](ConditionsTest const& test) {
-       return test.condition.ageing ? value_of(test.condition.ageing->at_C) : Value();
-     }},
+     of_ageing<&conditions::Ageing::days>},
+    {"aged_at_C", "C", "at", "temperature of the oven, as stated", of_ageing<&conditions::Ageing::at_C>},
     {"rest_h", "h", "rest", "rest before the block: as stated, 0 within a test; null if it is not known",
      get<&ConditionsTest::rest_h>},
     {"history", "", "history",
@@ -131,6 +130,79 @@ inline constexpr Result<LevelRow> conditions_level_results[]{
      [](LevelRow const& row) { return row.ageing ? value_of(row.ageing->days) : Value(); }},
     {"aged_at_C", "C", "at", "temperature of the oven",
      [](LevelRow const& row) { return row.ageing ? value_of(row.ageing->at_C) : Value(); }},
+};
+
+inline constexpr Result<AtReferenceRow> at_reference_results[]{
+    {"device", "", "device", "name of the device", get<&AtReferenceRow::device>},
+    {"test", "", "test", "name of its acceptance test", get<&AtReferenceRow::test>},
+    {"block", "", "block", "number of the block within the test", get<&AtReferenceRow::block>},
+    {"temperature_C", "C", "T", "temperature of the rubber, as stated",
+     of_condition<&conditions::Condition::temperature_C>},
+    {"frequency_Hz", "Hz", "f", "frequency, as measured", of_condition<&conditions::Condition::frequency_Hz>},
+    {"load_kN", "kN", "N", "mean vertical load, as measured or stated", of_condition<&conditions::Condition::load_kN>},
+    {"aged_days", "d", "aged", "days in an oven before the test, as stated; null if it is not aged",
+     of_ageing<&conditions::Ageing::days>},
+    {"aged_at_C", "C", "at", "temperature of the oven, as stated", of_ageing<&conditions::Ageing::at_C>},
+    {"quantity", "", "property", "`K_eff`, `energy` or `damping`",
+     [](AtReferenceRow const& row) { return value_of(rules::name(row.quantity)); }},
+    {"unit", "", "unit", "unit of the values",
+     [](AtReferenceRow const& row) { return value_of(rules::unit(row.quantity)); }},
+    {"measured", "", "measured", "the value as measured", get<&AtReferenceRow::measured>, significant(4)},
+    {"at_reference", "", "at reference", "the measured value divided by all factors; null: see `obstacle`",
+     get<&AtReferenceRow::at_reference>, significant(4)},
+    {"low", "", "low", "lower end of the 95 % interval for this device; null if one of the factors has none",
+     [](AtReferenceRow const& row) { return row.interval ? value_of(row.interval->low) : Value(); }, significant(4)},
+    {"high", "", "high", "its upper end",
+     [](AtReferenceRow const& row) { return row.interval ? value_of(row.interval->high) : Value(); }, significant(4)},
+    {"obstacle", "", "no value because of",
+     "why `at_reference` is null: an effect whose factor is neither shown nor interpolated, or the role in `tests[]` of a test that no reference test is comparable with",
+     [](AtReferenceRow const& row) {
+       return row.obstacle                 ? value_of(name(*row.obstacle))
+              : row.not_comparable.empty() ? Value()
+                                           : value_of(row.not_comparable);
+     }},
+};
+
+inline constexpr Result<ConvertingFactor> converting_factor_results[]{
+    {"effect", "", "effect", "the condition in which the test differs from the reference",
+     get<&ConvertingFactor::effect>},
+    {"lambda", "", "factor", "the factor at the condition of the test; null if it is not covered",
+     [](ConvertingFactor const& row) {
+       return row.factor.status == conditions::Status::not_covered ? Value() : value_of(row.factor.lambda());
+     },
+     significant(4)},
+    {"status", "", "status", "how sure the factor is",
+     [](ConvertingFactor const& row) { return value_of(row.factor.status); }},
+    {"devices", "", "devices", "number of devices that show it",
+     [](ConvertingFactor const& row) { return value_of(row.factor.devices); }},
+    {"records", "", "records", "SHA-256 of the records that show it", get<&ConvertingFactor::records>},
+};
+
+inline constexpr Result<conditions::PlannedTest> planned_test_results[]{
+    {"device", "", "device", "name of the device; `new 1`, `new 2` for devices that were never tested",
+     get<&conditions::PlannedTest::device>},
+    {"is_new", "", "", "true if the device is not one of the lot", get<&conditions::PlannedTest::is_new>},
+    {"effect", "", "effect", "the effect that the test helps to show", get<&conditions::PlannedTest::effect>},
+    {"is_reference", "", "", "true if it is a reference test that the device lacks",
+     get<&conditions::PlannedTest::is_reference>},
+    {"temperature_C", "C", "T", "temperature of the rubber", of_condition<&conditions::Condition::temperature_C>},
+    {"frequency_Hz", "Hz", "f", "frequency", of_condition<&conditions::Condition::frequency_Hz>},
+    {"load_kN", "kN", "N", "mean vertical load", of_condition<&conditions::Condition::load_kN>},
+    {"strain_percent", "%", "strain",
+     "amplitude over the thickness of the rubber; the amplitude in mm if the reference states `disp-mm`",
+     of_condition<&conditions::Condition::strain_percent>},
+    {"aged_days", "d", "aged", "days in an oven before the test, in total; null if it is not aged",
+     of_ageing<&conditions::Ageing::days>},
+    {"aged_at_C", "C", "at", "temperature of the oven", of_ageing<&conditions::Ageing::at_C>},
+    {"rest_h", "h", "rest", "rest before the test; null: any", get<&conditions::PlannedTest::rest_h>},
+    {"cycles", "", "cycles", "number of cycles, at least", get<&conditions::PlannedTest::cycles>},
+    {"status", "", "now", "how sure the factor is at this end of the design range now",
+     get<&conditions::PlannedTest::before>},
+    {"devices", "", "devices", "number of devices behind `status`", get<&conditions::PlannedTest::devices_before>},
+    {"status_after", "", "after", "how sure the factor is after this test and those before it",
+     get<&conditions::PlannedTest::after>},
+    {"devices_after", "", "devices after", "number of devices behind `status_after`",
+     get<&conditions::PlannedTest::devices_after>},
 };
 
 }  // namespace isolaw::study

@@ -135,6 +135,14 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
     write_members(out, "quantity", row.quantity, "effect", row.effect, "device", row.device, "parameter", row.parameter,
                   "value", row.value, "unit", row.unit);
   });
+  out.key("at_reference").objects(result.at_reference, [&](study::AtReferenceRow const& row) {
+    write_results(out, study::at_reference_results, row, Digits::shown);
+    write_rows(out.key("factors"), study::converting_factor_results, row.factors, Digits::shown);
+  });
+  write_rows(out.key("plan"), study::planned_test_results, result.plan.tests, Digits::shown);
+  out.key("not_in_plan").objects(result.plan.unplanned, [&](study::Unplanned const& row) {
+    write_members(out, "effect", row.effect, "reason", name(row.why));
+  });
   out.member("drift_not_checked", names_of(result.drift_not_checked));
   out.member("straightness_not_checked", names_of(result.straightness_not_checked));
   out.member("ageing_stands_for_years", result.ageing_stands_for_years);

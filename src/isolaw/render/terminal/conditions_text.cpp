@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
@@ -140,11 +141,96 @@ void add_levels(std::string& text, study::ConditionsResult const& result, bool d
   }
 }
 
+std::string number(std::optional<double> const& value) {
+  return value ? fmt::format("{:.6g}", *value) : "-";
+}
+
+std::string ageing_text(std::optional<conditions::Ageing> const& ageing) {
+  return ageing ? fmt::format("{:.4g} d at {:g} C", ageing->days, ageing->at_C) : "";
+}
+
+std::string condition_text(conditions::Condition const& at) {
+  auto text = fmt::format("{} C", number(at.temperature_C));
+  if (at.frequency_Hz) append(text, ", {:.4g} Hz", *at.frequency_Hz);
+  if (at.load_kN) append(text, ", {:.5g} kN", *at.load_kN);
+  if (at.ageing) append(text, ", aged {}", ageing_text(at.ageing));
+  return text;
+}
+
+std::string value_text(double value) {
+  constexpr double large = 1000.0;
+  return value < large ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
+// Why there is no value at reference, or no interval of it.
+std::string why_not(study::AtReferenceRow const& row) {
+  if (!row.not_comparable.empty())
+    return fmt::format("no value at reference, because the test cannot be compared: {}", row.not_comparable);
+  for (auto const& each : row.factors)
+    if (row.obstacle == each.effect)
+      return fmt::format("no value at reference, because the factor of {} is {}", name(each.effect),
+                         name(each.factor.status));
+  if (!row.measured) return "no value was measured";
+  std::vector<std::string_view> alone;
+  for (auto const& each : row.factors)
+    if (!half_width(each.factor, conditions::About::device)) alone.push_back(name(each.effect));
+  if (alone.empty()) return {};
+  return fmt::format("no interval, because too few devices show {}", joined(alone));
+}
+
+// The rows of one test, a column for each property.
+void add_values_of_test(std::string& text, std::span<study::AtReferenceRow const> rows) {
+  auto const& first = rows.front();
+  append(text, "\n{}, test {}: {}\n  {:<12}", printable(first.device), printable(first.test),
+         condition_text(first.condition), "");
+  for (auto const& row : rows)
+    append(text, " {:>15}", fmt::format("{}, {}", rules::name(row.quantity), rules::unit(row.quantity)));
+  append(text, "\n  {:<12}", "measured");
+  for (auto const& row : rows) append(text, " {:>15}", row.measured ? value_text(*row.measured) : "-");
+  for (std::size_t i = 0; i < first.factors.size(); ++i) {
+    auto const& factor = first.factors[i];
+    append(text, "\n  {:<12}", name(factor.effect));
+    for (auto const& row : rows)
+      append(text, " {:>15}", row.factors.empty() ? "-" : factor_text(row.factors[i].factor));
+    append(text, "  {}, {}", status_text(factor.factor), counted(factor.records.size(), "record"));
+  }
+  append(text, "\n  {:<12}", "at reference");
+  for (auto const& row : rows) append(text, " {:>15}", row.at_reference ? value_text(*row.at_reference) : "-");
+  if (std::ranges::any_of(rows, [](auto const& row) { return row.interval.has_value(); })) {
+    append(text, "\n  {:<12}", "95 %");
+    for (auto const& row : rows)
+      append(text, " {:>15}",
+             row.interval ? value_text(row.interval->low) + " to " + value_text(row.interval->high) : "-");
+  }
+  text += '\n';
+  if (auto const why = why_not(first); !why.empty()) append(text, "  There is {}.\n", why);
+}
+
+std::string now_text(conditions::Status status, int devices) {
+  if (status == Status::not_covered || status == Status::assumed) return std::string(name(status));
+  return fmt::format("{} on {}", name(status), counted(static_cast<std::size_t>(devices), "device"));
+}
+
+std::string_view sentence(study::NoPlan why) {
+  switch (why) {
+    case study::NoPlan::no_condition:
+      return "the design of [conditions] does not state its condition";
+    case study::NoPlan::no_reference:
+      return "the reference of [conditions] does not state this condition";
+    case study::NoPlan::no_energy:
+      return "no activation energy is stated, so it is not known how long an oven stands for the years of the design";
+    case study::NoPlan::no_oven:
+      return "no ageing test shows the temperature of the oven; aged = { days = 14, at-C = 70 } in the design states one";
+    case study::NoPlan::no_such_test:
+      return "isolaw knows no test that shows it";
+  }
+  return "";
+}
+
 void add_tests(std::string& text, study::ConditionsResult const& result) {
   text += "\nTests; temperature, ageing, rest and order are as stated, not measured\n";
   append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", "device", "test", "order",
          "T, C", "f, Hz", "N, kN", "strain", "cycle is", "used as", "K_eff", "damping");
-  auto const number = [](std::optional<double> const& value) { return value ? fmt::format("{:.6g}", *value) : "-"; };
   for (auto const& test : result.tests) {
     auto const& at = test.condition;
     append(text, "  {:<10} {:<14} {:>5} {:>6} {:>7} {:>8} {:>7} {:<17} {:<18} {:>9} {:>9}\n", printable(test.device),
@@ -155,15 +241,68 @@ void add_tests(std::string& text, study::ConditionsResult const& result) {
   }
 }
 
-}  // namespace
+void add_at_reference(std::string& text, study::ConditionsResult const& result) {
+  auto const& rows = result.at_reference;
+  text += rows.empty() ? "\nThe acceptance tests of all devices were made under reference conditions.\n"
+                       : "\nAcceptance tests under other conditions: a value at reference is the measured one divided "
+                         "by the factors\n";
+  auto const same_test = [](study::AtReferenceRow const& a, study::AtReferenceRow const& b) {
+    return a.device == b.device && a.block == b.block;
+  };
+  for (auto first = rows.begin(); first != rows.end();) {
+    auto const end = std::find_if_not(first, rows.end(), [&](auto const& row) { return same_test(*first, row); });
+    add_values_of_test(text, {first, end});
+    first = end;
+  }
+}
 
-std::string conditions_text(study::ConditionsResult const& result, bool details) {
+void add_plan(std::string& text, study::ConditionsResult const& result) {
+  auto const& plan = result.plan;
+  auto const wanted = counted(static_cast<std::size_t>(plan.devices), "device");
+  if (result.design.empty()) {
+    text += "\nNo condition is stated for the design, so no test is missing: add design = { ... } to [conditions].\n";
+    return;
+  }
+  append(text, "\nTests that are missing until {} every end of the design conditions\n",
+         plan.devices == 1 ? "1 device shows" : wanted + " show");
+  if (!plan.tests.empty())
+    append(text, "  {:<12} {:<10} {:>6} {:>7} {:>7} {:<15} {:>7} {:>7}  {:<26} {}\n", "effect", "device", "T, C",
+           "f, Hz", "N, kN", "aged", "rest, h", "cycles", "now", "after");
+  for (auto const& test : plan.tests) {
+    auto const& at = test.condition;
+    append(text, "  {:<12} {:<10} {:>6} {:>7} {:>7} {:<15} {:>7} {:>7}  {:<26} {}\n",
+           test.is_reference ? "reference" : name(test.effect), printable(test.device), number(at.temperature_C),
+           number(at.frequency_Hz), number(at.load_kN), at.ageing ? ageing_text(at.ageing) : "-", number(test.rest_h),
+           test.cycles, now_text(test.before, test.devices_before), now_text(test.after, test.devices_after));
+  }
+  text += '\n';
+  for (auto const& each : plan.unplanned) append(text, "No test of {}: {}.\n", name(each.effect), sentence(each.why));
+  if (plan.tests.empty())
+    text += plan.unplanned.empty() ? "No test is missing.\n" : "No other test is missing.\n";
+  else
+    append(text, "{}. The ageing of a device comes last, since no later test of it can be at reference.\n",
+           counted(plan.tests.size(), "test"));
+  auto const turned = plan.turn_assumed_into_shown();
+  if (turned > 0)
+    append(text, "{} of them {} an assumed factor into a shown one.\n", turned, turned == 1 ? "turns" : "turn");
+  else
+    text += "No factor is assumed, so none turns from assumed into shown.\n";
+}
+// The title, and the reference that all numbers are compared with.
+std::string heading(study::ConditionsResult const& result) {
   std::string text;
   std::set<std::string> devices;
   std::set<std::pair<std::string, std::string>> tests;
   for (auto const& test : result.tests) devices.insert(test.device), tests.insert({test.device, test.test});
   append(text, "{}{}{} of {}\nReference: {}\n", printable(result.title), result.title.empty() ? "" : ": ",
          counted(tests.size(), "test"), counted(devices.size(), "device"), reference_text(result));
+  return text;
+}
+
+}  // namespace
+
+std::string conditions_text(study::ConditionsResult const& result, bool details) {
+  auto text = heading(result);
   add_bounds(text, result, details);
   add_levels(text, result, details);
   if (!result.recovery.empty()) {
@@ -184,6 +323,16 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
     append(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
            unused == 1 ? "shows" : "show");
   if (details) add_tests(text, result);
+  return text;
+}
+
+std::string conditions_text(study::ConditionsResult const& result, ConditionsSections const& sections) {
+  auto text = heading(result);
+  if (sections.at_reference) add_at_reference(text, result);
+  if (sections.plan) add_plan(text, result);
+  auto findings = study::conditions_findings(result);
+  std::erase_if(findings, [](Finding const& finding) { return finding.kind != FindingKind::condition_test_refused; });
+  for (auto const& line : wording::lines(findings)) append(text, "{}\n", line);
   return text;
 }
 
