@@ -1,5 +1,5 @@
-// Tests which tests are missing and how values are converted to reference conditions, with the numbers of the devices of
-// `isolaw example --conditions`, which an independent program computed from closed forms.
+// Tests which tests are missing and how values are converted to reference conditions. The numbers are those of the
+// devices of `isolaw example --conditions`, which an independent program computed from closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -112,9 +112,10 @@ void expect_interval(std::optional<Interval> const& found, double low, double hi
 }
 
 TEST(Heat, is_the_energy_over_the_heat_capacity) {
-  auto const [K_eff, energy, damping] = properties(0.0, {});
+  auto const [K_eff, energy, damping, K_d] = properties(0.0, {});
   expect_near(damping, 10.805496836);
   expect_near(K_eff, 0.677589534);
+  expect_near(K_d, 0.557397226);
   expect_near(energy, 19902.973649);
   expect_near(heating_K(energy, 2.0, 282743.0, 208.0), 0.169213, 1e-5);
 }

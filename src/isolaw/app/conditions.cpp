@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "isolaw/api/calibrate.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/report.hpp"
@@ -28,7 +29,8 @@ int conditions(ConditionsArguments const& arguments) {
     throw Error({.where = "--write-rules",
                  .found = shown(*arguments.write_rules) + " exists, and somebody may have verified it",
                  .allowed = "a new file"});
-  auto const lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
+  auto lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
+  complete_acceptance(lot.acceptance);
   if (!lot.conditions)
     throw Error({.where = shown(arguments.lot),
                  .found = "the lot file has no table [conditions]",

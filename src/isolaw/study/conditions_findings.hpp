@@ -1,5 +1,5 @@
-// What a reader of the effects of conditions must know: the bounds over the design conditions, which effects are assumed
-// or not covered, and which conditions are only stated.
+// The findings on the effects of conditions: the bounds over the design conditions, verdicts on limits, which effects
+// are assumed or not covered, and which conditions are only stated.
 #pragma once
 
 #include <vector>
