@@ -15,7 +15,7 @@ namespace {
 using conditions::Status;
 using rules::Quantity;
 
-std::vector<double> const bilinear{3.344383356, 0.557397226, 8.970263513};
+std::vector<double> const of_bilinear{3.344383356, 0.557397226, 8.970263513};
 
 Summary example() {
   auto const of = [](double factor, Status status, double share) {
@@ -44,7 +44,7 @@ void expect_near(double value, double wanted) {
 }
 
 TEST(DesignBounds, have_the_factors_of_K_eff_and_energy) {
-  auto const bounds = design_bounds(example(), laws::find_law("bilinear"), bilinear);
+  auto const bounds = design_bounds(example(), laws::find_law("bilinear"), of_bilinear);
   ASSERT_FALSE(bounds.none) << wording::remark(*bounds.none);
   expect_near(bounds.upper->law.factors.a, 1.871261438);
   expect_near(bounds.upper->law.factors.b, 1.859391152);
@@ -64,7 +64,7 @@ TEST(DesignBounds, say_when_one_factor_takes_their_place) {
   auto summary = example();
   summary.conditions->bounds[0].max.factor = 0.7;
   summary.conditions->bounds[1].max.factor = 4.0;
-  auto const bounds = design_bounds(summary, laws::find_law("bilinear"), bilinear);
+  auto const bounds = design_bounds(summary, laws::find_law("bilinear"), of_bilinear);
   ASSERT_FALSE(bounds.none);
   auto const sentence = wording::remark(about_bound("upper", *bounds.upper));
   EXPECT_TRUE(
@@ -80,22 +80,22 @@ TEST(DesignBounds, are_missing_with_the_reason) {
     return bounds.none ? wording::remark(*bounds.none) : std::string();
   };
   std::string const none = "no bound law over the design conditions: ";
-  EXPECT_EQ(reason({}, "bilinear", bilinear), none + "the lot file has no table of conditions");
+  EXPECT_EQ(reason({}, "bilinear", of_bilinear), none + "the lot file has no table of conditions");
   Summary unread;
   unread.no_conditions = "no test can be used";
-  EXPECT_EQ(reason(unread, "bilinear", bilinear), none + "no test can be used");
+  EXPECT_EQ(reason(unread, "bilinear", of_bilinear), none + "no test can be used");
   auto open = example();
   open.conditions->bounds[0].max.not_covered = {conditions::Effect::temperature, conditions::Effect::rate};
   open.conditions->bounds[1].min.not_covered = {conditions::Effect::rate};
-  EXPECT_EQ(reason(open, "bilinear", bilinear), none + "no test covers temperature, rate");
+  EXPECT_EQ(reason(open, "bilinear", of_bilinear), none + "no test covers temperature, rate");
   auto undesigned = example();
   undesigned.conditions->bounds.clear();
-  EXPECT_EQ(reason(undesigned, "bilinear", bilinear), none + "the design in the table of conditions names none");
+  EXPECT_EQ(reason(undesigned, "bilinear", of_bilinear), none + "the design in the table of conditions names none");
   auto timeless = example();
   timeless.conditions->tests[0].condition.frequency_Hz.reset();
   EXPECT_EQ(reason(timeless, "jankowski", std::vector<double>(11, 1.0)),
             none + "this law depends on velocity, and the frequency of the reference tests is not known");
-  EXPECT_TRUE(design_bounds(timeless, laws::find_law("bilinear"), bilinear).upper);
+  EXPECT_TRUE(design_bounds(timeless, laws::find_law("bilinear"), of_bilinear).upper);
   EXPECT_EQ(reason(example(), "bilinear", {1.0, 1.0, 10.0}),
             none + "K_eff or energy of this law is not above 0 in cycles of 208 mm");
 }

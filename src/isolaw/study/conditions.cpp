@@ -69,6 +69,7 @@ class Builder {
       rules_ = rules::find_rule_set(stated_.rules);
     else if (!acceptance.rules.empty())
       rules_ = rules::read_rule_text(acceptance.rules, acceptance.rules_file);
+    if (!acceptance.design.empty()) design_values_ = rules::parse_design(acceptance.design);
     out_.rules = rules_.id;
     take_combination();
     check_assumed();
@@ -112,7 +113,7 @@ class Builder {
                    .allowed = "a reference under which some devices were tested",
                    .advice = "isolaw inspect FILE, which prints frequency, amplitude, load and cycles of a test"});
     for (auto const quantity : rules::measured_quantities()) examine(quantity);
-    out_.dependence = judge_dependence(out_, rules_);
+    out_.dependence = judge_dependence(out_, rules_, design_values_);
     return std::move(out_);
   }
 
@@ -694,6 +695,7 @@ class Builder {
   campaign::ObservedTests const& observed_;
   campaign::StatedConditions const& stated_;
   rules::RuleSet rules_;
+  rules::Design design_values_;
   conditions::Condition reference_;
   conditions::Tolerance tolerance_;
   std::vector<Observed> all_;

@@ -13,16 +13,22 @@ using conditions::DeviceDependence;
 using conditions::Effect;
 using rules::Verdict;
 
-// Whether the reference tests are those that the set asks for: its cycles, strain, frequency and load.
-bool are_as_asked(ConditionsResult const& result, rules::RuleSet const& rules) {
+// Whether the reference tests are those that the set asks for: its cycles, strain, frequency, displacement and load. For
+// design values that nobody states, the reference counts as the design.
+bool are_as_asked(ConditionsResult const& result, rules::RuleSet const& rules, rules::Design design) {
   auto const& from = result.stated.reference;
   if (from.first_cycle != rules.cycles.first || from.last_cycle != rules.cycles.last) return false;
+  auto const test = std::ranges::find(result.tests, TestRole::reference, &ConditionsTest::role);
+  if (test == result.tests.end()) return false;
+  auto const& at = test->condition;
+  if (!design.disp_mm) design.disp_mm = test->amplitude_mm;
+  if (!design.load_kN) design.load_kN = at.load_kN;
   return rules::unmet_conditions(rules,
-                                 {.amplitude_mm = from.disp_mm.value_or(0.0),
-                                  .frequency_Hz = from.frequency_Hz,
-                                  .shear_strain_percent = from.strain_percent,
-                                  .load_mean_kN = from.load_kN},
-                                 {})
+                                 {.amplitude_mm = test->amplitude_mm,
+                                  .frequency_Hz = at.frequency_Hz,
+                                  .shear_strain_percent = from.disp_mm ? std::nullopt : at.strain_percent,
+                                  .load_mean_kN = at.load_kN},
+                                 design)
       .empty();
 }
 
@@ -111,8 +117,9 @@ DeviceDependence const* DependenceRow::worst() const {
   return found;
 }
 
-std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules) {
-  bool const as_asked = are_as_asked(result, rules);
+std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules,
+                                            rules::Design const& design) {
+  bool const as_asked = are_as_asked(result, rules, design);
   std::vector<DependenceRow> rows;
   for (auto const& limit : rules.dependence)
     if (auto const* response = response_of(result, limit.effect, limit.quantity))

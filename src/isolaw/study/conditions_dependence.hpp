@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolaw/conditions/dependence.hpp"
+#include "isolaw/rules/measured.hpp"
 
 namespace isolaw::study {
 
@@ -25,6 +26,7 @@ struct DependenceRow {
 };
 
 // `result` has its responses, its design and its tests.
-std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules);
+std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules,
+                                            rules::Design const& design);
 
 }  // namespace isolaw::study

@@ -182,10 +182,10 @@ std::span<Row const> rows() {
           "The effect of {effect} on {quantity} is ASSUMED: factors {max:.3f} and {min:.3f}, the default of {rules}[, {clause}][{unverified}, which nobody has verified]. No test of this lot shows it."),
       campaign(
           dependence_not_kept, "dependence-not-kept", "conditions", serious, "Read the limit of the rule set", each_alone, signed_too, none,
-          "{quantity} under {effect}: FAIL. {changes}{worst_percent:+.1f} %[ at {at:6} {unit}][ on {devices}]; {rules} allows {within_percent:g} %[ ({clause})]."),
+          "{quantity} under {effect}: FAIL: {changes}{worst_percent:+.1f} %[ at {at:6} {unit}][ on {devices}]; {rules} allows {within_percent:g} %[ ({clause})]."),
       campaign(
           dependence_judged, "dependence-judged", "conditions", note, "", each_alone, in_report | on_certificate, none,
-          "{quantity} under {effect}: {kept}.[ {changes}{worst_percent:+.1f} % at most[ at {at:6} {unit}];] {rules} allows {within_percent:g} %[ ({clause})][{because}]."),
+          "{quantity} under {effect}: {kept}[: {changes}{worst_percent:+.1f} % at most][ at {at:6} {unit}]; {rules} allows {within_percent:g} %[ ({clause})][{because}]."),
       campaign(
           design_bound, "design-bound", "conditions", note, "", each_alone, in_report | on_certificate, none,
           "{quantity}, {which} bound over the design conditions: [{partial} ]{factor:.3f} times the value at reference[ ({low:.3f} to {high:.3f}, 95 %)][, {status}; {share_shown:0%} of it rests on tests at such conditions or between them][; not covered: {not_covered}][; ASSUMED: {assumed}]."),
