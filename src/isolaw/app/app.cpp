@@ -345,9 +345,10 @@ void add_export(Commands& commands) {
   for (auto const& option : programs::model_table()) add_option(c, option, a.model);
   add_seed(c, a.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");
-  c.add_flag(
-      "--anyway", a.anyway,
-      "export even if the law's prediction is unusable, its force is not possible, or the program's own material differs too much from the law");
+  c.add_flag("--anyway", a.anyway,
+             "export even if the law's prediction is unusable, if within the tested displacements its force is "
+             "impossible (not finite, far above the force at the peaks, with jumps, or giving back more energy than it "
+             "takes), or if the analysis program's material differs too much from the law");
 }
 
 void add_simulate(Commands& commands) {

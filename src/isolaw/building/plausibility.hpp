@@ -14,8 +14,10 @@ inline constexpr double largest_ground_g = 2.0;
 // A mean acceleration beyond this share of the peak, or a final velocity beyond this share of the largest one, shows
 // that a baseline was not corrected.
 inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
-// An analysis is doubted if the error of its energy balance exceeds these: the first in the implicit analysis of the
-// nominal building, the second in any run.
+// The energy error of an analysis is the input energy minus all energy that is stored or dissipated, divided by the
+// input energy or by the work on the bearings, whichever is larger. An analysis is doubted if the size of this error
+// exceeds a limit. The first limit is for the implicit analyses of the nominal building. The second limit is for all
+// runs of a study (of the nominal building, the bounds and the draws), which may be integrated explicitly.
 inline constexpr double largest_energy_error = 1e-3, largest_energy_error_of_runs = 2e-3;
 // An analysis is doubted too if the draws' integrator differs by more than this from the implicit one, or if the base
 // rotates by more than this, since displacements are computed as for small rotations.

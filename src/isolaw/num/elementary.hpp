@@ -114,7 +114,8 @@ inline constexpr double log2_e = 0x1.71547652b82fep+0;
 // ln(2) is the sum of these two. The first has so few bits that its product with a double's exponent is exact.
 inline constexpr double ln2_high = 0x1.62e42fee00000p-1;
 inline constexpr double ln2_low = 0x1.a39ef35793c76p-33;
-// x + shifter rounds |x| < 2^51 to an integer n. The last bits of the sum hold n + 1023; 1023 is the exponent's bias.
+// x + shifter rounds x to an integer n if |x| < 2^51 - 1023. The last bits of the sum then hold n + 1023, where 1023 is
+// the bias of a double's exponent.
 inline constexpr double shifter = 0x1.8p52 + 1023.0;
 inline constexpr double lowest_exponent = -1022.5, highest_exponent = 1023.5;
 
@@ -138,7 +139,9 @@ template <class T, std::size_t Count>
 }
 
 // Returns mantissa * 2^n for the integer n that the last bits of `shifted` hold (see `shifter`). Returns +inf or 0 if
-// `exponent` is out of range. Clamping the argument first would cost a branch.
+// `exponent`, the number that was rounded to n, is out of range. The callers could clamp the exponent to the range
+// before they round it, but for single doubles GCC 12 would compile this with one more branch on AVX2 and AVX-512.
+// fast_expm1() clamps its x nevertheless, because its result is no product of this kind, so it cannot use scale().
 template <class T>
 [[gnu::always_inline]] inline T scale(T const& mantissa, T const& shifted, T const& exponent) {
   using L = Lanes<T>;

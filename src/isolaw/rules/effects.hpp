@@ -20,7 +20,11 @@ std::string_view name(Group group);
 // for load, test for the others.
 Group usual_group(Effect effect);
 
-// How the factors l of the effects make one factor, with S, the factor of the scatter within the supply.
+// How the factors l of the effects make one factor. The formulas also use three numbers of the rule set:
+// - S, the factor of the scatter between the devices of the supply: spec_min or spec_max, or 1 if the set states none.
+// - f, the share of a factor's distance from 1 that counts. It is below 1 if the standard supposes that not all effects
+//   are at their worst at the same time. It is the set's `adjust`, but for asce the `system_factor` of its factors.
+// - margin, the number by which the sum of these distances is multiplied in the form sum: the set's `margin`.
 enum class Form {
   asce,     // (1 + f (E - 1)) X S: E is the product of the environment's factors, X that of the tests' factors
   each,     // S times the product of (1 + f (l - 1))

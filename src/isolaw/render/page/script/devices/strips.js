@@ -166,9 +166,9 @@ function legendOfLines(look, rows) {
   return entries;
 }
 
-// Labels the outliers and the devices outside their limits. Up to three names are beside their marks. More names are
-// spread in a row above the strip, to the right of its heading. If not all names fit, the row shows those of the
-// largest values.
+// Labels the outliers and the devices outside their limits. If a strip has at most three of them, each name is beside
+// its mark. If it has more, all names go to a row above the strip, to the right of its heading. If this row has no room
+// for all names, it shows those of the devices with the largest values.
 function outlierLabels(points, quantity, range, width, height) {
   const found = points.filter(({ device, verdict }) => verdict === 'fail' || outlierOf(device, quantity)).sort((a, b) => a.value - b.value);
   const few = 3;
