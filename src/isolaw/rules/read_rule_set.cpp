@@ -162,7 +162,8 @@ class Reader {
     if (!how && top.has("factors")) how = {.form = Form::asce, .clause = set_.factors.clause};
     if (how && how->form == Form::asce) how->adjust = set_.factors.system_factor;
     for (auto const key : {"formulas", "cycles"}) top.require(key, fmt::format("[{}]", key));
-    if (!top.has("limit") && !top.has("effect"))
+    auto const has = [&](std::string_view key) { return top.has(key); };
+    if (std::ranges::none_of(std::array{"limit", "effect", "dependence", "combination"}, has))
       top.complain("no limits", "one [[limit]] table for each limit, or [[effect]] tables");
     top.refuse_unknown();
     throw_complaints(std::move(complaints_), file_);
