@@ -41,7 +41,7 @@ std::vector<Option<StatedTest>> make_test_table() {
   table.push_back({{.key = "started", .help = "when the test began"},
                    [](T const& test) { return test.started.empty() ? Json() : Json(test.started); },
                    [](T& test, Json const& value) {
-                     if (!start_h(text_in(value))) refuse(value, "a date with a time of day: 2026-03-01T09:00:00");
+                     if (!start_h(text_in(value))) refuse(value, "a date with a time of day: \"2026-03-01T09:00:00\"");
                      test.started = text_in(value);
                    }});
   constexpr std::pair<std::string_view, bool> stands_for[]{{"dependence", false}, {"acceptance", true}};

@@ -303,8 +303,9 @@ class DeviceReader {
         table.json(option.option(), [&](Json const& value) { option.set(test.stated, value); });
       test.stated.aged = read_aged(table, file_, complaints_);
       if (!test.stated.order && test.stated.started.empty())
-        table.complain(source, "a test without its order",
-                       "order = 1, 2, ... as the device was tested, or started = 2026-03-01T09:00:00 in every test");
+        table.complain(
+            source, "a test without its order",
+            "order = 1, 2, ... as the device was tested, or started = \"2026-03-01T09:00:00\" in every test");
       if (test.stated.scale && !test.stated.is_scaled)
         table.complain(source, "a scale, and the specimen is not scaled", "specimen = \"scaled\" with a scale");
     } else if (auto const* node = condition_key_in(table)) {

@@ -18,7 +18,7 @@ constexpr std::array shown_effects{Effect::temperature, Effect::rate, Effect::lo
 constexpr std::array<std::pair<rules::Quantity, std::string_view>, 2> shown_quantities{
     {{rules::Quantity::K_eff, "{/:Italic K}_{eff} factor"}, {rules::Quantity::damping, "Damping factor"}}};
 
-// What a panel draws of an effect on a property.
+// The content of a panel: one effect on one property.
 struct ConditionPanel {
   Effect effect;
   double factor = 1.0;  // from the stored unit of the condition to the shown one
