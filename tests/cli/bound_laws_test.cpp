@@ -39,7 +39,7 @@ class BoundLaws : public InFreshDirectory {
 struct Loop {
   double K_eff = 0.0, energy = 0.0;
 };
-// Computes the value in the third cycle of 400 samples. The last column of the CSV is the force.
+// K_eff and energy of the third cycle of 400 samples. The last column of the CSV is the force.
 Loop third_cycle(std::string const& csv) {
   std::vector<double> disp, force;
   std::istringstream lines(csv);

@@ -18,8 +18,8 @@ struct StatedAgeing {
   double days = 0.0, at_C = 0.0;
 };
 
-// The statements of a lot file about a device. Only devices of one compound and one size are compared. An empty text is a
-// compound or size like any other.
+// The statements of a lot file about a device. Only devices of one compound and one size are compared. An empty text is
+// a compound or size like any other.
 struct StatedDevice {
   std::string compound, size;
 

@@ -44,8 +44,8 @@ struct PlannedTest {
 
 // Every end shall be shown on so many devices. The tests of the devices that do not show it yet are listed until it is:
 // first of devices with tests of this effect, then of others with a reference test, then of those that need a reference
-// test too, then of new devices, which are called "new 1", "new 2". The candidates are in the order of the file. A device
-// that was aged is taken only for a longer ageing in the same oven.
+// test too, then of new devices, which are called "new 1", "new 2". The candidates are in the order of the file. A
+// device that was aged is taken only for a longer ageing in the same oven.
 std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candidate> candidates, int devices,
                               Condition const& reference, int reference_cycles);
 

@@ -42,8 +42,8 @@ struct Fitted : study::Range {
 };
 
 // The factors by which a bound differs from the law: `stiffness` multiplies the part of the force that grows with the
-// displacement (K_d), `strength` the hysteretic part (Q_d). If there are no separate factors, both are the factor on the
-// whole force.
+// displacement (K_d), `strength` the hysteretic part (Q_d). If there are no separate factors, both are the factor on
+// the whole force.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;   // factor on the whole force, for programs that cannot scale the parts

@@ -1,5 +1,5 @@
-// Writes and removes the page, JSON and tables of a report, an inspection, tests under conditions or a building study. The functions that write
-// create `dir` if necessary and throw Error on failure.
+// Writes and removes the page, JSON and tables of a report, an inspection, tests under conditions or a building study.
+// The functions that write create `dir` if necessary and throw Error on failure.
 #pragma once
 
 #include <filesystem>

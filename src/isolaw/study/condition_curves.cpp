@@ -21,7 +21,8 @@ std::optional<double> ln_of(Level const& level, std::string const& device) {
   return found == level.ratios.end() ? std::nullopt : std::optional(found->ln);
 }
 
-// Appends the straight line between two places. It is curved over the load itself, since it is straight over its square.
+// Appends the straight line between two places. It is curved over the load itself, since it is straight over its
+// square.
 void append_line(ConditionCurve& curve, Response const& response, Place const& from, Place const& to) {
   int const steps = response.effect() == Effect::load ? 12 : 1;
   for (int i = curve.at.empty() ? 0 : 1; i <= steps; ++i) {

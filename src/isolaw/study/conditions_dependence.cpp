@@ -13,8 +13,8 @@ using conditions::DeviceDependence;
 using conditions::Effect;
 using rules::Verdict;
 
-// Whether the reference tests are those that the set asks for: its cycles, strain, frequency, displacement and load. For
-// design values that nobody states, the reference counts as the design.
+// Whether the reference tests are those that the set asks for: its cycles, strain, frequency, displacement and load.
+// For design values that nobody states, the reference counts as the design.
 bool are_as_asked(ConditionsResult const& result, rules::RuleSet const& rules, rules::Design design) {
   auto const& from = result.stated.reference;
   if (from.first_cycle != rules.cycles.first || from.last_cycle != rules.cycles.last) return false;

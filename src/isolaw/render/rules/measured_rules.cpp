@@ -70,8 +70,8 @@ std::string status_of(Factor const& factor) {
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
 }
 
-// Whether a test shows an effect or is one of the reference tests that tests of this effect are compared with. Scragging
-// and cycles are shown by reference tests.
+// Whether a test shows an effect or is one of the reference tests that tests of this effect are compared with.
+// Scragging and cycles are shown by reference tests.
 bool is_behind(study::ConditionsResult const& result, Effect effect, study::ConditionsTest const& test) {
   if (test.role == study::TestRole::effect) return test.effect == effect;
   if (test.role != study::TestRole::reference) return false;

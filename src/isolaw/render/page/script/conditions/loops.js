@@ -19,7 +19,7 @@ export const loopsFigure = {
 // A loop is of one cycle, also if the reference is the mean of several.
 const referenceCycle = () => cyclesText({ ...conditions.reference, last_cycle: conditions.reference.first_cycle });
 
-// A text for the legend: the condition in which it differs from the reference.
+// The text of a test in the legend: the condition in which it differs from the reference.
 function testText(test) {
   if (test.role === 'reference') return 'reference' + (isNumber(test.rest_h) ? ' after ' + trimmed(test.rest_h) + THIN + 'h' : '');
   if (test.effect === 'ageing') return 'aged ' + agedText({ days: test.aged_days, at_C: test.aged_at_C });
