@@ -241,7 +241,8 @@ void add_conditions(Commands& commands) {
   auto const [c, a] = commands.add<ConditionsArguments>(
       "conditions", "Show how temperature, rate, load, ageing and history change the properties of devices",
       "isolaw conditions lot.toml", conditions);
-  c.add_option("lot", a.lot, "a lot file with a table [conditions]")->required();
+  c.add_option("lot", a.lot, "a lot file with a table [conditions], or the directory of a campaign made from one")
+      ->required();
   c.add_option("--out", a.out, "directory for conditions.json, tables and figures");
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print conditions.json instead of text");

@@ -70,7 +70,7 @@ struct InspectArguments {
 int inspect(InspectArguments const& arguments);
 
 struct ConditionsArguments {
-  std::filesystem::path lot;                         // a lot file with a table [conditions]
+  std::filesystem::path lot;                         // a lot file with a table [conditions], or a campaign of one
   std::optional<std::filesystem::path> out;          // for conditions.json
   std::optional<std::filesystem::path> write_rules;  // a new file for the measured factors
   std::optional<int> devices;                        // that shall show every end of the design in the plan

@@ -21,7 +21,8 @@ Limits const temperatures{.least = -100.0, .most = 200.0, .words = "degrees Cels
           .most = 100.0,
           .words = "degrees Celsius, 0 to 100: in a hotter oven rubber is damaged, not aged"},
     positive{.least = std::numeric_limits<double>::min(), .most = largest, .words = "above 0"},
-    not_negative{.least = 0.0, .most = largest, .words = "0 or more"};
+    not_negative{.least = 0.0, .most = largest, .words = "0 or more"}, within_10{.least = 0.0, .most = 10.0},
+    within_25{.least = 0.0, .most = 25.0};
 
 std::vector<Option<StatedTest>> make_test_table() {
   using T = StatedTest;
@@ -82,10 +83,10 @@ class ConditionsReader {
     inside("design", false, [&](TomlTable& table) { design(table, all); });
     inside("tolerance", false, [&](TomlTable& table) {
       auto& to = all.tolerance;
-      take(table, "temperature-C", not_negative, to.temperature_C);
-      take(table, "frequency-percent", not_negative, to.frequency_percent);
-      take(table, "load-percent", not_negative, to.load_percent);
-      take(table, "strain-percent", not_negative, to.strain_percent);
+      take(table, "temperature-C", within_10, to.temperature_C);
+      take(table, "frequency-percent", within_25, to.frequency_percent);
+      take(table, "load-percent", within_25, to.load_percent);
+      take(table, "strain-percent", within_25, to.strain_percent);
     });
     top_.value<std::string>("rules", "a built-in rule set", [&](std::string const& text) { all.rules = text; });
     for (auto const& option : compared_devices_table())
@@ -131,7 +132,7 @@ class ConditionsReader {
     }
     bool const right = ends.size() == 2 && ends[0] <= ends[1] && limits.allow(ends[0]) && limits.allow(ends[1]);
     if (!right)
-      return table.complain(*node, fmt::format("{} is not a range", key),
+      return table.complain(*node, fmt::format("{} is not a range from low to high", key),
                             fmt::format("[low, high], each {}", limits.text()));
     to = {.low = ends[0], .high = ends[1]};
   }

@@ -1,5 +1,7 @@
 #include "isolaw/campaign/observed_tests.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/properties/properties.hpp"
+#include "isolaw/wording/finding_json.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::campaign {
@@ -72,9 +75,10 @@ class Observer {
                       .rubber_area_mm2 = device.info.rubber_area_mm2,
                       .stated = input.stated};
     auto const started = start_h(input.stated.started);
-    if (started && ended_h && !test.stated.rest_h) test.stated.rest_h = std::max(0.0, *started - *ended_h);
+    auto const between_h = started && ended_h ? std::optional(*started - *ended_h) : std::nullopt;
     ended_h.reset();
     try {
+      if (between_h) take_rest(*between_h, test.stated);
       auto const record = read_history(input);
       auto const duration_s = record.time_s.empty() ? 0.0 : record.time_s.back() - record.time_s.front();
       constexpr double seconds_per_h = 3600.0;
@@ -86,9 +90,26 @@ class Observer {
     return test;
   }
 
+  // `between_h` is the time from the end of the test before to the start of this one.
+  static void take_rest(double between_h, StatedTest& stated) {
+    constexpr double tolerance_h = 0.25, tolerance = 0.1;
+    if (between_h < -tolerance_h)
+      throw Error(
+          {.where = "started",
+           .found = fmt::format("{} lies {:.3g} h before the end of the test before", stated.started, -between_h),
+           .allowed = "a start after that test had ended"});
+    auto const& rest_h = stated.rest_h;
+    if (rest_h && std::abs(*rest_h - between_h) > std::max(tolerance_h, tolerance * between_h))
+      throw Error({.where = "rest-h",
+                   .found = fmt::format("{:.4g} h, and the starts of the tests give {:.4g} h", *rest_h, between_h),
+                   .allowed = "rest-h and started that agree, or one of them"});
+    if (!rest_h) stated.rest_h = std::max(0.0, between_h);
+  }
+
   void examine(data::TestRecord const& record, ObservedTest& test) {
     test.sha256 = record.sha256;
     auto const properties = data::cyclic_properties(record);
+    test.doubts = record.warnings;
     test.farthest_mm = 0.0;
     for (double const d : record.disp_mm)
       test.farthest_mm = std::max(*test.farthest_mm, std::abs(d - properties.centre_mm));
@@ -164,6 +185,7 @@ Json json_of(ObservedTest const& test) {
             {"stated", values_of(test_table(), test.stated)},
             {"refusal", test.refusal},
             {"farthest_mm", or_null(test.farthest_mm)},
+            {"doubts", wording::findings_json(test.doubts)},
             {"blocks", Json::array()}};
   if (auto const& aged = test.stated.aged) json["aged"] = {aged->days, aged->at_C};
   for (auto const& block : test.blocks) json["blocks"].push_back(json_of(block));
@@ -179,6 +201,9 @@ ObservedTest test_of(Json const& json) {
                     .rubber_area_mm2 = real_or_none(json.at("rubber_area_mm2")),
                     .refusal = json.at("refusal").get<std::string>(),
                     .farthest_mm = real_or_none(json.at("farthest_mm"))};
+  // A store of an earlier build has no doubts.
+  if (auto const doubts = json.find("doubts"); doubts != json.end())
+    test.doubts = wording::findings_of(doubts->get<std::string>());
   take_values(compared_devices_table(), json.at("of_device"), test.of_device);
   take_values(test_table(), json.at("stated"), test.stated);
   if (auto const aged = json.find("aged"); aged != json.end())

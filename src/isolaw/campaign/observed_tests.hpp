@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "isolaw/base/finding.hpp"
 #include "isolaw/campaign/lot_conditions.hpp"
 
 namespace isolaw::campaign {
@@ -36,6 +37,7 @@ struct ObservedTest {
   std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
   StatedTest stated = {};
   std::string refusal = {};                // why the record cannot be used; its device's later tests still count
+  std::vector<Finding> doubts = {};        // about its record, as `inspect` has them
   std::optional<double> farthest_mm = {};  // from the middle of the record; empty if it cannot be read
   std::vector<ObservedBlock> blocks = {};
 };

@@ -9,7 +9,7 @@ namespace isolaw::conditions {
 namespace {
 
 double lambda_of(Part const& part) {
-  return part.factor.status == Status::not_covered ? 1.0 : part.factor.lambda();
+  return part.factor.lambda();  // of an effect that is not covered: as far as it is known, else 1
 }
 
 bool counts(Part const& part, Form form) {

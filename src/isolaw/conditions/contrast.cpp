@@ -74,8 +74,6 @@ std::string_view name(Lack lack) {
       return "no-design";
     case Lack::too_far:
       return "too-far";
-    case Lack::no_common_device:
-      return "no-common-device";
     case Lack::no_level:
       return "no-level";
     case Lack::no_energy:
@@ -214,10 +212,12 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
   levels_.insert(std::ranges::find_if(levels_, [&](Level const& level) { return level.at > own.at; }), std::move(own));
   auto const inner = paired_levels();
   for (std::size_t i = 1; i + 1 < inner.size(); ++i) {
-    auto const through = on_line(*inner[i - 1], *inner[i + 1], inner[i]->at, Status::interpolated);
-    if (through.status == Status::not_covered) continue;
-    // At the reference, all ratios are 1 by definition, so its mean is that of any devices.
-    line_error_ = std::max(line_error_.value_or(0.0), std::abs(through.ln - inner[i]->mean()));
+    // Compared are the devices that were tested at the level and on both sides of it.
+    std::vector<double> errors;
+    for (auto const& ratio : inner[i]->ratios)
+      if (auto const line = line_of(ratio.device, inner[i]->at, inner[i]); line && !line->beyond)
+        errors.push_back(line->ln - ratio.ln);
+    if (!errors.empty()) line_error_ = std::max(line_error_.value_or(0.0), std::abs(num::moments(errors).mean));
   }
 }
 
@@ -258,23 +258,25 @@ Factor Response::of(Level const& level) const {
   return factor;
 }
 
-Factor Response::on_line(Level const& first, Level const& second, double condition, Status status) const {
-  double const share = (abscissa(condition) - abscissa(first.at)) / (abscissa(second.at) - abscissa(first.at));
-  std::vector<double> values;
-  for (auto const& ratio : first.ratios) {
-    auto const other = std::ranges::find(second.ratios, ratio.device, &DeviceRatio::device);
-    if (other != second.ratios.end()) values.push_back(ratio.ln + share * (other->ln - ratio.ln));
-  }
-  if (values.empty()) return Factor::without(Lack::no_common_device);
-  Factor factor{.at = condition, .status = std::max(status, strongest_), .devices = static_cast<int>(values.size())};
-  auto const of = num::moments(values);
-  factor.ln = of.mean, factor.std = of.std;
-  factor.line_error = line_error_.value_or(0.0), factor.drift = drift_.value_or(0.0);
-  if (values.size() > 1) {
-    factor.se = of.std / std::sqrt(static_cast<double>(values.size()));
-    factor.df = static_cast<double>(values.size() - 1);
-  }
-  return factor;
+std::optional<Response::Line> Response::line_of(std::string_view device, double condition,
+                                                Level const* left_out) const {
+  std::vector<std::pair<Level const*, double>> own;
+  for (auto const* level : paired_levels())
+    if (auto const ratio = std::ranges::find(level->ratios, device, &DeviceRatio::device);
+        level != left_out && ratio != level->ratios.end())
+      own.emplace_back(level, ratio->ln);
+  if (own.size() < 2) return std::nullopt;
+  auto const above = std::ranges::find_if(own, [&](auto const& each) { return each.first->at > condition; });
+  bool const beyond = above == own.begin() || above == own.end();
+  auto const last = above == own.begin() ? std::next(above) : above == own.end() ? std::prev(above) : above;
+  auto const& [second, ln_second] = *last;
+  auto const& [first, ln_first] = *std::prev(last);
+  double const share = (abscissa(condition) - abscissa(first->at)) / (abscissa(second->at) - abscissa(first->at));
+  return Line{.device = device,
+              .first = first,
+              .second = second,
+              .ln = ln_first + share * (ln_second - ln_first),
+              .beyond = beyond};
 }
 
 bool Response::is_at(Level const& level, Condition const& test) const {
@@ -283,45 +285,78 @@ bool Response::is_at(Level const& level, Condition const& test) const {
   return agree_in(effect_, test, there, tolerance_);
 }
 
-std::vector<Level const*> Response::behind(double condition, bool only_paired) const {
+Level const* Response::level_at(double condition, bool only_paired) const {
   auto const asked = with_value(effect_, condition);
   std::vector<Level const*> near;
   for (auto const& level : levels_)
     if (is_at(level, asked) && !(only_paired && level.unpaired)) near.push_back(&level);
-  if (!near.empty())
-    return {*std::ranges::min_element(
-        near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); })};
-  auto const lines = paired_levels();
-  if (lines.size() < 2) return {};
-  auto const above = std::ranges::find_if(lines, [&](Level const* level) { return level->at > condition; });
-  if (above != lines.begin() && above != lines.end()) return {*std::prev(above), *above};
-  bool const below = above == lines.begin();
-  auto const* outermost = below ? lines.front() : lines.back();
-  double const edge = outermost->at;
-  constexpr double most_K = 10.0, most_times = 2.0, most_of_load = 0.2, rounding = 1e-9;
-  double const beyond = effect_ == Effect::temperature ? std::abs(condition - edge) / most_K
-                        : effect_ == Effect::rate      ? std::abs(std::log(condition / edge)) / std::log(most_times)
-                                                       : std::abs(condition - edge) / (most_of_load * std::abs(edge));
-  if (!(beyond <= 1.0 + rounding)) return {};
-  return {outermost, below ? lines[1] : lines[lines.size() - 2]};
+  if (near.empty()) return nullptr;
+  return *std::ranges::min_element(
+      near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); });
 }
 
-std::vector<Level const*> Response::paired_behind(Condition const& test) const {
-  if (effect_ != Effect::ageing) return behind(condition_of(effect_, test), true);
-  for (auto const& level : levels_)
-    if (!level.unpaired && is_at(level, test)) return {&level};
-  return {};
+std::vector<Response::Line> Response::lines_at(double condition) const {
+  auto const paired = paired_levels();
+  if (paired.size() < 2) return {};
+  bool const is_between = condition > paired.front()->at && condition < paired.back()->at;
+  auto const* outermost = condition < paired.front()->at ? paired.front() : paired.back();
+  if (!is_between) {
+    double const edge = outermost->at;
+    constexpr double most_K = 10.0, most_times = 2.0, most_of_load = 0.2, rounding = 1e-9;
+    double const beyond = effect_ == Effect::temperature ? std::abs(condition - edge) / most_K
+                          : effect_ == Effect::rate      ? std::abs(std::log(condition / edge)) / std::log(most_times)
+                                                         : std::abs(condition - edge) / (most_of_load * std::abs(edge));
+    if (!(beyond <= 1.0 + rounding)) return {};
+  }
+  std::vector<Line> lines;
+  // Every device with a factor has a reference test, so the level of the reference names them all.
+  for (auto const& ratio : std::ranges::find_if(levels_, &Level::reference)->ratios)
+    if (auto const line = line_of(ratio.device, condition, nullptr);
+        line && (is_between ? !line->beyond : line->first == outermost || line->second == outermost))
+      lines.push_back(*line);
+  return lines;
 }
 
-Factor Response::at(std::vector<Level const*> const& levels, double condition) const {
-  if (levels.empty()) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
-  if (levels.size() == 1) return of(*levels.front());
-  bool const is_between = (levels.front()->at < condition) != (levels.back()->at < condition);
-  return on_line(*levels.front(), *levels.back(), condition, is_between ? Status::interpolated : Status::extrapolated);
+Level const* Response::paired_level_at(Condition const& test) const {
+  if (effect_ != Effect::ageing) return level_at(condition_of(effect_, test), true);
+  auto const found =
+      std::ranges::find_if(levels_, [&](Level const& level) { return !level.unpaired && is_at(level, test); });
+  return found == levels_.end() ? nullptr : &*found;
+}
+
+std::vector<Level const*> Response::behind(std::string_view device, Condition const& test) const {
+  if (auto const* level = paired_level_at(test)) return {level};
+  if (effect_ == Effect::ageing) return {};
+  auto const lines = lines_at(condition_of(effect_, test));
+  auto const own = std::ranges::find(lines, device, &Line::device);
+  if (own == lines.end()) return {};
+  return {own->first, own->second};
 }
 
 Factor Response::at(double condition) const {
-  return at(behind(condition), condition);
+  return at(condition, false);
+}
+
+Factor Response::at(double condition, bool only_paired) const {
+  if (auto const* level = level_at(condition, only_paired)) return of(*level);
+  auto const lines = lines_at(condition);
+  if (lines.empty()) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
+  std::vector<double> values;
+  for (auto const& line : lines) values.push_back(line.ln);
+  auto const of = num::moments(values);
+  auto const status = lines.front().beyond ? Status::extrapolated : Status::interpolated;
+  Factor factor{.at = condition,
+                .ln = of.mean,
+                .status = std::max(status, strongest_),
+                .devices = static_cast<int>(values.size()),
+                .std = of.std,
+                .line_error = line_error_.value_or(0.0),
+                .drift = drift_.value_or(0.0)};
+  if (values.size() > 1) {
+    factor.se = of.std / std::sqrt(static_cast<double>(values.size()));
+    factor.df = static_cast<double>(values.size() - 1);
+  }
+  return factor;
 }
 
 Factor Response::at(Ageing const& ageing) const {
@@ -331,21 +366,29 @@ Factor Response::at(Ageing const& ageing) const {
 }
 
 Factor Response::paired_at(Condition const& test) const {
-  return at(paired_behind(test), condition_of(effect_, test));
+  if (effect_ != Effect::ageing) return at(condition_of(effect_, test), true);
+  auto const* level = paired_level_at(test);
+  return level == nullptr ? Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::no_level) : of(*level);
 }
 
 Response::Extremes Response::over(double low, double high) const {
   std::vector<Factor> all;
   for (auto const& level : levels_)
     if (level.reference || (level.at >= low && level.at <= high)) all.push_back(of(level));
-  std::erase_if(all, [](Factor const& factor) { return factor.status == Status::not_covered; });
+  std::optional<Factor> lacking;
   for (double const end : {low, high}) {
-    all.push_back(at(end));
-    all.back().at = end;
-    if (all.back().status == Status::not_covered) return {.max = all.back(), .min = all.back()};
+    auto factor = at(end);
+    factor.at = end;
+    if (factor.status == Status::not_covered && !lacking) lacking = factor;
+    all.push_back(factor);
   }
+  std::erase_if(all, [](Factor const& factor) { return factor.status == Status::not_covered; });
+  if (all.empty()) return {.max = *lacking, .min = *lacking};
   auto const [min, max] = std::ranges::minmax_element(all, {}, &Factor::ln);
-  return {.max = *max, .min = *min};
+  if (!lacking) return {.max = *max, .min = *min};
+  auto known_max = *lacking, known_min = *lacking;
+  known_max.ln = max->ln, known_min.ln = min->ln;
+  return {.max = known_max, .min = known_min};
 }
 
 bool Response::is_reference(double condition) const {

@@ -46,17 +46,16 @@ std::string_view name(Status status);
 
 // Why a factor is not covered.
 enum class Lack {
-  no_test,           // no test shows the effect at all
-  no_design,         // a rule set asks for the effect, and the design states no range of its condition
-  too_far,           // the condition is too far beyond the tests
-  no_common_device,  // the levels on both sides of the condition were tested on different devices
-  no_level,          // no test has this ageing
-  no_energy,         // a life in years, and no activation energy is stated
-  too_long,          // the life is more than twice that for which a test stands
-  no_new_device,     // no reference test of a new device with its first cycle
-  no_rest,           // no tests with a shorter and a longer rest, or with this one
-  no_cycle,          // no reference test has so many cycles
-  unknown_scatter,   // only other devices were tested, and too few reference tests show how devices differ
+  no_test,          // no test shows the effect at all
+  no_design,        // a rule set asks for the effect, and the design states no range of its condition
+  too_far,          // the condition is too far beyond the tests
+  no_level,         // no test has this ageing
+  no_energy,        // a life in years, and no activation energy is stated
+  too_long,         // the life is more than twice that for which a test stands
+  no_new_device,    // no reference test of a new device with its first cycle
+  no_rest,          // no tests with a shorter and a longer rest, or with this one
+  no_cycle,         // no reference test has so many cycles
+  unknown_scatter,  // only other devices were tested, and too few reference tests show how devices differ
 };
 
 std::string_view name(Lack lack);
@@ -93,8 +92,8 @@ struct Interval {
 std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
 std::optional<double> half_width(Factor const& factor, About about, int installed = 0);  // of this interval, in ln
 
-// The levels of one effect, and the straight lines in ln between them: over the temperature, the logarithm of the
-// frequency, or the square of the load.
+// The levels of one effect, and for every device the straight lines in ln between its own levels: over the temperature,
+// the logarithm of the frequency, or the square of the load.
 class Response {
  public:
   // `reference` and `others` are the tests that agree with the reference, and those that differ from it in this effect
@@ -105,8 +104,8 @@ class Response {
 
   Effect effect() const { return effect_; }
   std::vector<Level> const& levels() const { return levels_; }  // by rising condition, with that of the reference
-  // The largest distance of a level from the line through its neighbours, in ln, over all levels between others. Empty
-  // with fewer than three levels: nobody knows then how straight the response is.
+  // The largest distance of a level from the lines that leave it out, in ln, as a mean over the devices that were tested
+  // there and on both sides. Empty without such devices: nobody knows then how straight the response is.
   std::optional<double> line_error() const { return line_error_; }
   std::optional<double> drift() const { return drift_; }                  // empty if no device has two reference tests
   std::vector<std::string> const& unpaired() const { return unpaired_; }  // devices without a reference test
@@ -115,19 +114,28 @@ class Response {
   double abscissa(double condition) const;
   Factor of(Level const& level) const;
   bool is_at(Level const& level, Condition const& test) const;  // whether a test with this condition is at the level
-  // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between two levels it is interpolated. It
-  // is extrapolated by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
+  // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between levels it is the mean over the
+  // devices that were tested on both sides, each on its own line. It is extrapolated from the outermost level by at most
+  // 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
   Factor at(double condition) const;
   Factor at(Ageing const& ageing) const;  // a level that agrees with it, else not covered
-  // The levels that show at(): the one that agrees with the condition, or the two through which the line goes. Empty if
-  // no tests are near enough.
-  std::vector<Level const*> behind(double condition) const { return behind(condition, false); }
-  // The same in the condition of a test that belongs to the effect, from devices with a reference test alone. Otherwise
-  // a test of another device would be compared with itself.
-  std::vector<Level const*> paired_behind(Condition const& test) const;
+  // The factor in the condition of a test that belongs to the effect, from devices with a reference test alone.
+  // Otherwise a test of another device would be compared with itself.
   Factor paired_at(Condition const& test) const;
+  Level const* paired_level_at(Condition const& test) const;  // that agrees with it; nullptr if none does
+  struct Line {  // of one device, through two of its levels
+    std::string_view device;
+    Level const *first, *second;
+    double ln;    // at the condition
+    bool beyond;  // the condition is not between the two levels
+  };
+  // The lines of the devices that were tested on both sides of the condition. Beyond all tests, but near enough, the
+  // lines of those that were tested at the outermost level.
+  std::vector<Line> lines_at(double condition) const;
+  // The levels of a device that show paired_at(): the one that agrees with the condition, or the two of its line.
+  std::vector<Level const*> behind(std::string_view device, Condition const& test) const;
   // The factor of the largest and of the smallest value in a range of the condition: the reference, its two ends, or a
-  // level within it. It is not covered if an end is not.
+  // level within it. It is not covered if an end is not; its value is then the largest or smallest that is known.
   struct Extremes {
     Factor max, min;
   };
@@ -138,9 +146,10 @@ class Response {
   Response of_device(std::string_view device) const;
 
  private:
-  std::vector<Level const*> behind(double condition, bool only_paired) const;
-  Factor at(std::vector<Level const*> const& levels, double condition) const;
-  Factor on_line(Level const& first, Level const& second, double condition, Status status) const;
+  // The line through a device's own levels next to the condition; empty if it has fewer than two besides `left_out`.
+  std::optional<Line> line_of(std::string_view device, double condition, Level const* left_out) const;
+  Level const* level_at(double condition, bool only_paired) const;
+  Factor at(double condition, bool only_paired) const;
   std::vector<Level const*> paired_levels() const;
 
   Effect effect_;

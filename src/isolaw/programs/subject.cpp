@@ -201,19 +201,20 @@ Bounds bounds_of_the_lot(study::Summary const& summary, Subject const& subject, 
   return bounds;
 }
 
-// The bounds over the design conditions or, if the tests give none, those of the scatter between devices.
+// The bounds over the design conditions or, if none are asked for, those of the scatter between devices. These would be
+// too narrow in place of bounds that tests do not show.
 Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
   auto const design = study::design_bounds(summary, *subject.law, subject.parameters);
   if (design.none) {
-    auto bounds = bounds_of_the_lot(summary, subject, units);
-    bool const asked = summary.conditions || !summary.no_conditions.empty();
-    if (asked) bounds.source += "; " + wording::remark(*design.none, units);
-    return bounds;
+    bool const asked = summary.conditions && !summary.conditions->bounds.empty();
+    if (asked || !summary.no_conditions.empty()) return {.source = wording::remark(*design.none, units)};
+    return bounds_of_the_lot(summary, subject, units);
   }
   auto const factors = [](study::DesignBound const& bound) {
     return BoundFactors{.stiffness = bound.law.factors.a,
                         .strength = bound.law.factors.b,
                         .overall = bound.C_K,
+                        .energy = bound.C_E,
                         .separate = !bound.law.one_factor,
                         .parameters = bound.law.parameters};
   };

@@ -46,8 +46,9 @@ struct Fitted : study::Range {
 // the whole force.
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
-  double overall = 1.0;   // factor on the whole force, for programs that cannot scale the parts
-  bool separate = false;  // true if there are separate factors
+  double overall = 1.0;               // factor on the whole force, for programs that cannot scale the parts
+  std::optional<double> energy = {};  // factor on the energy that the bound should have; empty: `overall`
+  bool separate = false;              // true if there are separate factors
   // The law's own parameters at the bound, in its order and units. Empty for bounds of the scatter between devices.
   std::vector<double> parameters = {};
 };

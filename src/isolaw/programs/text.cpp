@@ -268,6 +268,10 @@ std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisat
   return facts;
 }
 
+double energy_off_percent(BoundFactors const& factors) {
+  return 100.0 * (factors.overall / factors.energy.value_or(factors.overall) - 1.0);
+}
+
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
   auto const& bounds = subject.bounds;
   auto const text = [&](std::optional<BoundFactors> const& factors) {
@@ -283,7 +287,9 @@ std::vector<Fact> bound_facts(Subject const& subject, bool one_factor) {
     facts.push_back(
         {"Bounds act",
          bounds.upper && !bounds.upper->parameters.empty()
-             ? "as one factor on the whole force, which is that of K_eff: the damping stays as it is"
+             ? fmt::format(
+                   "as one factor on the whole force, which is that of K_eff: the damping stays as it is, and the energy is off by {:+.1f} % at the lower bound and {:+.1f} % at the upper one",
+                   energy_off_percent(*bounds.lower), energy_off_percent(*bounds.upper))
              : "as one factor on the whole force, which at the amplitude of the reported cycle is that of K_d and Q_d together; the law's parameters do not tell the two apart"});
   return facts;
 }

@@ -13,11 +13,11 @@ constexpr auto in_order() {  // the enumerators of Value
   return all;
 }
 
-constexpr std::array<std::string_view, 7> effect_names{"temperature", "rate",   "load",         "ageing",
-                                                       "scragging",   "cycles", "contamination"};
+constexpr std::array<std::string_view, 8> effect_names{"temperature", "rate",   "load",          "ageing",
+                                                       "scragging",   "cycles", "contamination", "environment"};
 constexpr std::array<std::string_view, 3> group_names{"environment", "test", "none"};
 constexpr std::array<std::string_view, 4> form_names{"asce", "each", "product", "sum"};
-constexpr auto all_effects = in_order<Effect, effect_names.size()>();
+constexpr auto all_effects = in_order<Effect, effect_names.size() - 1>();  // all but the last
 constexpr auto all_groups = in_order<Group, group_names.size()>();
 constexpr auto all_forms = in_order<Form, form_names.size()>();
 
@@ -44,6 +44,7 @@ Group usual_group(Effect effect) {
     case Effect::temperature:
     case Effect::ageing:
     case Effect::contamination:
+    case Effect::environment:
       return Group::environment;
     case Effect::load:
       return Group::none;

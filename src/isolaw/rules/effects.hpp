@@ -8,9 +8,10 @@
 namespace isolaw::rules {
 
 // An effect is a cause by which the properties of a device change. The first four are conditions of a test, scragging
-// and cycles are its history. No test of this program shows contamination, so it can only be assumed.
-enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamination };
-std::span<Effect const> effects();
+// and cycles are its history. No test of this program shows contamination, so it can only be assumed. The environment
+// stands for temperature, ageing and contamination together, as the factors of some standards do.
+enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamination, environment };
+std::span<Effect const> effects();  // without the environment, which tests and lot files cannot name
 std::string_view name(Effect effect);
 
 enum class Group { environment, test, none };  // none: shown, and left out by Form::asce

@@ -139,11 +139,11 @@ std::vector<DesignValue> design_values(rules::Design const& design) {
   return values;
 }
 
-MeanAnalysis mean_analysis(rules::LotView const& lot) {
+MeanAnalysis mean_analysis(LotAcceptance const& acceptance) {
   MeanAnalysis result;
   std::vector<std::string> parts;
   std::string open;
-  for (auto const& quantity : lot.quantities) {
+  for (auto const& quantity : acceptance.lot.quantities) {
     if (!quantity.largest_from_mean_percent || quantity.quantity == rules::Quantity::K_v) continue;
     parts.push_back(fmt::format("{} {:.1f} %", rules::name(quantity.quantity), *quantity.largest_from_mean_percent));
     if (quantity.mean_analysis_permitted)
@@ -152,11 +152,15 @@ MeanAnalysis mean_analysis(rules::LotView const& lot) {
   }
   if (parts.empty()) return result;
   if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
+  bool const only_conditions_forbid = acceptance.conditions_forbid_mean && result.permitted.value_or(true);
+  if (acceptance.conditions_forbid_mean) result.permitted = false;
   result.sentence = "Largest deviation of a device from the lot's mean: " + joined(parts) + ".";
   if (result.permitted)
     result.sentence +=
         *result.permitted
             ? " As far as the variability within the supply goes, an analysis with mean properties is permitted; ageing, temperature and the other effects add to it."
+        : only_conditions_forbid
+            ? " An analysis with mean properties alone is not permitted, because the properties change too much over the design conditions: upper and lower bounds are needed."
             : " An analysis with mean properties alone is not permitted: upper and lower bounds are needed.";
   else if (!open.empty())
     result.sentence += " Whether an analysis with mean properties is permitted cannot be said: " + open + ".";

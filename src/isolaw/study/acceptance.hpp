@@ -34,6 +34,7 @@ struct LotAcceptance {
   rules::RuleSet rules;  // its id is empty if no rule set was asked for
   rules::Design design;
   rules::LotView lot;
+  bool conditions_forbid_mean = false;  // see MeanProperties: its `permitted` is false
 
   bool has_rules() const { return !rules.id.empty(); }
 };
@@ -57,11 +58,11 @@ struct DesignValue {
 std::vector<DesignValue> design_values(rules::Design const& design);
 
 // Whether the devices differ so little that a structure may be analysed with the lot's mean properties. Every quantity
-// whose scatter the rule set limits must permit it. K_v is not considered.
+// whose scatter the rule set limits must permit it, and the design conditions too. K_v is not considered.
 struct MeanAnalysis {
   std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity cannot be judged
   std::string sentence;
 };
-MeanAnalysis mean_analysis(rules::LotView const& lot);
+MeanAnalysis mean_analysis(LotAcceptance const& acceptance);
 
 }  // namespace isolaw::study

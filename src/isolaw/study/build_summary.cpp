@@ -342,11 +342,14 @@ void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
 
 }  // namespace
 
+bool conditions_share_rules(Summary const& summary) {
+  return summary.conditions && summary.conditions->rules == summary.acceptance.rules.id;
+}
+
 bool acceptance_failed(Summary const& summary) {
-  bool const of_this_set = summary.conditions && summary.conditions->rules == summary.acceptance.rules.id;
-  if (of_this_set && std::ranges::any_of(summary.conditions->dependence, [](DependenceRow const& row) {
-        return row.verdict() == rules::Verdict::fail;
-      }))
+  if (conditions_share_rules(summary) &&
+      std::ranges::any_of(summary.conditions->dependence,
+                          [](DependenceRow const& row) { return row.verdict() == rules::Verdict::fail; }))
     return true;
   return lot_failed(summary.acceptance) || std::ranges::any_of(summary.devices, [](auto const& device) {
            return any_failed(device.acceptance.assessments);
@@ -365,6 +368,8 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                      .copy_of = device.status == "ok" ? device.copy_of : std::string()});
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices, summary.asked.alike);
+  if (conditions_share_rules(summary) && summary.conditions->mean_properties)
+    summary.acceptance.conditions_forbid_mean = summary.conditions->mean_properties->permitted == false;
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
   summary.conditions_differ = conditions_differ(summary);
   if (summary.conditions_differ) withhold_lot_verdicts(summary.acceptance);
@@ -416,15 +421,15 @@ Summary build_summary(campaign::Contents const& contents) {
       summary.laws, [](auto const& law) { return law.beta; }, [](auto const& law) { return law.objective.mean; },
       &LawResult::on_front);
   add_converged_views(summary);
-  auto const& asked = summary.asked = contents.acceptance;
-  add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
-                 asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
-  add_range_tests(summary, contents);
   if (contents.observed) try {
       summary.conditions = build_conditions(*contents.observed, contents.title, contents.acceptance);
     } catch (Error const& error) {
       summary.no_conditions = to_string(error.complaints().front());
     }
+  auto const& asked = summary.asked = contents.acceptance;
+  add_acceptance(summary, asked.rules.empty() ? rules::RuleSet{} : rules::read_rule_text(asked.rules, asked.rules_file),
+                 asked.design.empty() ? rules::Design{} : rules::parse_design(asked.design), asked.lot_size);
+  add_range_tests(summary, contents);
   return summary;
 }
 

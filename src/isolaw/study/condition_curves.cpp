@@ -69,30 +69,32 @@ void add_curves(std::vector<ConditionCurve>& curves, EffectResponse const& of, C
     keep(std::move(curve));
   }
 
-  // Without a device in common there is no line between two levels.
-  auto const mean_line = [&](Level const& first, Level const& second) -> std::optional<std::pair<Place, Place>> {
-    double first_sum = 0.0, second_sum = 0.0;
-    int common = 0;
-    for (auto const& ratio : first.ratios)
-      if (auto const other = ln_of(second, ratio.device)) first_sum += ratio.ln, second_sum += *other, ++common;
-    if (common == 0) return std::nullopt;
-    return std::pair(Place{first.at, first_sum / common}, Place{second.at, second_sum / common});
+  // Between two levels the mean is a straight line too, because the lines of the same devices go through. It need not
+  // meet the mean at a level at which other devices were tested.
+  auto const mean_at = [&](double condition) {
+    double sum = 0.0;
+    auto const lines = response.lines_at(condition);
+    for (auto const& line : lines) sum += line.ln;
+    return sum / static_cast<double>(lines.size());
   };
-  for (std::size_t i = 1; i < paired.size(); ++i)
-    if (auto const line = mean_line(*paired[i - 1], *paired[i])) {
-      auto curve = begin(CurveKind::mean);
-      append_line(curve, response, line->first, line->second);
-      keep(std::move(curve));
-    }
+  for (std::size_t i = 1; i < paired.size(); ++i) {
+    double const from = paired[i - 1]->at, to = paired[i]->at;
+    double const one = std::lerp(from, to, 0.25), other = std::lerp(from, to, 0.75);
+    double const slope = (mean_at(other) - mean_at(one)) / (response.abscissa(other) - response.abscissa(one));
+    auto const on_line = [&](double at) {
+      return Place{at, mean_at(one) + slope * (response.abscissa(at) - response.abscissa(one))};
+    };
+    auto curve = begin(CurveKind::mean);
+    append_line(curve, response, on_line(from), on_line(to));
+    keep(std::move(curve));
+  }
   if (paired.size() < 2) return;
   for (auto const& end : result.ends) {
     if (end.quantity != of.quantity || end.effect != response.effect()) continue;
     if (end.factor.status != conditions::Status::extrapolated) continue;
-    bool const below = end.at < paired.front()->at;
-    auto const line = below ? mean_line(*paired[0], *paired[1]) : mean_line(*paired[paired.size() - 2], *paired.back());
-    if (!line) continue;
+    auto const& outermost = end.at < paired.front()->at ? *paired.front() : *paired.back();
     auto curve = begin(CurveKind::extrapolated);
-    append_line(curve, response, below ? line->first : line->second, {end.at, end.factor.ln});
+    append_line(curve, response, {outermost.at, outermost.mean()}, {end.at, end.factor.ln});
     keep(std::move(curve));
   }
 }

@@ -66,6 +66,11 @@ struct RefusedTest {  // a test, or one block of it
   std::string device, test, reason;
 };
 
+struct DoubtedTest {  // a test whose record is read with a doubt
+  std::string device, test;
+  Finding doubt;
+};
+
 struct LevelRow {  // a level of an effect that was tested
   rules::Quantity quantity;
   conditions::Effect effect;
@@ -121,6 +126,18 @@ struct HowCombined {  // how the factors of all effects make a bound
   bool verified = false;
 };
 
+// Whether a verified rule set lets a building be analysed with mean properties only, although the properties change over
+// the design conditions.
+struct MeanProperties {
+  rules::MeanAnalysisRule rule;
+  std::optional<bool> permitted;                      // empty: factors that no test shows decide
+  rules::Quantity quantity = rules::Quantity::K_eff;  // K_eff or energy, whichever changes more
+  double farthest_percent = 0.0;                      // its change from the value at reference
+};
+
+// Says in print how sure a factor is: a word of the status, in capitals if no test shows it, or "reference".
+std::string_view status_word(conditions::Factor const& factor);
+
 struct RecoveryRow {
   double rest_h = 0.0, share = 0.0;
   int devices = 0;
@@ -142,6 +159,7 @@ struct ConditionsResult {
   std::vector<ConditionsDevice> devices;
   std::vector<ConditionsTest> tests;
   std::vector<RefusedTest> refused;
+  std::vector<DoubtedTest> doubted;
   std::vector<LevelRow> levels;
   std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
   std::vector<EndRow> ends;
@@ -159,6 +177,7 @@ struct ConditionsResult {
   std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
   std::vector<DependenceRow> dependence;
+  std::optional<MeanProperties> mean_properties = {};  // if a verified rule set has a rule for it
   std::vector<AtReferenceRow> at_reference;
   ConditionsPlan plan;
 };

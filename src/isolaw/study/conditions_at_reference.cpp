@@ -12,24 +12,20 @@ namespace {
 
 using conditions::Effect;
 
-// The records behind a factor: the tests at its levels and the reference tests that these were compared with. With two
-// levels only the devices count that were tested at both.
+// The records behind a factor: the tests at the levels that show it, and the reference tests that these were compared
+// with.
 std::vector<std::string> records_behind(ConditionsResult const& result, conditions::Response const& response,
                                         conditions::Condition const& condition) {
-  auto const levels = response.paired_behind(condition);
   std::set<std::string> records;
   std::set<std::pair<std::string, conditions::History>> compared;  // devices with the history of the reference cycle
-  for (auto const* level : levels)
-    for (auto const& test : result.tests) {
-      auto const has_device = [&](conditions::Level const* other) {
-        return std::ranges::find(other->ratios, test.device, &conditions::DeviceRatio::device) != other->ratios.end();
-      };
-      if (test.role != TestRole::effect || test.effect != response.effect() ||
-          !response.is_at(*level, test.condition) || !std::ranges::all_of(levels, has_device))
-        continue;
-      records.insert(test.sha256);
-      compared.emplace(test.device, *test.history);
-    }
+  for (auto const& test : result.tests) {
+    if (test.role != TestRole::effect || test.effect != response.effect()) continue;
+    auto const levels = response.behind(test.device, condition);
+    if (std::ranges::none_of(levels, [&](auto const* level) { return response.is_at(*level, test.condition); }))
+      continue;
+    records.insert(test.sha256);
+    compared.emplace(test.device, *test.history);
+  }
   for (auto const& test : result.tests)
     if (test.role == TestRole::reference && test.history && compared.contains({test.device, *test.history}))
       records.insert(test.sha256);

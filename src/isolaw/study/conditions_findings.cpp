@@ -1,10 +1,14 @@
 #include "isolaw/study/conditions_findings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/num/statistics.hpp"
 #include "isolaw/study/conditions_results.hpp"
+#include "isolaw/wording/table.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -37,15 +41,83 @@ Finding bound(rules::Quantity quantity, std::string which, conditions::Combined 
   return finding;
 }
 
+// Tests whose numbers can hardly be those of such a device, and devices that do not agree with one another.
+void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::vector<double> at_reference;
+  for (auto const& test : result.tests)
+    if (test.role == TestRole::reference && test.K_eff_kN_per_mm) at_reference.push_back(*test.K_eff_kN_per_mm);
+  if (!at_reference.empty()) {
+    double const median = num::median(at_reference);
+    constexpr double most_times = 4.0;  // a wrong unit of force changes the values more, and no condition as much
+    for (auto const& test : result.tests) {
+      bool const is_compared = test.role != TestRole::other_device && test.role != TestRole::scaled && !test.is_scaled;
+      if (!is_compared || !test.K_eff_kN_per_mm) continue;
+      double const times = *test.K_eff_kN_per_mm / median;
+      if (times > most_times || times < 1.0 / most_times)
+        findings.push_back({.kind = FindingKind::condition_test_unlike,
+                            .devices = {test.device},
+                            .numbers = {{"times", times}},
+                            .words = {{"test", test.test}}});
+    }
+  }
+  for (auto const& row : result.levels) {
+    if (row.quantity != rules::Quantity::K_eff && row.quantity != rules::Quantity::energy) continue;
+    if (row.ratios.size() < 2) continue;
+    auto const [least, largest] = std::ranges::minmax_element(row.ratios, {}, &conditions::DeviceRatio::ln);
+    constexpr double much = 1.25;  // nominally equal devices differ less in how a condition changes them
+    if (largest->ln - least->ln > std::log(much))
+      findings.push_back({.kind = FindingKind::devices_disagree,
+                          .devices = {least->device, largest->device},
+                          .numbers = {{"least", std::exp(least->ln)}, {"largest", std::exp(largest->ln)}},
+                          .words = {{"effect", std::string(rules::name(row.effect))},
+                                    {"level", row.level},
+                                    {"quantity", std::string(rules::name(row.quantity))}}});
+  }
+  for (auto const& test : result.doubted)
+    findings.push_back({.kind = FindingKind::condition_test_doubt,
+                        .devices = {test.device},
+                        .words = {{"test", test.test}, {"doubt", wording::reasons({test.doubt})}}});
+}
+
+// One finding for each role of tests that show no effect.
+void add_unused(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::map<TestRole, std::vector<std::string>> unused;
+  for (auto const& test : result.tests)
+    if (test.role != TestRole::reference && test.role != TestRole::effect)
+      unused[test.role].push_back(test.device + " " + test.test);
+  for (auto& [role, tests] : unused) {
+    constexpr std::size_t most_named = 6;
+    auto const count = static_cast<double>(tests.size());
+    if (tests.size() > most_named) tests.resize(most_named), tests.emplace_back("...");
+    findings.push_back({.kind = FindingKind::tests_show_no_effect,
+                        .numbers = {{"count", count}},
+                        .words = {{"role", std::string(name(role))}, {"named", joined(tests)}}});
+  }
+}
+
 Finding not_covered(Effect effect, conditions::Factor const& factor) {
   Finding finding{.kind = FindingKind::effect_not_covered,
                   .words = {{"effect", std::string(rules::name(effect))},
                             {"lack", std::string(factor.lack ? name(*factor.lack) : "")}}};
-  if (factor.lack == conditions::Lack::too_far || factor.lack == conditions::Lack::no_common_device) {
+  if (factor.lack == conditions::Lack::too_far) {
     finding.numbers.push_back({"at", factor.at});
     finding.words.push_back({"unit", std::string(unit_of(effect))});
   }
   return finding;
+}
+
+// Names each end of the design range that is not covered.
+void add_not_covered(ConditionsResult const& result, DesignRow const& row, conditions::Factor const& factor,
+                     std::vector<Finding>& findings) {
+  bool has_ends = false;
+  for (auto const& end : result.ends)
+    if (end.quantity == row.quantity && end.effect == row.effect && end.factor.status == Status::not_covered) {
+      auto at_end = end.factor;
+      at_end.at = end.at;
+      findings.push_back(not_covered(row.effect, at_end));
+      has_ends = true;
+    }
+  if (!has_ends) findings.push_back(not_covered(row.effect, factor));
 }
 
 void add_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
@@ -105,21 +177,39 @@ Finding judged(DependenceRow const& row, std::string const& rules) {
   return finding;
 }
 
+Finding judged(MeanProperties const& mean, std::string const& rules) {
+  auto const& [rule, permitted, quantity, farthest_percent] = mean;
+  Finding finding{.kind = FindingKind::mean_properties_judged,
+                  .numbers = {{"farthest_percent", farthest_percent}, {"within_percent", rule.within_percent}},
+                  .words = {{"mean_properties", !permitted   ? "open"
+                                                : *permitted ? "yes"
+                                                             : "no"},
+                            {"quantity", std::string(name(quantity))},
+                            {"rules", rules}}};
+  if (!rule.clause.empty()) finding.words.push_back({"clause", rule.clause});
+  return finding;
+}
+
 }  // namespace
 
 std::vector<Finding> conditions_findings(ConditionsResult const& result) {
   std::vector<Finding> findings;
+  add_doubts(result, findings);
   for (auto const& row : result.dependence) findings.push_back(judged(row, result.rules));
+  if (result.mean_properties) findings.push_back(judged(*result.mean_properties, result.rules));
   for (auto const& row : result.bounds) {
     findings.push_back(bound(row.quantity, "upper", row.max));
     findings.push_back(bound(row.quantity, "lower", row.min));
   }
   for (auto const& row : result.design) {
-    for (auto const* factor : {&row.max, &row.min})
-      if (factor->status == Status::not_covered) {
-        findings.push_back(not_covered(row.effect, *factor));
-        break;
-      }
+    if (auto const* factor = row.max.status == Status::not_covered   ? &row.max
+                             : row.min.status == Status::not_covered ? &row.min
+                                                                     : nullptr) {
+      // Damping is not combined, and the rule set may have no default for it.
+      bool const is_assumed = std::ranges::any_of(
+          result.design, [&](DesignRow const& other) { return other.effect == row.effect && other.assumed; });
+      if (!is_assumed) add_not_covered(result, row, *factor, findings);
+    }
     if (auto const* of_rules = row.assumed ? &*row.assumed : nullptr) {
       Finding finding{.kind = FindingKind::effect_assumed,
                       .numbers = {{"max", row.max.lambda()}, {"min", row.min.lambda()}},
@@ -143,6 +233,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     findings.push_back({.kind = FindingKind::condition_test_refused,
                         .devices = {test.device},
                         .words = {{"test", test.test}, {"reason", test.reason}}});
+  add_unused(result, findings);
   if (!result.drift_not_checked.empty())
     findings.push_back(
         {.kind = FindingKind::drift_not_checked, .words = {{"effects", names_of(result.drift_not_checked)}}});

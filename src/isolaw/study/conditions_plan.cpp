@@ -113,6 +113,7 @@ class Planner {
         return std::nullopt;
       }
       case Effect::contamination:
+      case Effect::environment:
         break;
     }
     return NoPlan::no_such_test;
@@ -155,9 +156,9 @@ class Planner {
     if (conditions::agree_in(effect, condition, result_.reference, result_.tolerance)) return;
     auto const& response = response_to(effect);
     DesignEnd end{.effect = effect, .condition = condition, .cycles = least_cycles()};
-    auto const levels = response.paired_behind(condition);
-    if (levels.size() == 1 && response.of(*levels.front()).status == Status::shown)
-      for (auto const& ratio : levels.front()->ratios) end.shown_on.push_back(ratio.device);
+    if (auto const* level = response.paired_level_at(condition);
+        level != nullptr && response.of(*level).status == Status::shown)
+      for (auto const& ratio : level->ratios) end.shown_on.push_back(ratio.device);
     for (auto const& test : result_.tests) {
       if (test.effect == effect) end.tested.push_back(test.device);
       auto const& own = *std::ranges::find(result_.devices, test.device, &ConditionsDevice::name);

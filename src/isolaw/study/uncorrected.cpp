@@ -55,6 +55,7 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
   Summary without;
   without.title = summary.title;
   without.conditions_differ = summary.conditions_differ;
+  without.conditions = summary.conditions;
   for (std::size_t d = 0; d < tests.size(); ++d) {
     auto const& device = summary.devices[d];
     if (device.uncorrected && device.status == "ok") tests[d].properties = &*device.uncorrected;
@@ -64,9 +65,10 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
     as_read.message = device.message;
     as_read.properties = *tests[d].properties;
   }
-  auto const& [rules, design, lot] = summary.acceptance;
+  auto const& acceptance = summary.acceptance;
   std::vector<DeviceAcceptance> devices;
-  without.acceptance = assess_lot(rules, design, lot.lot_size, tests, devices, summary.asked.alike);
+  without.acceptance =
+      assess_lot(acceptance.rules, acceptance.design, acceptance.lot.lot_size, tests, devices, summary.asked.alike);
   if (without.conditions_differ) withhold_lot_verdicts(without.acceptance);
   std::vector<std::string> corrected;
   bool all_are_known = true;

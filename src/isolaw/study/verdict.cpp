@@ -75,7 +75,7 @@ void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_
 
 // Limits on how properties change with conditions, if they are those of this rule set.
 void add_dependence(OverallVerdict& overall, Summary const& summary) {
-  if (!summary.conditions || summary.conditions->rules != summary.acceptance.rules.id) return;
+  if (!conditions_share_rules(summary)) return;
   for (auto const& row : summary.conditions->dependence) {
     auto const what = fmt::format("{} under {}{}", name(row.limit.quantity), name(row.limit.effect),
                                   row.is_load_variation ? ", from load to load" : "");

@@ -173,6 +173,15 @@ std::span<Row const> rows() {
                none, "The tests under other conditions cannot be compared: {reason}."),
       campaign(condition_test_refused, "condition-test-refused", "conditions", serious, records, each_alone,
                in_report | on_certificate, none, "The test {test} of {devices} is not used: {reason}."),
+      campaign(condition_test_unlike, "condition-test-unlike", "conditions", serious, records, each_alone, signed_too, none,
+               "K_eff of the test {test} of {devices} is {times:3} times the median of the reference tests. No condition does that: are the units and the device right?"),
+      campaign(condition_test_doubt, "condition-test-doubt", "conditions", caution, records, each_alone,
+               in_report | on_certificate, none, "The test {test} of {devices}: {doubt}."),
+      campaign(tests_show_no_effect, "tests-show-no-effect", "conditions", caution, lot_file, each_alone, in_report, none,
+               "No effect is shown by {count} {test|tests}, because {role}: {named}."),
+      campaign(devices_disagree, "devices-disagree", "conditions", caution, records, each_alone, in_report | on_certificate,
+               none,
+               "The devices disagree on the effect of {effect} at {level}: the factor on {quantity} is from {least:.3f} to {largest:.3f} on {devices}."),
       campaign(effect_not_covered, "effect-not-covered", "conditions", serious,
                "Test devices at this condition, or state it", each_alone, signed_too, none,
                "The effect of {effect} is NOT COVERED[ at {at:6} {unit}]: {lack}."),
@@ -186,6 +195,10 @@ std::span<Row const> rows() {
       campaign(
           dependence_judged, "dependence-judged", "conditions", note, "", each_alone, in_report | on_certificate, none,
           "{quantity} under {effect}: {kept}[: {changes}{worst_percent:+.1f} % at most][ at {at:6} {unit}]; {rules} allows {within_percent:g} %[ ({clause})][{because}]."),
+      campaign(
+          mean_properties_judged, "mean-properties-judged", "conditions", note, "", each_alone, in_report | on_certificate,
+          none,
+          "An analysis with mean properties is {mean_properties}: over the design conditions {quantity} changes by up to {farthest_percent:+.1f} %; {rules} allows {within_percent:g} %[ ({clause})]."),
       campaign(
           design_bound, "design-bound", "conditions", note, "", each_alone, in_report | on_certificate, none,
           "{quantity}, {which} bound over the design conditions: [{partial} ]{factor:.3f} times the value at reference[ ({low:.3f} to {high:.3f}, 95 %)][, {status}; {share_shown:0%} of it rests on tests at such conditions or between them][; not covered: {not_covered}][; ASSUMED: {assumed}]."),

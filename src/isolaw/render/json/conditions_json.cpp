@@ -118,6 +118,11 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
                     "reason", device.reason ? std::optional(name(*device.reason)) : std::nullopt);
     });
   });
+  if (auto const& mean = result.mean_properties)
+    out.key("mean_properties").object([&] {
+      write_members(out, "permitted", mean->permitted, "quantity", mean->quantity, "farthest_percent",
+                    mean->farthest_percent, "within_percent", mean->rule.within_percent, "clause", mean->rule.clause);
+    });
   auto const& how = result.combined;
   out.key("combination").object([&] {
     write_members(out, "form", name(how.form), "adjust", how.adjust, "margin", how.margin, "rules", how.rules, "clause",

@@ -74,7 +74,7 @@ void write_lot(JsonWriter& out, LotAcceptance const& acceptance) {
   out.key("quantities").objects(lot.quantities, [&](auto const& quantity) { write_quantity(out, quantity); });
   write_rows(out.key("outliers"), lot_outlier_results, outliers, Digits::shown);
   write_rows(out.key("factors"), factor_results, factors, Digits::shown);
-  auto const [permitted, sentence] = mean_analysis(lot);
+  auto const [permitted, sentence] = mean_analysis(acceptance);
   out.key("mean_analysis").begin_object();
   write_members(out, "permitted", permitted, "sentence", sentence);
   out.end_object().member("note", lot.note);

@@ -56,6 +56,7 @@ std::string design_of(study::ConditionsResult const& result, Effect effect) {
     case Effect::cycles:
       return design.cycles ? fmt::format("up to cycle {}", *design.cycles) : "";
     case Effect::contamination:
+    case Effect::environment:
       break;
   }
   return {};

@@ -32,9 +32,8 @@ std::string latex_factor(conditions::Factor const& factor) {
   auto const found = interval(factor, conditions::About::mean);
   auto const low = found ? fmt::format("{:.3f}", found->low) : "",
              high = found ? fmt::format("{:.3f}", found->high) : "";
-  bool const is_assumed = factor.status == conditions::Status::assumed;
   return fmt::format("{:.3f}{} & {}", factor.lambda(), low == high ? "" : fmt::format(" ({} to {})", low, high),
-                     is_assumed ? std::string_view("ASSUMED") : name(factor.status));
+                     study::status_word(factor));
 }
 
 // A property's symbol, such as K_eff, or its name.

@@ -33,11 +33,9 @@ std::string interval_text(std::optional<conditions::Interval> const& interval) {
 }
 
 std::string status_text(Factor const& factor) {
-  if (factor.status == Status::not_covered) return "NOT COVERED";
-  if (factor.status == Status::assumed) return "ASSUMED";
-  // No device was compared: this is the reference condition itself, with the factor 1.
-  if (factor.devices == 0) return "reference";
-  return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
+  auto const word = std::string(study::status_word(factor));
+  if (factor.devices == 0) return word;
+  return fmt::format("{} on {}", word, counted(static_cast<std::size_t>(factor.devices), "device"));
 }
 
 std::string reference_text(study::ConditionsResult const& result) {
@@ -316,12 +314,6 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
   // The table of bounds says this already.
   std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::design_bound; });
   for (auto const& line : wording::lines(findings)) append(text, "{}\n", line);
-  auto const unused = std::ranges::count_if(result.tests, [](study::ConditionsTest const& test) {
-    return test.role != study::TestRole::reference && test.role != study::TestRole::effect;
-  });
-  if (unused > 0 && !details)
-    append(text, "{} {} no effect; --details says why.\n", counted(static_cast<std::size_t>(unused), "test"),
-           unused == 1 ? "shows" : "show");
   if (details) add_tests(text, result);
   return text;
 }

@@ -331,7 +331,7 @@ void print_lot(std::string& text, Summary const& summary) {
   print_lot_verdicts(text, summary.units(), summary.acceptance);
   print_factors(text, summary.units(), lot);
   if (!lot.note.empty()) add(text, "\n{}\n", lot.note);
-  if (auto const mean = mean_analysis(lot); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
+  if (auto const mean = mean_analysis(summary.acceptance); !mean.sentence.empty()) add(text, "\n{}\n", mean.sentence);
 }
 
 }  // namespace
