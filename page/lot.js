@@ -170,8 +170,8 @@ function rename(named) {
     if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
       // The path leads out of the lot's folder, which the program refuses. So the lot file gets the path of the dropped
       // record instead.
-      const device = lotDevices().find(({ file }) => file === path);
-      if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
+      const number = lotTables().tables.findIndex(({ keys }) => keys.get('file')?.value === path);
+      if (number >= 0) state.lot = withKey(state.lot, number, 'file', same);
       continue;
     }
     for (const map of [state.files, state.digests]) {

@@ -35,6 +35,10 @@ const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
 execFileSync(isolaw, ['example', join(work, 'example')], { stdio: 'ignore' });
 const example = join(work, 'example');
 const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
+const conditions = join(work, 'conditions'); // the example lot whose devices were tested under several conditions
+execFileSync(isolaw, ['example', conditions, '--conditions'], { stdio: 'ignore' });
+// The page and the command line use different instruction sets, so their results agree only to six digits.
+const rounded = (value) => JSON.stringify(value, (_, one) => (typeof one === 'number' ? Number(one.toPrecision(6)) : one));
 
 const open = (options = {}) => openPage(browser, file, { standIn, ...options });
 // Ends a test. The page and its frames must have reported no error and requested nothing from a network.
@@ -139,9 +143,6 @@ const tests = {
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),
       other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
-    // The page and the command line use different instruction sets, so their results agree only to six digits.
-    const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
-    const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
     equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
     const cycles = (one) => one.devices.map(({ blocks }) => blocks.map((block) => block.cycles.map(({ K_eff_kN_per_mm: k, damping_percent: d, energy_kN_mm: e }) => [k, d, e])));
     equal(rounded(cycles(own)), rounded(cycles(other)), 'cycles');
@@ -260,6 +261,50 @@ const tests = {
     equal(await marks(3), ['set sign reversed Change'], 'the sign');
     equal(await page.evaluate("[...document.querySelectorAll('button')].filter(({ textContent }) => textContent === 'Correct').length"), 0, 'buttons that read as a verdict');
     await end(page);
+  },
+
+  'a lot file that states conditions, with its records': async () => {
+    const page = await open();
+    await page.drop([conditions]);
+    equal(await failure(page), '', 'a failure');
+    equal((await rows(page)).map((row) => row.name), ['P1', 'P2', 'P3', 'P4', 'P5', 'P6'], 'devices');
+    equal(await band(page), '6\u202fdevices read', 'the band');
+    equal(await page.text('#view-records .hint'), '', 'no file is missing or left over');
+    equal(await lotText(page), readFileSync(join(conditions, 'lot.toml'), 'utf8'), 'the lot file');
+
+    // The sections of the inspection and of the report must show what the command line computes.
+    const native = JSON.parse(spawnSync(isolaw, ['conditions', join(conditions, 'lot.toml'), '--json']).stdout);
+    const of = ({ bounds, levels, tests: made }) => rounded([bounds, levels, made.map(({ device, test, role, effect, temperature_C: temperature }) => [device, test, role, effect, temperature])]);
+    const [upper] = native.bounds.map(({ max }) => max.factor.toFixed(3));
+    const shown = async () => expect((await inFrameUntil(page, "document.querySelector('#conditions').innerText", 'the section')).includes(upper), 'the upper bound ' + upper);
+    await page.press('show-properties');
+    await shown();
+    await page.press('show-save');
+    await page.press('save-inspection-json');
+    equal(of(JSON.parse((await page.saved()).bytes).conditions), of(native), 'the inspection');
+    await identifyLittle(page);
+    await shown();
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    equal(of(JSON.parse((await page.saved()).bytes).conditions), of(native), 'the report');
+
+    // The user saves everything as one file and drops it again.
+    await page.press('save-whole');
+    const { path } = await page.saved();
+    const again = await open();
+    await again.drop([path]);
+    await again.until("document.getElementById('report-frame')", 'the report again');
+    equal(await again.text('#laws-doubt'), '', 'nothing has changed');
+    await end(again);
+    await end(page);
+
+    // A record of one test is missing. The page must name it and use the other tests.
+    const less = await open();
+    await less.drop(readdirSync(conditions).filter((one) => one !== 'P1-0C.csv' && one !== 'README.md').map((one) => join(conditions, one)));
+    equal([await band(less), /P1-0C\.csv/.test(await less.text('#view-records .hint'))], ['6\u202fdevices read', true], 'the missing record is named');
+    await less.press('show-properties');
+    expect((await inFrameUntil(less, "document.querySelector('#conditions').innerText", 'the section')).includes('P1-0C.csv'), 'and in the report');
+    await end(less);
   },
 
   'a file without time': async () => {
