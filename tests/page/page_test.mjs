@@ -272,6 +272,19 @@ const tests = {
     equal(await page.text('#view-records .hint'), '', 'no file is missing or left over');
     equal(await lotText(page), readFileSync(join(conditions, 'lot.toml'), 'utf8'), 'the lot file');
 
+    // The table of the tests shows what the lot file states. An edit changes one value.
+    const value = (id) => page.evaluate(`document.getElementById(${JSON.stringify(id)}).value`);
+    const row = (file, key) => page.evaluate(`document.getElementById([...document.querySelectorAll('#tests tr.test')].find((one) => one.innerText.includes(${JSON.stringify(file)})).id + '-${key}').value`);
+    equal(await page.evaluate("[document.querySelectorAll('#tests tr.test').length, document.getElementById('conditions-on').checked]"), [26, true], 'tests');
+    const keys = ['device', 'order', 'temperature-C', 'rest-h', 'aged-days', 'aged-at-C'];
+    equal(await Promise.all(keys.map((key) => row('P4-aged.csv', key))), ['P4', '9', '20', '24', '14', '70'], 'the aged test');
+    equal(await Promise.all(['reference-temperature-C', 'reference-load-kN', 'design-temperature-C-from', 'design-temperature-C-to', 'design-rest', 'design-aged-days'].map((id) => value('conditions-' + id))), ['20', '2000', '-15', '45', 'full', '14'], 'the form');
+    const before = await lotText(page);
+    await set(page, 'conditions-design-temperature-C-to', '40');
+    equal(await lotText(page), before.replace(/^design = .*temperature-C = \[-15, 45\].*$/m, "design = { temperature-C = [-15, 40], frequency-Hz = [0.35, 0.65], load-kN = [1000, 3000], rest = 'full', cycles = 10, aged = { days = 14, at-C = 70 } }"), 'one value is changed');
+    await page.evaluate("document.getElementById('lot-file').open = true");
+    await set(page, 'lot-text', before);
+
     // The sections of the inspection and of the report must show what the command line computes.
     const native = JSON.parse(spawnSync(isolaw, ['conditions', join(conditions, 'lot.toml'), '--json']).stdout);
     const of = ({ bounds, levels, tests: made }) => rounded([bounds, levels, made.map(({ device, test, role, effect, temperature_C: temperature }) => [device, test, role, effect, temperature])]);
@@ -301,10 +314,104 @@ const tests = {
     // A record of one test is missing. The page must name it and use the other tests.
     const less = await open();
     await less.drop(readdirSync(conditions).filter((one) => one !== 'P1-0C.csv' && one !== 'README.md').map((one) => join(conditions, one)));
-    equal([await band(less), /P1-0C\.csv/.test(await less.text('#view-records .hint'))], ['6\u202fdevices read', true], 'the missing record is named');
+    equal([await band(less), /P1-0C\.csv/.test(await less.text('#view-records .hint'))], ['6\u202fdevices read, 1\u202ftest refused', true], 'the missing record is named');
     await less.press('show-properties');
     expect((await inFrameUntil(less, "document.querySelector('#conditions').innerText", 'the section')).includes('P1-0C.csv'), 'and in the report');
     await end(less);
+  },
+
+  'files of tests under several conditions become a lot in a table': async () => {
+    // The names propose devices and temperatures. `stated` is what the user states: device, order, temperature, more.
+    const folder = join(work, 'laboratory');
+    mkdirSync(folder);
+    const stated = [
+      ['P1--20C', 'P1_T-20C_0.5Hz_2000kN', 'P1', 2, -20],
+      ['P1-20C', 'P1_T20C_0.5Hz_2000kN', 'P1', 1, 20],
+      ['P1-40C', 'P1_T40C_0.5Hz_2000kN', 'P1', 3, 40],
+      ['P2--20C', 'P2_T-20C_0.5Hz_2000kN', 'P2', 2, -20],
+      ['P2-20C', 'P2_T20C_0.5Hz_2000kN', 'P2', 1, 20],
+      ['P4-reference', 'P4_20C', 'P4', 1, 20],
+      ['P4-aged', 'P4_20C_aged', 'P4', 3, 20, ', aged = { days = 14, at-C = 70 }'],
+      ['P4-fast', 'fast', 'P4', 2, 20, ', load-kN = 2000'],
+    ];
+    for (const [from, name] of stated) copyFileSync(join(conditions, from + '.csv'), join(folder, name + '.csv'));
+    // One record has no channel for the vertical load, so the table has a column for it.
+    writeFileSync(join(folder, 'fast.csv'), readFileSync(join(conditions, 'P4-fast.csv'), 'utf8').replace(/^([^#\n]*),[^,\n]*$/gm, '$1'));
+    const page = await open();
+    await page.drop([folder]);
+    equal((await rows(page)).length, 8, 'every file is a device');
+    await page.press('conditions-on');
+    await page.idle();
+    equal(await failure(page), '', 'a failure');
+    const shown = () => page.evaluate("Object.fromEntries([...document.querySelectorAll('#tests tr.test')].map((row) => [row.querySelector('th').firstChild.textContent, { id: row.id, device: row.querySelector('[id$=-device]').value, temperature: row.querySelector('[id$=-temperature-C]').value, proposed: row.querySelector('[id$=-temperature-C]').placeholder, measured: row.querySelector('small')?.textContent }]))");
+    const proposed = await shown();
+    for (const [, name, device, , temperature] of stated) {
+      const { device: found, temperature: taken, proposed: words } = proposed[name + '.csv'];
+      equal([found, taken, parseFloat(words)], name === 'fast' ? ['fast', '', null] : [device, '', temperature], name);
+    }
+    expect(/8.tests lack/.test(await page.text('#read-band')), 'what is missing: ' + (await page.text('#read-band')));
+    expect(/was aged/.test(await page.text('#view-records')), 'the name says aged');
+
+    // A person takes the proposed values, states the rest and moves a test to its device.
+    await page.press('take-proposed');
+    await page.idle();
+    equal(await page.evaluate("document.getElementById('take-proposed')"), null, 'all are taken');
+    const id = (name) => proposed[name + '.csv'].id;
+    await set(page, id('fast') + '-device', 'P4');
+    await set(page, id('fast') + '-temperature-C', '20');
+    await set(page, id('fast') + '-load-kN', '2000');
+    for (const [, name, , order] of stated) await set(page, id(name) + '-order', String(order));
+    await set(page, id('P4_20C_aged') + '-aged-days', '14');
+    await set(page, id('P4_20C_aged') + '-aged-at-C', '70');
+    for (const [key, value] of [['reference-temperature-C', '20'], ['reference-frequency-Hz', '0,5'], ['reference-load-kN', '2000'], ['design-temperature-C-from', '-15'], ['design-temperature-C-to', '30'], ['design-aged-days', '14'], ['design-aged-at-C', '70'], ['rules', 'ntc-2018']]) await set(page, 'conditions-' + key, value);
+    equal([await band(page), await failure(page)], ['3\u202fdevices read', ''], 'the band');
+    equal((await shown())['fast.csv'].measured, '2 Hz, 2000 kN, rate', 'what was measured');
+
+    // The command line finds the same in a lot file that states the same.
+    const lot = ['P1', 'P2', 'P4'].map((device) => `[[device]]\nname = '${device}'\ntest = [${stated.filter((one) => one[2] === device).map(([, name, , order, temperature, more = '']) => `{ file = '${name}.csv', order = ${order}, temperature-C = ${temperature}${more} }`).join(', ')}]\n`);
+    writeFileSync(join(folder, 'own.toml'), "title = 'own'\n[conditions]\nrules = 'ntc-2018'\nreference = { temperature-C = 20, frequency-Hz = 0.5, load-kN = 2000 }\ndesign = { temperature-C = [-15, 30], aged = { days = 14, at-C = 70 } }\n" + lot.join(''));
+    const native = JSON.parse(spawnSync(isolaw, ['conditions', join(folder, 'own.toml'), '--json']).stdout);
+    await page.press('show-save');
+    await page.press('save-inspection-json');
+    const found = JSON.parse((await page.saved()).bytes).conditions;
+    const of = ({ bounds, levels, tests: made }) => rounded([bounds, levels, made.map(({ device, test, role, effect }) => [device, test, role, effect])]);
+    equal(of(found), of(native), 'the same effects');
+    expect(found.bounds.length > 0 && found.tests.some(({ effect }) => effect === 'ageing'), 'effects are found');
+
+    // By keyboard, from one field to the next. What is typed stays, and so does the focus.
+    await page.press('show-records');
+    await page.evaluate(`document.getElementById('${id('P1_T40C_0.5Hz_2000kN')}-order').focus()`);
+    await page.key('Tab');
+    equal(await page.focused(), id('P1_T40C_0.5Hz_2000kN') + '-temperature-C', 'the next field');
+    await page.key('a', { control: true });
+    await page.write('41');
+    await page.key('Tab');
+    await page.idle();
+    equal([await page.focused(), (await shown())['P1_T40C_0.5Hz_2000kN.csv'].temperature], [id('P1_T40C_0.5Hz_2000kN') + '-rest-h', '41'], 'after an edit');
+
+    // Further keys, and a test that is left out. The program judges the values.
+    await page.press(id('fast') + '-more');
+    await set(page, id('fast') + '-temperature-of', 'core');
+    expect((await lotText(page)).includes("temperature-of = 'core'"), 'a further key');
+    await set(page, id('fast') + '-temperature-C', '900');
+    expect(/-100 to 200/.test(await page.text('#view-records')), 'a value that is not allowed: ' + (await page.text('#read-band')));
+    await page.press(id('fast') + '-leave-out');
+    await page.idle();
+    equal([await band(page), Object.keys(await shown()).length], ['3\u202fdevices read', 7], 'without this test');
+
+    // More files join the table. Without the switch, every test is a device of its own.
+    copyFileSync(join(conditions, 'P2-40C.csv'), join(folder, 'P2_T40C.csv'));
+    await page.drop([join(folder, 'P2_T40C.csv')], [300, 20]);
+    const more = (await shown())['P2_T40C.csv'];
+    equal([more.device, parseFloat(more.proposed)], ['P2', 40], 'one more test');
+    await page.evaluate('window.confirm = () => false');
+    await page.press('conditions-on');
+    equal(await page.evaluate("document.getElementById('conditions-on').checked"), true, 'the user goes back');
+    await page.evaluate('window.confirm = () => true');
+    await page.press('conditions-on');
+    await page.idle();
+    equal([await band(page), /conditions|order|aged =/.test(await lotText(page)), (await rows(page)).length], ['8\u202fdevices read', false, 8], 'without conditions');
+    await end(page);
   },
 
   'a file without time': async () => {
@@ -1192,7 +1299,8 @@ const tests = {
       await page.press('show-properties');
       await look('properties');
       if (width < 500) {
-        await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+        // A report draws a plot only when it comes into view.
+        await inFrameUntil(page, "document.querySelector('.plot').scrollIntoView() || document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
         expect((await page.inFrame('document.documentElement.scrollWidth <= innerWidth')) === true, 'the report is as narrow as its frame');
       }
       await page.press('show-laws');
@@ -1215,8 +1323,11 @@ const tests = {
       expect((await page.text('#version')).length > 2, 'the version');
       if (!standIn) for (const library of ['Eigen', 'SQLite', 'Plotly']) expect((await page.text('#licences')).includes(library), 'licences: ' + library);
       await look('about');
-      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
       await page.press('show-records');
+      await page.drop([conditions], [300, 20]);
+      await page.press('test-1-more');
+      await look('tests under several conditions');
+      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
       expect((await page.evaluate("getComputedStyle(document.querySelector('.drop')).display === 'none' && getComputedStyle(document.getElementById('devices')).display !== 'none'")) === true, 'on paper');
       await end(page);
     }
