@@ -61,6 +61,8 @@ const set = async (page, id, value) => {
   await page.type(id, value);
   await page.idle();
 };
+// Whether a report has drawn a plot. It draws a plot only when the plot comes into view.
+const PLOTS = "document.querySelector('.plot').scrollIntoView() || document.querySelectorAll('.plot .main-svg').length > 0";
 const inFrameUntil = async (page, expression, what) => {
   for (let i = 0; i < 400; ++i) {
     const value = await page.inFrame(`(() => { try { return ${expression} } catch { return null } })()`).catch(() => null);
@@ -130,14 +132,14 @@ const tests = {
     execFileSync(isolaw, ['inspect', join(example, 'lot.toml'), '--out', join(work, 'inspected')], { stdio: 'ignore' });
     await page.press('show-properties');
     await page.until("document.getElementById('inspection-frame')", 'the inspection');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     equal(await inFrameUntil(page, "document.body.dataset.errors !== undefined && 'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     expect((await page.inFrame('origin')) === 'null', 'the frame has an origin apart');
     // The report in the frame cannot load itself in other units. The page opens it again.
     const units = '.units [aria-pressed=true]';
     for (const [id, words] of [['kip-in', /kip/], ['N-m', /N\/m/], ['kN-mm', /kN\/mm/]]) {
       await page.inFrame(`document.querySelector('.units [value=${id}]').click()`);
-      await inFrameUntil(page, `document.querySelector('${units}')?.value === '${id}' && ${words}.test(document.body.textContent) && document.querySelectorAll('.plot .main-svg').length > 0`, 'the report in ' + id);
+      await inFrameUntil(page, `document.querySelector('${units}')?.value === '${id}' && ${words}.test(document.body.textContent) && (${PLOTS})`, 'the report in ' + id);
     }
     await page.press('show-save');
     await page.press('save-inspection-json');
@@ -481,7 +483,7 @@ const tests = {
     expect(inspection.warnings.some(({ sentence }) => sentence.startsWith('broken was refused')), 'the warning');
     // The unreadable file must not stop the identification of the other devices.
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     expect(/broken was refused/.test(await page.inFrame('document.body.textContent')), 'the report says it');
     await page.press('show-save');
     await page.press('save-whole');
@@ -580,7 +582,7 @@ const tests = {
     execFileSync(isolaw, ['calibrate', join(folder, 'lot.toml'), '--out', join(work, 'bearing-native'), '--figures', 'none'], { stdio: 'ignore' });
     const natively = (performance.now() - began) / 1000;
     console.log(`  ${took.toFixed(1)} s, natively ${natively.toFixed(1)} s: ${(took / natively).toFixed(1)} times as long`);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     await page.press('show-save');
     await page.press('save-summary-json');
     const best = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
@@ -622,7 +624,7 @@ const tests = {
     expect((await lotText(page)).includes('generations = 2\n'), 'two generations: ' + text.slice(0, 400));
     const took = await identified(page, 1800);
     console.log(`  identified in ${took.toFixed(1)} s; ${Math.round(mostMemory() / 2 ** 20)} MiB at most, of all processes of the browser`);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     await page.press('show-save');
     await page.press('save-summary-json');
     const { devices, laws } = JSON.parse((await page.saved()).bytes);
@@ -655,7 +657,7 @@ const tests = {
     equal(seen[0].rows, [['Bilinear', '\u2013', '0 of 10'], ['Bouc-Wen', '\u2013', '0 of 10']], 'before the first run');
     const reached = seen.at(-1).rows;
     expect(reached.every(([, error]) => /^\d+\.\d\u202f%$/.test(error)) && parseFloat(reached[0][1]) <= parseFloat(reached[1][1]), 'the errors, the smallest first: ' + JSON.stringify(reached));
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
@@ -717,7 +719,7 @@ const tests = {
     await page.drop([whole2]);
     equal(await failure(page), '', 'a failure');
     await page.until("document.getElementById('report-frame')", 'the report again');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots again');
+    await inFrameUntil(page, PLOTS, 'plots again');
     await page.press('show-records');
     equal((await rows(page)).length, 10, 'its devices');
     // The user identifies one more law. The results of the first two laws must stay exactly the same.
@@ -795,10 +797,10 @@ const tests = {
     const markup = "document.querySelectorAll('main img, main svg:not(.sign, .sketch > svg), main script, [onerror], [onload]').length";
     equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s');
     await page.press('show-properties');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the frame');
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots of the report');
+    await inFrameUntil(page, PLOTS, 'plots of the report');
     expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the report');
     await page.press('show-save');
     equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s, of Save');
@@ -1124,7 +1126,7 @@ const tests = {
     const page = await open();
     await page.drop([join(example, records[0])]);
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     const hash = await page.inFrame("[...document.querySelectorAll('nav a')].at(-1).getAttribute('href')");
     await page.inFrame("[...document.querySelectorAll('nav a')].at(-1).click()");
     await wait(700);
@@ -1299,8 +1301,7 @@ const tests = {
       await page.press('show-properties');
       await look('properties');
       if (width < 500) {
-        // A report draws a plot only when it comes into view.
-        await inFrameUntil(page, "document.querySelector('.plot').scrollIntoView() || document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+        await inFrameUntil(page, PLOTS, 'plots');
         expect((await page.inFrame('document.documentElement.scrollWidth <= innerWidth')) === true, 'the report is as narrow as its frame');
       }
       await page.press('show-laws');
