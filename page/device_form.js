@@ -1,4 +1,4 @@
-// The form for one device. It edits the device's table in the lot file.
+// The forms for one device, and for how the record of a device or a test is read. They edit its table in the lot file.
 
 import { element, visible } from './dom.js';
 import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
@@ -33,12 +33,37 @@ function linesOf(bytes) {
 // device. `write(key, value)` changes a key of the device in the lot file. `writePart(key, channel, value)` changes the
 // column, unit or scale of one channel; its key is 'columns', 'units' or 'channel-scale'.
 export function deviceForm(device, found, problems, write, writePart) {
-  const id = (key) => 'device-' + device.place + '-' + key;
+  const { id, field, number, value } = fieldsOf(device, write);
+  const others = [...state.files.keys()].filter((path) => path !== device.file).map((path) => [path, visible(path)]);
+  const facts = fieldset(
+    text.groups.who,
+    field('name'),
+    field('serial'),
+    field('lot'),
+    field('test-date'),
+    number('temperature-C'),
+    number('rubber-thickness-mm'),
+    number('rubber-area-mm2'),
+    typeof value('vertical') === 'object'
+      ? null
+      : choiceField(id('vertical'), text.form.vertical, [['', text.choices['']], ...others], value('vertical'), (file) => write('vertical', file)),
+    number('K_v'),
+  );
+  return element('div', { class: 'form' }, readingFields(device, found, problems, write, writePart, facts));
+}
+
+function fieldsOf(device, write) {
+  const id = (key) => device.id + '-' + key;
   const value = (key) => device.table.keys.get(key)?.value;
   const field = (key, options) => textField(id(key), text.form[key], value(key), (typed) => write(key, typed), options);
   const number = (key) => field(key, { number: true });
   const choice = (key) => choiceField(id(key), text.form[key], choicesOf(key), value(key), (chosen) => write(key, chosen));
+  return { id, value, field, number, choice };
+}
 
+// The fields for how the record of a device or a test is read, with `facts` among them.
+export function readingFields(device, found, problems, write, writePart, facts = null) {
+  const { id, value, field, number, choice } = fieldsOf(device, write);
   const { values: columns } = device.valuesOf('columns'),
     { values: units } = device.valuesOf('units'),
     { values: scales } = device.valuesOf('channel-scale');
@@ -57,13 +82,9 @@ export function deviceForm(device, found, problems, write, writePart) {
       textField(id('channel-scale-' + channel), text.form['channel-scale'], scales[channel], scale(channel), { number: true }),
     ),
   );
-  const others = [...state.files.keys()].filter((path) => path !== device.file).map((path) => [path, visible(path)]);
-
   const bytes = state.files.get(device.file);
   const lines = bytes && linesOf(bytes);
-  return element(
-    'div',
-    { class: 'form' },
+  return [
     fieldset(text.groups.columns, channels, suggested, number('dt'), flagField(id('flip-force'), text.form['flip-force'], value('flip-force'), (on) => write('flip-force', on))),
     bytes &&
       element(
@@ -74,20 +95,7 @@ export function deviceForm(device, found, problems, write, writePart) {
       ),
     (found?.recognised ?? []).length > 0 &&
       element('details', { class: 'look' }, element('summary', {}, text.recognised), element('ul', { class: 'sentences' }, found.recognised.map((one) => element('li', {}, visible(one))))),
-    fieldset(
-      text.groups.who,
-      field('name'),
-      field('serial'),
-      field('lot'),
-      field('test-date'),
-      number('temperature-C'),
-      number('rubber-thickness-mm'),
-      number('rubber-area-mm2'),
-      typeof value('vertical') === 'object'
-        ? null
-        : choiceField(id('vertical'), text.form.vertical, [['', text.choices['']], ...others], value('vertical'), (file) => write('vertical', file)),
-      number('K_v'),
-    ),
+    facts,
     element(
       'details',
       { class: 'rarely' },
@@ -112,5 +120,5 @@ export function deviceForm(device, found, problems, write, writePart) {
       element('summary', {}, text.groups.rig),
       element('div', { class: 'fields' }, choice('repair'), ['skew-ms', 'rig-friction', 'rig-friction-coefficient', 'moving-mass', 'force-factor'].map(number)),
     ),
-  );
+  ];
 }

@@ -15,14 +15,13 @@ const labelled = (id, [label, hint], control) =>
   element('div', { class: 'field' }, element('label', { for: id }, label), control, hint && element('small', { id: id + '-hint' }, hint));
 
 // Calls `write` with the new value, or with null if the user emptied the field.
-export function textField(id, words, value, write, { number = false, whole = false, list = null } = {}) {
-  const control = element('input', {
+export const textInput = (id, value, write, { number = false, whole = false, ...attributes } = {}) =>
+  element('input', {
     id,
     type: 'text',
     value: shown(value),
     inputmode: number ? 'decimal' : whole ? 'numeric' : null,
-    list,
-    'aria-describedby': words[1] ? id + '-hint' : null,
+    ...attributes,
     autocomplete: 'off',
     spellcheck: 'false',
     change: ({ currentTarget }) => {
@@ -30,8 +29,9 @@ export function textField(id, words, value, write, { number = false, whole = fal
       write(typed === '' ? null : number || whole ? asNumber(typed) : typed);
     },
   });
-  return labelled(id, words, control);
-}
+
+export const textField = (id, words, value, write, options = {}) =>
+  labelled(id, words, textInput(id, value, write, { ...options, 'aria-describedby': words[1] ? id + '-hint' : null }));
 
 // `options` is a list of pairs [value, label].
 export function choiceField(id, words, options, value, write) {

@@ -2,6 +2,7 @@
 // writes all of them.
 
 import { argument, asBytes, asText, complaintsOf, fileOf, run } from './engine_use.js';
+import { nameOfFile, plainTests, statesConditions, withProposedTests, withoutConditions } from './lot_tests.js';
 import { changed, state } from './state.js';
 import { text } from './text.js';
 import { deviceTables, readToml, valuesOf, withKey, withSetting, writeValue } from './toml.js';
@@ -57,20 +58,18 @@ function devicesIn(tables) {
     const table = tables[number];
     const file = filesOf(table)[0] ?? '';
     const name = table.keys.get('name')?.value;
-    return { number, place: i + 1, table, file, name: typeof name === 'string' ? name : stem(file).trim(), valuesOf: (key) => valuesOf(tables, number, key) };
+    return { id: 'device-' + (i + 1), number, place: i + 1, table, file, name: typeof name === 'string' ? name : nameOfFile(file), valuesOf: (key) => valuesOf(tables, number, key) };
   });
 }
 
-// Returns the devices of the lot file as [{number, place, table, file, name, valuesOf}]. `number` is the index of the
-// device's table among all tables. `place` is its number among the devices, from 1.
+// Returns the devices of the lot file as [{id, number, place, table, file, name, valuesOf}]. `number` is the index of
+// the device's table among all tables. `place` is its number among the devices, from 1.
 export const lotDevices = () => devicesIn(lotTables().tables ?? []);
 
 // `isolaw init` ends its lot file with a paragraph of comments. A line `# file = ...` in it names a file that the
 // program cannot read. This page removes the paragraph and makes a device of each such file, which the program then
 // refuses with a reason.
 const FILES_LEFT_OUT = /\n\n(?:#.*\n)*# file = .*\n(?:#.*\n)*$/;
-
-const stem = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
 
 // Returns the table of a device with this file. The page adds it for files that the program could not read, so that
 // every result reports such a file until the user removes it.
@@ -170,8 +169,8 @@ function rename(named) {
     if (/^([A-Za-z]:|[\\/])|(^|[\\/])\.\.([\\/]|$)/.test(path)) {
       // The path leads out of the lot's folder, which the program refuses. So the lot file gets the path of the dropped
       // record instead.
-      const device = lotDevices().find(({ file }) => file === path);
-      if (device?.table.keys.get('file')) state.lot = withKey(state.lot, device.number, 'file', same);
+      const number = lotTables().tables.findIndex(({ keys }) => keys.get('file')?.value === path);
+      if (number >= 0) state.lot = withKey(state.lot, number, 'file', same);
       continue;
     }
     for (const map of [state.files, state.digests]) {
@@ -282,7 +281,23 @@ export const readRecords = async (paths) => {
   if (state.lots !== lots) return;
   if (state.lot === null) state.lot = withSetting(withNamesApart(found), '', 'title', state.title || text.untitled);
   else state.lot = withNamesApart(state.lot.replace(/\n*$/, '\n\n') + found.slice(devicesFrom(found)).replace(/\n*$/, '\n'));
+  if (statesConditions(lotTables().tables ?? [])) await proposeTests();
 };
+
+// Makes the plain records of the lot tests of devices under several conditions, as the names of the files propose.
+export const proposeTests = async () => {
+  const { lots } = state;
+  const files = [...new Set(plainTests(lotTables().tables).map(({ file }) => file))];
+  const { stdout } = await run(['test-keys', ...files.map(argument)], [], []);
+  if (state.lots !== lots || !lotTables().tables) return;
+  const { proposed } = JSON.parse(stdout);
+  // A name does not say how long and at which temperature a device was aged, so `aged` is only true.
+  const values = ({ device: _, ...stated }) => Object.fromEntries(Object.entries(stated).filter(([, value]) => value !== null && value !== false));
+  state.lot = withProposedTests(state.lot, new Map(files.map((file, i) => [file, { device: proposed[i].device, values: values(proposed[i]) }])));
+};
+
+// Makes every test of the lot a device of its own. What was stated about the conditions of the tests is lost.
+export const forgetConditions = (lot) => withNamesApart(withoutConditions(lot, [...state.testRows.test.map(({ key }) => key), 'aged']));
 
 let running = false,
   again = false;
@@ -340,11 +355,12 @@ export function setCampaign(files, of) {
   state.saved = false;
 }
 
-// Asks the program for its laws and rule sets, so that the page needs no list of its own.
+// Asks the program for its laws, its rule sets and the keys of a test, so that the page needs no list of its own.
 export const readCatalogue = async () => {
-  const [laws, rules] = await Promise.all([run(['laws', '--json'], [], []), run(['rules', '--json'], [], [])]);
+  const [laws, rules, tests] = await Promise.all([['laws', '--json'], ['rules', '--json'], ['test-keys']].map((words) => run(words, [], [])));
   state.laws = JSON.parse(laws.stdout).map(({ id, name, title, set, parameters, rate_independent: untimed }) => ({ id, name, title, set, parameters: parameters.length, timed: !untimed }));
   state.rules = JSON.parse(rules.stdout).map(({ id, title, verified_by: by }) => ({ id, title, verified: by !== '' }));
+  state.testRows = JSON.parse(tests.stdout);
 };
 
 // Returns the files of the built-in example lot as if the user had dropped its folder.

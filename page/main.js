@@ -5,7 +5,7 @@ import { button, element, fill, place, visible } from './dom.js';
 import { asComplaints, complaintsOf, engine } from './engine_use.js';
 import { forgetFrames, isFrame, printFrame } from './frame.js';
 import { cancelIdentifying, drawLaws, isIdentifying, knowWorkers } from './laws.js';
-import { addFiles, exampleLot, inspect, lotDevices, openStore, readCatalogue, readRecords, replaces, titleOfAll } from './lot.js';
+import { addFiles, exampleLot, inspect, lotDevices, openStore, proposeTests, readCatalogue, readRecords, replaces, titleOfAll } from './lot.js';
 import { drawProperties } from './properties.js';
 import { drawRecords, noteList, problemList } from './records.js';
 import { drawSave } from './save.js';
@@ -80,6 +80,12 @@ const use = {
   },
   addAgain: (paths) => busy(text.reading(paths.length), async () => {
     await readRecords(paths);
+    changed();
+    await inspectIfAny();
+  }),
+  propose: () => busy(text.inspecting, async () => {
+    await proposeTests();
+    state.saved = false;
     changed();
     await inspectIfAny();
   }),

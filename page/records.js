@@ -8,8 +8,9 @@ import { lotForm } from './lot_form.js';
 import { lotDevices, lotTables, namedFiles } from './lot.js';
 import { CHANNELS, columnAsRead, guessesOf, hasValues, isDoubtful, lacksTime, readingOf } from './reading.js';
 import { state } from './state.js';
+import { conditionsForm, hasConditions, testsSwitch, testsTable, unfilled } from './tests_form.js';
 import { text } from './text.js';
-import { withKey, withoutDevice } from './toml.js';
+import { withKey, withoutTable } from './toml.js';
 
 // The numbers of the devices whose forms are open, and of those whose values the user showed (true) or hid (false).
 // They belong to the lot with the number openIn; drawRecords() clears them when the user opens another lot.
@@ -170,7 +171,7 @@ function rowsOf(one, edit, redraw) {
             }, { class: 'action' }),
             button(text.leaveOut, () => {
               leftOut(device.place);
-              edit(withoutDevice(state.lot, device.number));
+              edit(withoutTable(state.lot, device.number));
               focusTitle();
             }, { class: 'action quiet' }),
           ),
@@ -181,7 +182,7 @@ function rowsOf(one, edit, redraw) {
   return rows;
 }
 
-export const noteList = () => state.notes.length > 0 && element('ul', { class: 'notes', role: 'status' }, state.notes.map((note) => element('li', {}, visible(note))));
+export const noteList = () => state.notes.length > 0 && element('div', { role: 'status' }, element('ul', { class: 'notes' }, state.notes.map((note) => element('li', {}, visible(note)))));
 
 const focusTitle = () => place('records-title').focus();
 
@@ -194,24 +195,28 @@ function band(all) {
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
   // The user dropped only the results of a campaign, without records and lot file.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
+  const { tests, reference } = unfilled();
+  const refused = state.inspection?.conditions?.refused.length ?? 0;
+  if (tests > 0 || reference) return { read, node: ['care', text.readBand.unfilled, text.readUnfilled(tests, reference), false] };
   const [tone, word, said] = broken
     ? ['poor', text.readBand.broken, '']
     : read === 0
       ? ['poor', text.readBand.none, text.readNone]
       : not > 0
         ? ['care', text.readBand.some(read, not) + text.readBand.bare(bare), text.readSome]
-        : bare > 0
-          ? ['care', text.readBand.all(read) + text.readBand.bare(bare), text.readBare]
+        : bare + refused > 0
+          ? ['care', text.readBand.all(read) + text.readBand.bare(bare) + text.readBand.refused(refused), text.readBare]
           : doubtful > 0
             ? ['care', text.readBand.all(read), text.readDoubtful(doubtful)]
             : ['good', text.readBand.all(read), text.readAll];
   return { read, node: [tone, word, said, broken] };
 }
 
-export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain }) {
+export function drawRecords(use) {
+  const { edit, show, pick, pickFolder, startOver, addAgain } = use;
   const node = place('view-records');
   const redraw = (focus) => {
-    drawRecords({ edit, show, pick, pickFolder, startOver, addAgain });
+    drawRecords(use);
     if (focus) place(focus)?.focus({ preventScroll: true });
   };
   if (openIn !== state.lots) {
@@ -219,6 +224,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
     openForms.clear();
     chosenValues.clear();
   }
+  const ofTests = { ...use, redraw };
   const all = devicesFound();
   const { read, node: [tone, word, said, broken] } = band(all);
   const unreadable = all.filter((one) => !one.readable);
@@ -246,7 +252,7 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
             unreadable.length > 0 &&
               button(text.leaveOutAll, () => {
                 for (const { device } of [...unreadable].reverse()) leftOut(device.place);
-                edit(unreadable.reduceRight((lot, { device }) => withoutDevice(lot, device.number), state.lot));
+                edit(unreadable.reduceRight((lot, { device }) => withoutTable(lot, device.number), state.lot));
                 focusTitle();
               }, { class: 'action quiet', id: 'leave-out' }),
           ),
@@ -261,6 +267,8 @@ export function drawRecords({ edit, show, pick, pickFolder, startOver, addAgain 
     ),
     noteList(),
     missing.length > 0 && element('p', { class: 'hint care' }, visible(text.missing(missing))),
+    lotTables().tables && all.length > 0 && testsSwitch(ofTests),
+    hasConditions() && [testsTable(ofTests), element('section', { class: 'form', 'aria-label': text.tests }, conditionsForm(ofTests))],
     all.length > 0 &&
       element(
         'div',

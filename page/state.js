@@ -19,6 +19,7 @@ export const state = {
   ...nothing(),
   laws: [], // [{id, name, title, parameters, set, timed}]; `timed`: whether the law depends on time
   rules: [], // [{id, title, verified}]
+  testRows: { test: [], aged: [] }, // the keys of a test and of its table `aged`: [{key, label, unit, help, kind, words}]
   lots: 0, // number of lots so far; a result that was begun for an earlier lot is dropped
 };
 

@@ -103,8 +103,8 @@ class Reader {
 
 // Returns the tables of a text as [{path, array, keys, comments, from, to}]. The first table has the keys that stand
 // before any heading. A table takes up text[from] to text[to]. `keys` maps a name to {from, to, value, valueFrom,
-// valueTo}, and `comments` maps the name in a comment `# name = ...` to {from, to}; `from` and `to` enclose whole
-// lines.
+// valueTo}, and `comments` maps the name in a comment `# name = words` to {from, to, words}; `from` and `to` enclose
+// whole lines.
 export function readToml(text) {
   const reader = new Reader(text);
   const open = (path, array, from) => ({ path, array, keys: new Map(), comments: new Map(), from, to: from });
@@ -120,8 +120,8 @@ export function readToml(text) {
       reader.need(array ? ']]' : ']');
     } else if (reader.sees('#')) {
       const comment = reader.take(/#[^\n]*/y);
-      const name = /^#\s*([A-Za-z0-9_-]+)\s*=/.exec(comment)?.[1];
-      if (name && !table.comments.has(name)) table.comments.set(name, { from, to: reader.at + 1 });
+      const [, name, words] = /^#\s*([A-Za-z0-9_-]+)\s*=\s*(.*)/.exec(comment) ?? [];
+      if (name && !table.comments.has(name)) table.comments.set(name, { from, to: reader.at + 1, words });
     } else if (!/[\r\n]/.test(text[reader.at] ?? '\n')) {
       const name = reader.key();
       reader.need('=');
@@ -237,10 +237,10 @@ export function settingsOf(tables, path, name) {
 // Returns the indices of the tables that describe devices.
 export const deviceTables = (tables) => tables.flatMap(({ path, array }, number) => (path === 'device' && array ? [number] : []));
 
-// Returns the text without the table of a device and the tables that belong to it.
-export function withoutDevice(text, number) {
+// Returns the text without a table and the tables below it that belong to it, such as the tests of a device.
+export function withoutTable(text, number) {
   const tables = readToml(text);
   let last = number;
-  while (tables[last + 1]?.path.startsWith('device.')) ++last;
+  while (tables[last + 1]?.path.startsWith(tables[number].path + '.')) ++last;
   return text.slice(0, tables[number].from) + text.slice(tables[last].to).replace(/^\n/, '');
 }

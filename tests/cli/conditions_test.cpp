@@ -90,6 +90,24 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
     }
 }
 
+// The page makes its table of tests from this list. A lot file must accept every key in it.
+TEST_F(Conditions, have_keys_that_are_listed_for_the_page) {
+  auto const listed = Json::parse(isolaw({"test-keys", "P1_T-20C_2000kN_aged.csv", "device-01.csv"}).out);
+  std::vector<std::string> found;
+  for (auto const& row : listed["test"]) found.push_back(row["key"]);
+  for (auto const* key : {"order", "started", "temperature-C", "temperature-of", "load-kN", "rest-h", "conditioned-h",
+                          "stands-for", "fit", "specimen", "scale"})
+    EXPECT_TRUE(std::ranges::find(found, key) != found.end()) << key;
+  auto const& temperature = listed["test"][1];
+  EXPECT_EQ(temperature["label"], "Temperature");
+  EXPECT_EQ(temperature["unit"], "°C");
+  EXPECT_EQ(temperature["kind"], "number");
+  EXPECT_TRUE(contains(temperature["help"].get<std::string>(), "-100 to 200"));
+  EXPECT_EQ(listed["aged"].size(), 2U);
+  EXPECT_EQ(listed["proposed"].dump(), R"([{"device":"P1","temperature-C":-20.0,"load-kN":2000.0,"aged":true},)"
+                                       R"({"device":"device-01","temperature-C":null,"load-kN":null,"aged":false}])");
+}
+
 TEST_F(Conditions, are_written_as_tables_and_figures) {
   write("C/figures/mine.gp", "# not isolaw's\n");
   auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});

@@ -2,7 +2,7 @@
 // must be read and written, and no module may turn text into HTML.
 //   node modules_test.mjs
 import assert from 'node:assert/strict';
-import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -14,12 +14,13 @@ const source = fileURLToPath(new URL('../../page/', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'isolaw-modules-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 // The page's modules end in .js, because the build joins them. Node takes only files that end in .mjs for modules, so
-// this function loads a copy with that ending.
+// this function loads a copy with that ending. The modules that it imports must be loaded before.
 const load = (name) => {
-  copyFileSync(join(source, name + '.js'), join(folder, name + '.mjs'));
+  writeFileSync(join(folder, name + '.mjs'), readFileSync(join(source, name + '.js'), 'utf8').replace(/(from '\.\/\w+)\.js'/g, "$1.mjs'"));
   return import(pathToFileURL(join(folder, name + '.mjs')).href);
 };
-const { readToml, writeValue, settingsOf, valuesOf, withKey, withSetting, withoutDevice, deviceTables } = await load('toml');
+const { readToml, writeValue, settingsOf, valuesOf, withKey, withSetting, withoutTable, deviceTables } = await load('toml');
+const { canMoveTests, proposalsOf, statesConditions, testsIn, withProposedTests, withTestOf, withoutConditions } = await load('lot_tests');
 const { TooLarge, readZip, writeZip, looksLikeZip } = await load('zip');
 
 const LOT = `# above
@@ -108,8 +109,102 @@ test('a table of values, in the forms that it has', () => {
 });
 
 test('a device goes with the tables below it', () => {
-  const without = withoutDevice(LOT, deviceTables(readToml(LOT))[0]);
+  const without = withoutTable(LOT, deviceTables(readToml(LOT))[0]);
   assert.equal(without, LOT.slice(0, LOT.indexOf('[[device]]')) + "[[device]]\nfiles = [\"b.csv\", 'c.csv']\n");
+});
+
+// Three records. The second has another time step and another serial number.
+const RECORDS = `title = 'T'
+
+[calibrate]
+runs = 3
+
+[[device]]
+name = 'P1_T20C'
+file = 'P1_T20C.csv'
+columns = { disp = 1, force = 2 }
+serial = 'S1'
+rubber-thickness-mm = 208
+# test-date = ""
+
+[[device]]
+name = 'P1_T-20C'
+file = 'P1_T-20C.csv'
+columns = { disp = 1, force = 2 }
+dt = 0.01 # as the laboratory says
+serial = 'S9'
+temperature-C = -19.5
+
+[[device]]
+name = 'P2_T20C'
+file = 'P2_T20C.csv'
+columns = { disp = 1, force = 3 }
+sheet = 'A'
+test = 2
+dt = 0.02
+rubber-thickness-mm = 208
+`;
+const PROPOSED = new Map([
+  ['P1_T20C.csv', { device: 'P1', values: { 'temperature-C': 20 } }],
+  ['P1_T-20C.csv', { device: 'P1', values: { 'temperature-C': -20, aged: true } }],
+  ['P2_T20C.csv', { device: 'P2', values: { 'temperature-C': 20 } }],
+]);
+// How the record of each test is read: the keys of its device, and its own over them.
+const reading = (lot) => {
+  const tables = readToml(lot);
+  const keys = (table) => Object.fromEntries([...table.keys].filter(([key]) => ['columns', 'dt', 'sheet', 'test'].includes(key)).map(([key, { value }]) => [key, JSON.stringify(value)]));
+  return Object.fromEntries(testsIn(tables).map(({ file, owner, table }) => [file, { ...keys(tables[owner]), ...keys(table) }]));
+};
+const where = (lot) => Object.fromEntries(testsIn(readToml(lot)).map(({ file, device }) => [file, device]));
+
+test('records become tests of the proposed devices and are read as before', () => {
+  const lot = withProposedTests(RECORDS, PROPOSED);
+  assert.ok(statesConditions(readToml(lot)));
+  assert.deepEqual(where(lot), { 'P1_T20C.csv': 'P1', 'P1_T-20C.csv': 'P1', 'P2_T20C.csv': 'P2' });
+  assert.deepEqual(reading(lot), reading(RECORDS));
+  assert.ok(readToml(lot).every(({ path, keys }) => path !== 'device' || !keys.has('test')), 'TOML allows no key `test` beside [[device.test]]');
+  const tests = testsIn(readToml(lot));
+  // A temperature that the file states is taken. One that the name proposes is a comment until a person takes it.
+  assert.deepEqual(tests.map((one) => [one.name, one.table.keys.get('temperature-C')?.value, proposalsOf(one, ['temperature-C'])]), [['P1_T20C', undefined, { 'temperature-C': 20 }], ['P1_T-20C', -19.5, { aged: true }], ['P2_T20C', undefined, { 'temperature-C': 20 }]]);
+  assert.match(withKey(lot, tests[0].number, 'temperature-C', 21), /P1_T20C\.csv'\ntemperature-C = 21\n/);
+  // The serial number that the device does not have stays readable, and so does the rest of the file.
+  const [device] = deviceTables(readToml(lot));
+  assert.deepEqual([readToml(lot)[device].keys.get('serial').value, readToml(lot)[device].keys.get('rubber-thickness-mm').value, lot.includes("# serial = 'S9'")], ['S1', 208, true]);
+  assert.ok(lot.startsWith("title = 'T'\n\n[calibrate]\nruns = 3\n") && lot.includes('# test-date = ""'));
+});
+
+test('a test moves to another device and is read as before', () => {
+  const lot = withProposedTests(RECORDS, PROPOSED);
+  const moved = (from, file, name) => withTestOf(from, testsIn(readToml(from)).find((one) => one.file === file).number, name);
+  for (const [file, name] of [['P1_T-20C.csv', 'P2'], ['P1_T20C.csv', 'P2'], ['P2_T20C.csv', 'P1'], ['P1_T20C.csv', 'P3'], ['P2_T20C.csv', 'P4']]) {
+    const next = moved(lot, file, name);
+    assert.deepEqual(where(next), { ...where(lot), [file]: name });
+    assert.deepEqual(reading(next), reading(RECORDS), file + ' to ' + name);
+    assert.equal(deviceTables(readToml(next)).length, new Set(Object.values(where(next))).size, 'no device without a test');
+    assert.deepEqual(reading(moved(next, file, where(lot)[file])), reading(RECORDS));
+  }
+  // A device of its own has the sizes of the type but not the serial number of the device that the test came from.
+  const apart = readToml(moved(lot, 'P1_T20C.csv', 'P3'));
+  const { owner } = testsIn(apart).find(({ device }) => device === 'P3');
+  assert.deepEqual([apart[owner].keys.get('rubber-thickness-mm').value, apart[owner].keys.has('serial')], [208, false]);
+  // Tables of a test move with it.
+  const second = testsIn(readToml(lot))[1].table;
+  const nested = lot.slice(0, second.to) + '[device.test.units]\ndisp = "mm"\n\n[[device.test]]\nname = "third"\nfile = "third.csv"\n\n' + lot.slice(second.to);
+  assert.ok(canMoveTests(nested));
+  const third = moved(nested, 'third.csv', 'P2');
+  assert.deepEqual(where(third), { ...where(lot), 'third.csv': 'P2' });
+  const units = readToml(moved(nested, 'P1_T-20C.csv', 'P2'));
+  assert.equal(units[units.findIndex(({ path }) => path === 'device.test.units') - 1].keys.get('file').value, 'P1_T-20C.csv');
+  assert.ok(!canMoveTests(lot.replace('[[device.test]]', '[device.columns]\ndisp = 1\n\n[[device.test]]')));
+});
+
+test('every test becomes a device of its own again', () => {
+  let lot = withProposedTests(RECORDS, PROPOSED);
+  for (const [i, { number }] of testsIn(readToml(lot)).entries()) lot = withKey(lot, number, 'order', i + 1);
+  const back = withoutConditions(lot, ['order', 'temperature-C', 'aged']);
+  assert.ok(!statesConditions(readToml(back)) && !/order|device\.test/.test(back));
+  assert.deepEqual(where(back), where(RECORDS));
+  assert.deepEqual(reading(back), reading(RECORDS));
 });
 
 test('what is typed stays a value', () => {

@@ -35,6 +35,10 @@ const { readZip } = await import(pathToFileURL(join(work, 'zip.mjs')).href);
 execFileSync(isolaw, ['example', join(work, 'example')], { stdio: 'ignore' });
 const example = join(work, 'example');
 const records = readdirSync(example).filter((one) => one.startsWith('device-')).sort();
+const conditions = join(work, 'conditions'); // the example lot whose devices were tested under several conditions
+execFileSync(isolaw, ['example', conditions, '--conditions'], { stdio: 'ignore' });
+// The page and the command line use different instruction sets, so their results agree only to six digits.
+const rounded = (value) => JSON.stringify(value, (_, one) => (typeof one === 'number' ? Number(one.toPrecision(6)) : one));
 
 const open = (options = {}) => openPage(browser, file, { standIn, ...options });
 // Ends a test. The page and its frames must have reported no error and requested nothing from a network.
@@ -57,6 +61,8 @@ const set = async (page, id, value) => {
   await page.type(id, value);
   await page.idle();
 };
+// Whether a report has drawn a plot. It draws a plot only when the plot comes into view.
+const PLOTS = "document.querySelector('.plot').scrollIntoView() || document.querySelectorAll('.plot .main-svg').length > 0";
 const inFrameUntil = async (page, expression, what) => {
   for (let i = 0; i < 400; ++i) {
     const value = await page.inFrame(`(() => { try { return ${expression} } catch { return null } })()`).catch(() => null);
@@ -126,22 +132,19 @@ const tests = {
     execFileSync(isolaw, ['inspect', join(example, 'lot.toml'), '--out', join(work, 'inspected')], { stdio: 'ignore' });
     await page.press('show-properties');
     await page.until("document.getElementById('inspection-frame')", 'the inspection');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     equal(await inFrameUntil(page, "document.body.dataset.errors !== undefined && 'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     expect((await page.inFrame('origin')) === 'null', 'the frame has an origin apart');
     // The report in the frame cannot load itself in other units. The page opens it again.
     const units = '.units [aria-pressed=true]';
     for (const [id, words] of [['kip-in', /kip/], ['N-m', /N\/m/], ['kN-mm', /kN\/mm/]]) {
       await page.inFrame(`document.querySelector('.units [value=${id}]').click()`);
-      await inFrameUntil(page, `document.querySelector('${units}')?.value === '${id}' && ${words}.test(document.body.textContent) && document.querySelectorAll('.plot .main-svg').length > 0`, 'the report in ' + id);
+      await inFrameUntil(page, `document.querySelector('${units}')?.value === '${id}' && ${words}.test(document.body.textContent) && (${PLOTS})`, 'the report in ' + id);
     }
     await page.press('show-save');
     await page.press('save-inspection-json');
     const own = JSON.parse((await page.saved()).bytes),
       other = JSON.parse(readFileSync(join(work, 'inspected/inspection.json')));
-    // The page and the command line use different instruction sets, so their results agree only to six digits.
-    const plain = (value) => (typeof value === 'number' ? Number(value.toPrecision(6)) : value);
-    const rounded = (value) => JSON.stringify(value, (_, one) => plain(one));
     equal(own.devices.map(({ sha256 }) => sha256), other.devices.map(({ sha256 }) => sha256), 'hashes');
     const cycles = (one) => one.devices.map(({ blocks }) => blocks.map((block) => block.cycles.map(({ K_eff_kN_per_mm: k, damping_percent: d, energy_kN_mm: e }) => [k, d, e])));
     equal(rounded(cycles(own)), rounded(cycles(other)), 'cycles');
@@ -262,6 +265,157 @@ const tests = {
     await end(page);
   },
 
+  'a lot file that states conditions, with its records': async () => {
+    const page = await open();
+    await page.drop([conditions]);
+    equal(await failure(page), '', 'a failure');
+    equal((await rows(page)).map((row) => row.name), ['P1', 'P2', 'P3', 'P4', 'P5', 'P6'], 'devices');
+    equal(await band(page), '6\u202fdevices read', 'the band');
+    equal(await page.text('#view-records .hint'), '', 'no file is missing or left over');
+    equal(await lotText(page), readFileSync(join(conditions, 'lot.toml'), 'utf8'), 'the lot file');
+
+    // The table of the tests shows what the lot file states. An edit changes one value.
+    const value = (id) => page.evaluate(`document.getElementById(${JSON.stringify(id)}).value`);
+    const row = (file, key) => page.evaluate(`document.getElementById([...document.querySelectorAll('#tests tr.test')].find((one) => one.innerText.includes(${JSON.stringify(file)})).id + '-${key}').value`);
+    equal(await page.evaluate("[document.querySelectorAll('#tests tr.test').length, document.getElementById('conditions-on').checked]"), [26, true], 'tests');
+    const keys = ['device', 'order', 'temperature-C', 'rest-h', 'aged-days', 'aged-at-C'];
+    equal(await Promise.all(keys.map((key) => row('P4-aged.csv', key))), ['P4', '9', '20', '24', '14', '70'], 'the aged test');
+    equal(await Promise.all(['reference-temperature-C', 'reference-load-kN', 'design-temperature-C-from', 'design-temperature-C-to', 'design-rest', 'design-aged-days'].map((id) => value('conditions-' + id))), ['20', '2000', '-15', '45', 'full', '14'], 'the form');
+    const before = await lotText(page);
+    await set(page, 'conditions-design-temperature-C-to', '40');
+    equal(await lotText(page), before.replace(/^design = .*temperature-C = \[-15, 45\].*$/m, "design = { temperature-C = [-15, 40], frequency-Hz = [0.35, 0.65], load-kN = [1000, 3000], rest = 'full', cycles = 10, aged = { days = 14, at-C = 70 } }"), 'one value is changed');
+    await page.evaluate("document.getElementById('lot-file').open = true");
+    await set(page, 'lot-text', before);
+
+    // The sections of the inspection and of the report must show what the command line computes.
+    const native = JSON.parse(spawnSync(isolaw, ['conditions', join(conditions, 'lot.toml'), '--json']).stdout);
+    const of = ({ bounds, levels, tests: made }) => rounded([bounds, levels, made.map(({ device, test, role, effect, temperature_C: temperature }) => [device, test, role, effect, temperature])]);
+    const [upper] = native.bounds.map(({ max }) => max.factor.toFixed(3));
+    const shown = async () => expect((await inFrameUntil(page, "document.querySelector('#conditions').innerText", 'the section')).includes(upper), 'the upper bound ' + upper);
+    await page.press('show-properties');
+    await shown();
+    await page.press('show-save');
+    await page.press('save-inspection-json');
+    equal(of(JSON.parse((await page.saved()).bytes).conditions), of(native), 'the inspection');
+    await identifyLittle(page);
+    await shown();
+    await page.press('show-save');
+    await page.press('save-summary-json');
+    equal(of(JSON.parse((await page.saved()).bytes).conditions), of(native), 'the report');
+
+    // The user saves everything as one file and drops it again.
+    await page.press('save-whole');
+    const { path } = await page.saved();
+    const again = await open();
+    await again.drop([path]);
+    await again.until("document.getElementById('report-frame')", 'the report again');
+    equal(await again.text('#laws-doubt'), '', 'nothing has changed');
+    await end(again);
+    await end(page);
+
+    // A record of one test is missing. The page must name it and use the other tests.
+    const less = await open();
+    await less.drop(readdirSync(conditions).filter((one) => one !== 'P1-0C.csv' && one !== 'README.md').map((one) => join(conditions, one)));
+    equal([await band(less), /P1-0C\.csv/.test(await less.text('#view-records .hint'))], ['6\u202fdevices read, 1\u202ftest refused', true], 'the missing record is named');
+    await less.press('show-properties');
+    expect((await inFrameUntil(less, "document.querySelector('#conditions').innerText", 'the section')).includes('P1-0C.csv'), 'and in the report');
+    await end(less);
+  },
+
+  'files of tests under several conditions become a lot in a table': async () => {
+    // The names propose devices and temperatures. `stated` is what the user states: device, order, temperature, more.
+    const folder = join(work, 'laboratory');
+    mkdirSync(folder);
+    const stated = [
+      ['P1--20C', 'P1_T-20C_0.5Hz_2000kN', 'P1', 2, -20],
+      ['P1-20C', 'P1_T20C_0.5Hz_2000kN', 'P1', 1, 20],
+      ['P1-40C', 'P1_T40C_0.5Hz_2000kN', 'P1', 3, 40],
+      ['P2--20C', 'P2_T-20C_0.5Hz_2000kN', 'P2', 2, -20],
+      ['P2-20C', 'P2_T20C_0.5Hz_2000kN', 'P2', 1, 20],
+      ['P4-reference', 'P4_20C', 'P4', 1, 20],
+      ['P4-aged', 'P4_20C_aged', 'P4', 3, 20, ', aged = { days = 14, at-C = 70 }'],
+      ['P4-fast', 'fast', 'P4', 2, 20, ', load-kN = 2000'],
+    ];
+    for (const [from, name] of stated) copyFileSync(join(conditions, from + '.csv'), join(folder, name + '.csv'));
+    // One record has no channel for the vertical load, so the table has a column for it.
+    writeFileSync(join(folder, 'fast.csv'), readFileSync(join(conditions, 'P4-fast.csv'), 'utf8').replace(/^([^#\n]*),[^,\n]*$/gm, '$1'));
+    const page = await open();
+    await page.drop([folder]);
+    equal((await rows(page)).length, 8, 'every file is a device');
+    await page.press('conditions-on');
+    await page.idle();
+    equal(await failure(page), '', 'a failure');
+    const shown = () => page.evaluate("Object.fromEntries([...document.querySelectorAll('#tests tr.test')].map((row) => [row.querySelector('th').firstChild.textContent, { id: row.id, device: row.querySelector('[id$=-device]').value, temperature: row.querySelector('[id$=-temperature-C]').value, proposed: row.querySelector('[id$=-temperature-C]').placeholder, measured: row.querySelector('small')?.textContent }]))");
+    const proposed = await shown();
+    for (const [, name, device, , temperature] of stated) {
+      const { device: found, temperature: taken, proposed: words } = proposed[name + '.csv'];
+      equal([found, taken, parseFloat(words)], name === 'fast' ? ['fast', '', null] : [device, '', temperature], name);
+    }
+    expect(/8.tests lack/.test(await page.text('#read-band')), 'what is missing: ' + (await page.text('#read-band')));
+    expect(/was aged/.test(await page.text('#view-records')), 'the name says aged');
+
+    // A person takes the proposed values, states the rest and moves a test to its device.
+    await page.press('take-proposed');
+    await page.idle();
+    equal(await page.evaluate("document.getElementById('take-proposed')"), null, 'all are taken');
+    const id = (name) => proposed[name + '.csv'].id;
+    await set(page, id('fast') + '-device', 'P4');
+    await set(page, id('fast') + '-temperature-C', '20');
+    await set(page, id('fast') + '-load-kN', '2000');
+    for (const [, name, , order] of stated) await set(page, id(name) + '-order', String(order));
+    await set(page, id('P4_20C_aged') + '-aged-days', '14');
+    await set(page, id('P4_20C_aged') + '-aged-at-C', '70');
+    for (const [key, value] of [['reference-temperature-C', '20'], ['reference-frequency-Hz', '0,5'], ['reference-load-kN', '2000'], ['design-temperature-C-from', '-15'], ['design-temperature-C-to', '30'], ['design-aged-days', '14'], ['design-aged-at-C', '70'], ['rules', 'ntc-2018']]) await set(page, 'conditions-' + key, value);
+    equal([await band(page), await failure(page)], ['3\u202fdevices read', ''], 'the band');
+    equal((await shown())['fast.csv'].measured, '2 Hz, 2000 kN, rate', 'what was measured');
+
+    // The command line finds the same in a lot file that states the same.
+    const lot = ['P1', 'P2', 'P4'].map((device) => `[[device]]\nname = '${device}'\ntest = [${stated.filter((one) => one[2] === device).map(([, name, , order, temperature, more = '']) => `{ file = '${name}.csv', order = ${order}, temperature-C = ${temperature}${more} }`).join(', ')}]\n`);
+    writeFileSync(join(folder, 'own.toml'), "title = 'own'\n[conditions]\nrules = 'ntc-2018'\nreference = { temperature-C = 20, frequency-Hz = 0.5, load-kN = 2000 }\ndesign = { temperature-C = [-15, 30], aged = { days = 14, at-C = 70 } }\n" + lot.join(''));
+    const native = JSON.parse(spawnSync(isolaw, ['conditions', join(folder, 'own.toml'), '--json']).stdout);
+    await page.press('show-save');
+    await page.press('save-inspection-json');
+    const found = JSON.parse((await page.saved()).bytes).conditions;
+    const of = ({ bounds, levels, tests: made }) => rounded([bounds, levels, made.map(({ device, test, role, effect }) => [device, test, role, effect])]);
+    equal(of(found), of(native), 'the same effects');
+    expect(found.bounds.length > 0 && found.tests.some(({ effect }) => effect === 'ageing'), 'effects are found');
+
+    // By keyboard, from one field to the next. What is typed stays, and so does the focus.
+    await page.press('show-records');
+    await page.evaluate(`document.getElementById('${id('P1_T40C_0.5Hz_2000kN')}-order').focus()`);
+    await page.key('Tab');
+    equal(await page.focused(), id('P1_T40C_0.5Hz_2000kN') + '-temperature-C', 'the next field');
+    await page.key('a', { control: true });
+    await page.write('41');
+    await page.key('Tab');
+    await page.idle();
+    equal([await page.focused(), (await shown())['P1_T40C_0.5Hz_2000kN.csv'].temperature], [id('P1_T40C_0.5Hz_2000kN') + '-rest-h', '41'], 'after an edit');
+
+    // Further keys, and a test that is left out. The program judges the values.
+    await page.press(id('fast') + '-more');
+    await set(page, id('fast') + '-temperature-of', 'core');
+    expect((await lotText(page)).includes("temperature-of = 'core'"), 'a further key');
+    await set(page, id('fast') + '-temperature-C', '900');
+    expect(/-100 to 200/.test(await page.text('#view-records')), 'a value that is not allowed: ' + (await page.text('#read-band')));
+    await page.press(id('fast') + '-leave-out');
+    await page.idle();
+    equal([await band(page), Object.keys(await shown()).length], ['3\u202fdevices read', 7], 'without this test');
+
+    // More files join the table. Without the switch, every test is a device of its own.
+    copyFileSync(join(conditions, 'P2-40C.csv'), join(folder, 'P2_T40C.csv'));
+    await page.drop([join(folder, 'P2_T40C.csv')], [300, 20]);
+    const more = (await shown())['P2_T40C.csv'];
+    equal([more.device, parseFloat(more.proposed)], ['P2', 40], 'one more test');
+    await page.evaluate('window.confirm = () => false');
+    await page.press('conditions-on');
+    equal(await page.evaluate("document.getElementById('conditions-on').checked"), true, 'the user goes back');
+    await page.evaluate('window.confirm = () => true');
+    await page.press('conditions-on');
+    await page.idle();
+    equal([await band(page), /conditions|order|aged =/.test(await lotText(page)), (await rows(page)).length], ['8\u202fdevices read', false, 8], 'without conditions');
+    await end(page);
+  },
+
   'a file without time': async () => {
     const [head, ...lines] = readFileSync(join(example, records[0]), 'utf8').trimEnd().split('\n');
     const untimed = [head, ...lines].map((line) => line.split(',').slice(1).join(',')).join('\n') + '\n';
@@ -329,7 +483,7 @@ const tests = {
     expect(inspection.warnings.some(({ sentence }) => sentence.startsWith('broken was refused')), 'the warning');
     // The unreadable file must not stop the identification of the other devices.
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     expect(/broken was refused/.test(await page.inFrame('document.body.textContent')), 'the report says it');
     await page.press('show-save');
     await page.press('save-whole');
@@ -428,7 +582,7 @@ const tests = {
     execFileSync(isolaw, ['calibrate', join(folder, 'lot.toml'), '--out', join(work, 'bearing-native'), '--figures', 'none'], { stdio: 'ignore' });
     const natively = (performance.now() - began) / 1000;
     console.log(`  ${took.toFixed(1)} s, natively ${natively.toFixed(1)} s: ${(took / natively).toFixed(1)} times as long`);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     await page.press('show-save');
     await page.press('save-summary-json');
     const best = ({ laws }) => Object.fromEntries(laws.map(({ id, objective }) => [id, objective.best]));
@@ -470,7 +624,7 @@ const tests = {
     expect((await lotText(page)).includes('generations = 2\n'), 'two generations: ' + text.slice(0, 400));
     const took = await identified(page, 1800);
     console.log(`  identified in ${took.toFixed(1)} s; ${Math.round(mostMemory() / 2 ** 20)} MiB at most, of all processes of the browser`);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     await page.press('show-save');
     await page.press('save-summary-json');
     const { devices, laws } = JSON.parse((await page.saved()).bytes);
@@ -503,7 +657,7 @@ const tests = {
     equal(seen[0].rows, [['Bilinear', '\u2013', '0 of 10'], ['Bouc-Wen', '\u2013', '0 of 10']], 'before the first run');
     const reached = seen.at(-1).rows;
     expect(reached.every(([, error]) => /^\d+\.\d\u202f%$/.test(error)) && parseFloat(reached[0][1]) <= parseFloat(reached[1][1]), 'the errors, the smallest first: ' + JSON.stringify(reached));
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     equal(await inFrameUntil(page, "'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     await page.press('to-save');
 
@@ -565,7 +719,7 @@ const tests = {
     await page.drop([whole2]);
     equal(await failure(page), '', 'a failure');
     await page.until("document.getElementById('report-frame')", 'the report again');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots again');
+    await inFrameUntil(page, PLOTS, 'plots again');
     await page.press('show-records');
     equal((await rows(page)).length, 10, 'its devices');
     // The user identifies one more law. The results of the first two laws must stay exactly the same.
@@ -643,10 +797,10 @@ const tests = {
     const markup = "document.querySelectorAll('main img, main svg:not(.sign, .sketch > svg), main script, [onerror], [onload]').length";
     equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s');
     await page.press('show-properties');
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the frame');
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots of the report');
+    await inFrameUntil(page, PLOTS, 'plots of the report');
     expect((await page.inFrame("window.hacked === undefined && document.querySelectorAll('[onerror], [onload]').length === 0")) === true, 'in the report');
     await page.press('show-save');
     equal(await page.evaluate(markup), 0, 'elements that are not the page\u2019s, of Save');
@@ -972,7 +1126,7 @@ const tests = {
     const page = await open();
     await page.drop([join(example, records[0])]);
     await identifyLittle(page);
-    await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+    await inFrameUntil(page, PLOTS, 'plots');
     const hash = await page.inFrame("[...document.querySelectorAll('nav a')].at(-1).getAttribute('href')");
     await page.inFrame("[...document.querySelectorAll('nav a')].at(-1).click()");
     await wait(700);
@@ -1147,7 +1301,7 @@ const tests = {
       await page.press('show-properties');
       await look('properties');
       if (width < 500) {
-        await inFrameUntil(page, "document.querySelectorAll('.plot .main-svg').length > 0", 'plots');
+        await inFrameUntil(page, PLOTS, 'plots');
         expect((await page.inFrame('document.documentElement.scrollWidth <= innerWidth')) === true, 'the report is as narrow as its frame');
       }
       await page.press('show-laws');
@@ -1170,8 +1324,11 @@ const tests = {
       expect((await page.text('#version')).length > 2, 'the version');
       if (!standIn) for (const library of ['Eigen', 'SQLite', 'Plotly']) expect((await page.text('#licences')).includes(library), 'licences: ' + library);
       await look('about');
-      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
       await page.press('show-records');
+      await page.drop([conditions], [300, 20]);
+      await page.press('test-1-more');
+      await look('tests under several conditions');
+      await page.send('Emulation.setEmulatedMedia', { media: 'print' });
       expect((await page.evaluate("getComputedStyle(document.querySelector('.drop')).display === 'none' && getComputedStyle(document.getElementById('devices')).display !== 'none'")) === true, 'on paper');
       await end(page);
     }

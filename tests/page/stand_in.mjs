@@ -41,7 +41,7 @@ export async function answerWith(page, program) {
         .map((file) => ({ path: relative(folder, file), bytes: readFileSync(file).toString('base64') }))
         .filter(({ path }) => (what === 'run' ? (keep ?? ['*']).some((one) => new RegExp('^' + one.replace(/[.+]/g, '\\$&').replace(/\*/g, '.*') + '$', 's').test(path)) : path.startsWith('out/')));
       rmSync(folder, { recursive: true });
-      if (child.aborted) answer(id, { error: { name: 'AbortError', message: 'cancelled', parts: changed.filter(({ path }) => path.endsWith('.sqlite')) } });
+      if (child.aborted) answer(id, { failure: { name: 'AbortError', message: 'cancelled', parts: changed.filter(({ path }) => path.endsWith('.sqlite')) } });
       else {
         const lines = stderr.split('\n').slice(0, -1);
         const error = errorIn(lines, code);

@@ -473,6 +473,17 @@ void add_keywords(Commands& commands) {
   c.add_option("--but", a.but, "options to leave out");
 }
 
+void add_test_keys(Commands& commands) {
+  struct Arguments {
+    std::vector<std::filesystem::path> files;
+  };
+  auto const [c, a] = commands.add<Arguments>(
+      "test-keys", "Print the keys of [[device.test]], and what names of files propose for them, as JSON",
+      "isolaw test-keys P1_T-20C.csv", [](auto const& arguments) { return list_test_keys(arguments.files); });
+  c.group("");
+  c.add_option("files", a.files, "names of records");
+}
+
 void add_reference(Commands& commands) {
   auto const run = [&] {
     print_reference(commands.app());
@@ -498,7 +509,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   Commands commands(app, {argv, argv + argc});
   for (auto const add : {add_calibrate, add_init, add_inspect, add_conditions, add_report, add_merge, add_parts,
                          add_sample, add_export, add_simulate, add_building, add_rules, add_bench, add_check, add_laws,
-                         add_keywords, add_reference, add_example})
+                         add_keywords, add_test_keys, add_reference, add_example})
     add(commands);
 
   require_known_command(app, argc, argv);

@@ -156,6 +156,8 @@ int list_laws(std::string const& id, bool json, bool markdown);
 // Prints options as keyword parameters for Python. `which` names single options or whole tables of options; `but` names
 // options that are left out.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
+// Prints the keys of [[device.test]] as JSON, and what the names of `files` propose for them. The files need not exist.
+int list_test_keys(std::vector<std::filesystem::path> const& files);
 struct ExampleArguments {
   std::filesystem::path directory;
   bool building = false, tests = false, conditions = false;

@@ -60,6 +60,17 @@ std::vector<Option<StatedTest>> make_test_table() {
   return table;
 }
 
+std::vector<Option<StatedAgeing>> make_aged_table() {
+  auto const row = [](std::string_view key, std::string help, double StatedAgeing::*member,
+                      Limits const& limits) -> Option<StatedAgeing> {
+    return {{.key = key, .kind = Kind::real, .help = help_of(std::move(help), limits.text(), {}), .limits = limits},
+            [=](StatedAgeing const& aged) { return Json(aged.*member); },
+            [=](StatedAgeing& aged, Json const& value) { aged.*member = real_of(value, limits); }};
+  };
+  return {row("days", "days in an oven before the test, in total", &StatedAgeing::days, positive),
+          row("at-C", "temperature of the oven", &StatedAgeing::at_C, ovens)};
+}
+
 std::vector<Option<StatedDevice>> make_device_table() {
   using D = StatedDevice;
   auto const text = [](std::string_view key, std::string help, std::string D::*member) -> Option<D> {
@@ -196,16 +207,23 @@ std::optional<StatedAgeing> read_aged(TomlTable& table, std::string const& file,
   if (inside == nullptr) return std::nullopt;
   StatedAgeing aged;
   TomlTable reader(*inside, file, "aged", complaints);
-  reader.value<double>("days", positive.text(), [&](double value) { aged.days = real_of(value, positive); });
-  reader.value<double>("at-C", ovens.text(), [&](double value) { aged.at_C = real_of(value, ovens); });
-  if (reader.find("days") == nullptr || reader.find("at-C") == nullptr)
-    reader.complain("days or at-C is missing", "aged = { days = 14, at-C = 70 }");
+  bool is_whole = true;
+  for (auto const& option : aged_table()) {
+    reader.json(option.option(), [&](Json const& value) { option.set(aged, value); });
+    is_whole = is_whole && reader.find(option.option()) != nullptr;
+  }
+  if (!is_whole) reader.complain("days or at-C is missing", "aged = { days = 14, at-C = 70 }");
   reader.refuse_unknown();
   return aged;
 }
 
 std::span<Option<StatedTest> const> test_table() {
   static auto const table = make_test_table();
+  return table;
+}
+
+std::span<Option<StatedAgeing> const> aged_table() {
+  static auto const table = make_aged_table();
   return table;
 }
 

@@ -17,6 +17,8 @@ namespace isolaw::campaign {
 struct StatedAgeing {
   double days = 0.0, at_C = 0.0;
 };
+// The rows for the keys of a table `aged`.
+std::span<Option<StatedAgeing> const> aged_table();
 
 // The statements of a lot file about a device. Only devices of one compound and one size are compared. An empty text is
 // a compound or size like any other.

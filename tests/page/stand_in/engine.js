@@ -19,7 +19,8 @@ window.isolawAnswer = (id, answer) => {
     return;
   }
   waiting.delete(id);
-  if (answer.error) reject(Object.assign(new Error(answer.error.message), answer.error, { parts: answer.error.parts && unpacked({ files: answer.error.parts }).files }));
+  const { failure } = answer;
+  if (failure) reject(Object.assign(new Error(failure.message), failure, { parts: unpacked({ files: failure.parts }).files }));
   else resolve(unpacked(answer));
 };
 

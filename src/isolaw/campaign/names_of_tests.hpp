@@ -1,0 +1,23 @@
+// What the names of records say about the conditions of the tests, such as P1_T-20C_0.1Hz_2000kN_aged. A name can
+// mislead, so all of this is only proposed to a person.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace isolaw::campaign {
+
+struct ProposedTest {
+  std::string device;  // the name up to the first condition in it; the whole name if it has none
+  std::optional<double> temperature_C, load_kN;
+  bool is_aged = false;
+};
+
+// Returns a proposal for each name. The names together decide what a dash in front of a number means. A temperature is
+// left out if it may have the other sign ("P1-20C" alone), if the name has two, or if it follows the word "aged", because
+// it may be that of the oven.
+std::vector<ProposedTest> propose_tests(std::span<std::string const> names);
+
+}  // namespace isolaw::campaign
