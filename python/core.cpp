@@ -28,7 +28,11 @@
 #include "isolaw/laws/plane/in_plane.hpp"
 #include "isolaw/programs/subject.hpp"
 #include "isolaw/render/json/building_json.hpp"
+#include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
+#include "isolaw/render/terminal/conditions_text.hpp"
+#include "isolaw/rules/rule_set.hpp"
+#include "isolaw/study/conditions.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace py = pybind11;
@@ -981,6 +985,40 @@ void add_buildings(py::module_& m) {
       py::arg("fresh"), py::arg("progress"));
 }
 
+study::ConditionsResult conditions_of(std::filesystem::path const& file, bool allow_outside) {
+  auto lot = campaign::read_lot_file(file, {.allow_outside = allow_outside,
+                                            .other_out = true,
+                                            .is_built_in_rules = rules::is_built_in,
+                                            .check_design = [](std::string_view text) { rules::parse_design(text); }});
+  if (!lot.conditions)
+    throw Error({.where = printable(file.string()),
+                 .found = "the lot file has no table [conditions]",
+                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
+                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
+  complete_acceptance(lot.acceptance);
+  return study::build_conditions(campaign::observe_tests(lot), lot.title, lot.acceptance);
+}
+
+void add_conditions(py::module_& m) {
+  using study::ConditionsResult;
+  py::class_<ConditionsResult>(m, "Conditions", "A study of conditions; see isolaw.Conditions.")
+      .def("json", &render::conditions_json, py::call_guard<py::gil_scoped_release>())
+      .def("text", [](ConditionsResult const& result) { return render::conditions_text(result, false); })
+      .def(
+          "json_with_plan",
+          [](ConditionsResult result, int devices) {
+            if (devices < 1 || devices > study::most_planned_devices)
+              throw Error({.where = "devices",
+                           .found = fmt::format("{}", devices),
+                           .allowed = fmt::format("1 to {}", study::most_planned_devices)});
+            result.plan = study::plan_tests(result, devices);
+            return render::conditions_json(result);
+          },
+          py::arg("devices"), py::call_guard<py::gil_scoped_release>());
+  m.def("conditions", &conditions_of, py::arg("file"), py::arg("allow_outside"),
+        py::call_guard<py::gil_scoped_release>());
+}
+
 }  // namespace
 }  // namespace isolaw::python
 
@@ -1003,4 +1041,5 @@ PYBIND11_MODULE(_core, m) {
   add_campaigns(m);
   add_calibration(m);
   add_buildings(m);
+  add_conditions(m);
 }

@@ -26,6 +26,7 @@ from ._core import Record, __version__
 __all__ = [
     "Building",
     "Campaign",
+    "Conditions",
     "Error",
     "Model",
     "Record",
@@ -33,6 +34,7 @@ __all__ = [
     "box",
     "building",
     "calibrate",
+    "conditions",
     "force",
     "laws",
     "load",
@@ -617,3 +619,68 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
         motions = [motions]
     motions_given = [_motion_input(motion) for motion in motions or ()]
     return Building(_core.building(file, source, motions_given, given, jobs, out, fresh, progress))
+
+
+class Conditions:
+    """How properties change with temperature, rate, load, ageing and history; conditions() returns it.
+
+    ``results`` is the content of conditions.json (docs/conditions.md). print() shows what the command prints.
+    """
+
+    def __init__(self, core):
+        self._core = core
+        self._results = None
+
+    def __repr__(self):
+        return self._core.text()
+
+    @property
+    def results(self):
+        """The dict that conditions.json holds."""
+        if self._results is None:
+            self._results = _json.loads(self._core.json())
+        return self._results
+
+    @property
+    def bounds(self):
+        """The largest and the smallest factor of each property, all effects together: a dict by property."""
+        return {row["quantity"]: row for row in self.results["bounds"]}
+
+    @property
+    def effects(self):
+        """The largest and the smallest factor of each property and effect over the design: a list of dicts."""
+        return self.results["design"]
+
+    @property
+    def levels(self):
+        """The factor of each property at each tested condition: a list of dicts."""
+        return self.results["levels"]
+
+    @property
+    def observations(self):
+        """A dict for each block of each test, with conditions, properties and how it is used: a list for pandas."""
+        return self.results["tests"]
+
+    @property
+    def findings(self):
+        """Everything that the study says besides numbers: a list of dicts."""
+        return self.results["findings"]
+
+    @property
+    def at_reference(self):
+        """The values of acceptance tests under other conditions, as measured and at reference: a list of dicts."""
+        return self.results["at_reference"]
+
+    def plan(self, devices=2):
+        """The tests that are missing until so many devices show every end of the design conditions: a list of dicts."""
+        return _json.loads(self._core.json_with_plan(_operator.index(devices)))["plan"]
+
+
+def conditions(lot, *, allow_outside=False):
+    """Studies how temperature, rate, load, ageing and history change properties, as ``isolaw conditions`` does.
+
+    lot: a lot file with a table ``[conditions]``. allow_outside: also reads files that are not in the folder of the lot
+    file or below it. Returns Conditions. A test that cannot be used is in ``results["refused"]``. Raises Error with
+    everything that is wrong in the lot file.
+    """
+    return Conditions(_core.conditions(_os.fspath(lot), allow_outside))
