@@ -174,8 +174,8 @@ TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {
   ASSERT_EQ(exported.code, 0) << exported;
   auto const bounds = json("e.json")["bounds"];
   EXPECT_TRUE(contains(bounds["source"].get<std::string>(), "no test covers temperature")) << bounds;
-  for (auto const* which : {"lower", "upper"})
-    EXPECT_TRUE(bounds[which].is_null() || !bounds[which].contains("parameters")) << bounds;
+  // Those of the scatter between the devices would be narrower than what the tests show.
+  for (auto const* which : {"lower", "upper"}) EXPECT_TRUE(bounds[which].is_null()) << bounds;
 }
 
 }  // namespace

@@ -532,6 +532,43 @@ TEST(Response, without_a_reference_test_covers_nothing) {
   EXPECT_EQ(response.unpaired(), std::vector<std::string>{"A"});
 }
 
+// Between levels each device goes along its own line. Worked out by hand, with the logarithms 0.4 and 0.3 at levels of
+// two devices that were not tested at one condition.
+TEST(Response, goes_along_the_line_of_each_device) {
+  auto const at = [](std::string device, double temperature_C, double ln) {
+    return relative(std::move(device), temperature_C, std::exp(ln));
+  };
+  std::vector<Sample> const own{at("A", 20, 0.0), at("B", 20, 0.0)};
+  std::vector<Sample> const others{at("A", -20, 0.4), at("A", 0, 0.1), at("B", -15, 0.35)};
+  Response const response(Effect::temperature, own, others, reference, {});
+  // At -10: A halfway between 0.4 and 0.1; B 30/35 of 0.35.
+  auto const between = response.at(-10.0);
+  EXPECT_EQ(between.status, Status::interpolated);
+  EXPECT_EQ(between.devices, 2);
+  EXPECT_NEAR(between.ln, (0.25 + 0.3) / 2.0, 1e-12);
+  // At -17.5, which is at no level, only A was tested on both sides.
+  auto const only_a = response.at(-17.5);
+  EXPECT_EQ(only_a.devices, 1);
+  EXPECT_NEAR(only_a.ln, 0.1 + 0.3 * 17.5 / 20.0, 1e-12);
+  // Beyond all tests A alone was tested at the outermost level.
+  auto const beyond = response.at(-25.0);
+  EXPECT_EQ(beyond.status, Status::extrapolated);
+  EXPECT_EQ(beyond.devices, 1);
+  EXPECT_NEAR(beyond.ln, 0.4 + 0.3 * 5.0 / 20.0, 1e-12);
+  // A at 0 lies between -20 and 20: 0.2 on the line, 0.1 as measured. The reference has no device on both sides.
+  EXPECT_NEAR(response.line_error().value(), 0.1, 1e-12);
+}
+
+// An end that is not covered leaves what is known of the other end.
+TEST(Response, of_a_range_keeps_the_end_that_is_known) {
+  std::vector<Sample> const own{relative("A", 20, 1.0)}, others{relative("A", 40, 0.8)};
+  auto const [max, min] = Response(Effect::temperature, own, others, reference, {}).over(-30.0, 40.0);
+  EXPECT_EQ(min.status, Status::not_covered);
+  EXPECT_NEAR(min.lambda(), 0.8, 1e-12);
+  EXPECT_EQ(max.at, -30.0);
+  EXPECT_NEAR(max.lambda(), 1.0, 1e-12);
+}
+
 // Tests of ageing have no order in which those that agree are neighbours.
 TEST(Response, joins_the_tests_that_agree) {
   auto const aged = [](std::string device, double days, double at_C, double value) {

@@ -176,7 +176,7 @@ std::span<Row const> rows() {
       campaign(condition_test_unlike, "condition-test-unlike", "conditions", serious, records, each_alone, signed_too, none,
                "K_eff of the test {test} of {devices} is {times:3} times the median of the reference tests. No condition does that: are the units and the device right?"),
       campaign(condition_test_doubt, "condition-test-doubt", "conditions", caution, records, each_alone,
-               in_report | on_certificate, none, "The test {test} of {devices}: {doubt}."),
+               in_report | on_certificate, none, "The test {test} of {devices}: {doubt}"),
       campaign(tests_show_no_effect, "tests-show-no-effect", "conditions", caution, lot_file, each_alone, in_report, none,
                "No effect is shown by {count} {test|tests}, because {role}: {named}."),
       campaign(devices_disagree, "devices-disagree", "conditions", caution, records, each_alone, in_report | on_certificate,
