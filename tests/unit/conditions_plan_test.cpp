@@ -92,12 +92,12 @@ TEST(Response, names_the_levels_behind_a_factor) {
   auto const response = response_to_temperature();
   auto const at = [&](double temperature_C) {
     std::vector<double> levels;
-    for (auto const* level : response.behind(temperature_C)) levels.push_back(level->at);
+    for (auto const* level : response.behind("P1", {.temperature_C = temperature_C})) levels.push_back(level->at);
     return levels;
   };
   EXPECT_EQ(at(-20.0), std::vector{-20.0});
   EXPECT_EQ(at(26.0), (std::vector{20.0, 40.0}));
-  EXPECT_EQ(at(45.0), (std::vector{40.0, 20.0}));
+  EXPECT_EQ(at(45.0), (std::vector{20.0, 40.0}));
   EXPECT_EQ(at(52.0), std::vector<double>());
 }
 
