@@ -1,4 +1,4 @@
-// What the names of records propose about the conditions of tests.
+// Tests that names of records propose the conditions of tests.
 #include "isolaw/campaign/names_of_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the names of records say about the conditions of the tests, such as P1_T-20C_0.1Hz_2000kN_aged. A name can
+// Reads from the names of records, such as P1_T-20C_0.1Hz_2000kN_aged, the conditions of the tests. A name can
 // mislead, so all of this is only proposed to a person.
 #pragma once
 

@@ -36,8 +36,9 @@ struct Combined {
   bool complete() const { return not_covered.empty(); }  // otherwise the factor is "at least" or "at most" this
 };
 
-// Factors that are not covered count as far as they are known, else as 1. Those that are assumed are constants without an interval. If a factor from
-// tests has no interval, the combined factor has none. The degrees of freedom are those of Welch and Satterthwaite.
+// Factors that are not covered count as far as they are known, else as 1. Those that are assumed are constants without
+// an interval. If a factor from tests has no interval, the combined factor has none. The degrees of freedom are those of
+// Welch and Satterthwaite.
 Combined combine(Combination const& how, std::span<Part const> parts);
 
 }  // namespace isolaw::conditions

@@ -123,7 +123,7 @@ class Response {
   // Otherwise a test of another device would be compared with itself.
   Factor paired_at(Condition const& test) const;
   Level const* paired_level_at(Condition const& test) const;  // that agrees with it; nullptr if none does
-  struct Line {  // of one device, through two of its levels
+  struct Line {                                               // of one device, through two of its levels
     std::string_view device;
     Level const *first, *second;
     double ln;    // at the condition

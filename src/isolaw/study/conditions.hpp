@@ -126,8 +126,8 @@ struct HowCombined {  // how the factors of all effects make a bound
   bool verified = false;
 };
 
-// Whether a verified rule set lets a building be analysed with mean properties only, although the properties change over
-// the design conditions.
+// Whether a verified rule set lets a building be analysed with mean properties only, although the properties change
+// over the design conditions.
 struct MeanProperties {
   rules::MeanAnalysisRule rule;
   std::optional<bool> permitted;                      // empty: factors that no test shows decide
