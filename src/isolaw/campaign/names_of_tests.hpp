@@ -16,8 +16,8 @@ struct ProposedTest {
 };
 
 // Returns a proposal for each name. The names together decide what a dash in front of a number means. A temperature is
-// left out if it may have the other sign ("P1-20C" alone), if the name has two, or if it follows the word "aged", because
-// it may be that of the oven.
+// left out if it may have the other sign ("P1-20C" alone), if the name has two, or if it follows the word "aged",
+// because it may be that of the oven.
 std::vector<ProposedTest> propose_tests(std::span<std::string const> names);
 
 }  // namespace isolaw::campaign

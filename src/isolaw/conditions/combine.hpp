@@ -37,8 +37,8 @@ struct Combined {
 };
 
 // Factors that are not covered count as far as they are known, else as 1. Those that are assumed are constants without
-// an interval. If a factor from tests has no interval, the combined factor has none. The degrees of freedom are those of
-// Welch and Satterthwaite.
+// an interval. If a factor from tests has no interval, the combined factor has none. The degrees of freedom are those
+// of Welch and Satterthwaite.
 Combined combine(Combination const& how, std::span<Part const> parts);
 
 }  // namespace isolaw::conditions
