@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sets up, builds, tests and measures isolaw with the presets of CMake. It prints every command before it runs it.
-#   ./isolaw.sh setup        install what is missing: Debian packages, one npm package
+#   ./isolaw.sh setup        install what is missing: Debian packages, one npm package, one package of PyPI
 #   ./isolaw.sh build        configure and build (preset `release`, or ISOLAW_PRESET=developer|sanitize|sanitize-thread)
 #   ./isolaw.sh run          setup, build, identify the example lot and the example tests into out/
 #   ./isolaw.sh test         setup, build, run all tests (installs the npm package axe-core too)
@@ -28,8 +28,11 @@ as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
-  ninja-build nlohmann-json3-dev npm pybind11-dev python3-dev python3-numpy zlib1g-dev)
-test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-tk python3-venv qemu-user slurm-client slurmctld slurmd tcl xz-utils)
+  ninja-build nlohmann-json3-dev npm python3-dev python3-numpy python3-venv zlib1g-dev)
+test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-tk qemu-user slurm-client slurmctld slurmd tcl xz-utils)
+
+# Binds the Python package to the library; its headers are needed for the build only.
+nanobind=nanobind==3.1.0
 
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
@@ -50,6 +53,12 @@ setup() {
   if [ ! -e node_modules/plotly.js-basic-dist-min/plotly-basic.min.js ]; then
     echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
     step npm ci --omit=dev --no-audit --no-fund --loglevel=error
+  fi
+  if [ ! -e "build/nanobind/lib/$nanobind" ]; then
+    echo "installing: $nanobind (PyPI, into build/nanobind/)" >&2
+    step /usr/bin/python3 -m venv --clear build/nanobind
+    step build/nanobind/bin/pip install --quiet --disable-pip-version-check "$nanobind"
+    touch "build/nanobind/lib/$nanobind"
   fi
 }
 

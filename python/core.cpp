@@ -1,11 +1,15 @@
 // The compiled part of the Python package `isolaw`. It gives NumPy views of the library's values and releases Python's
 // global lock (GIL) during long calls. Users read the docstrings in this file and in isolaw/__init__.py. tests/python
 // compares the package with its type stub __init__.pyi.
-#include <pybind11/functional.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <atomic>
 #include <chrono>
@@ -35,33 +39,74 @@
 #include "isolaw/study/conditions.hpp"
 #include "isolaw/wording/table.hpp"
 
-namespace py = pybind11;
+namespace nb = nanobind;
 
 namespace isolaw::python {
 namespace {
 
-using Array = py::array_t<double>;
-// An array of doubles in C order. If the caller's array already has this form, it is not copied.
-using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+// An array of doubles in C order, which nobody writes.
+using Rows = nb::ndarray<double const, nb::c_contig, nb::device::cpu>;
 using Contents = campaign::Contents;
+
+std::string text_of(nb::handle value) {
+  nb::str const text(value);
+  Py_ssize_t size = 0;
+  auto const* const first = PyUnicode_AsUTF8AndSize(text.ptr(), &size);
+  if (first == nullptr) nb::raise_python_error();
+  return {first, static_cast<std::size_t>(size)};
+}
+
+std::string shown(nb::handle value) {
+  return printable(nb::cast<std::string>(nb::repr(value)).substr(0, 100));
+}
 
 // Returns a read-only array that shows `values` without copying them. `owner` is the Python object that keeps them
 // alive.
-Array view(std::vector<double> const& values, py::object owner) {
-  Array array(static_cast<py::ssize_t>(values.size()), values.data(), std::move(owner));
-  array.attr("flags").attr("writeable") = false;
-  return array;
+nb::object view(std::vector<double> const& values, nb::handle owner) {
+  return nb::ndarray<nb::numpy, double const>(values.data(), {values.size()}, owner).cast();
 }
 
-py::object view_or_none(std::vector<double> const& values, py::object owner) {
-  return values.empty() ? py::object(py::none()) : py::object(view(values, std::move(owner)));
+nb::object view_or_none(std::vector<double> const& values, nb::handle owner) {
+  return values.empty() ? nb::object(nb::none()) : view(values, owner);
 }
 
-std::vector<double> values_of(std::optional<Rows> const& array, char const* what) {
-  if (!array) return {};
-  if (array->ndim() != 1)
-    throw Error({.where = what, .found = fmt::format("an array of {} dimensions", array->ndim()), .allowed = "one"});
-  return {array->data(), array->data() + array->size()};
+// Returns an array of this shape that owns `values`.
+template <class Number>
+nb::object array_of(std::vector<Number> values, std::vector<std::size_t> const& shape) {
+  auto kept = std::make_unique<std::vector<Number>>(std::move(values));
+  auto* const data = kept->data();
+  nb::capsule const owner(kept.get(), [](void* all) noexcept { delete static_cast<std::vector<Number>*>(all); });
+  kept.release();
+  return nb::ndarray<nb::numpy, Number>(data, shape.size(), shape.data(), owner).cast();
+}
+
+nb::object array_of(std::vector<double> values) {
+  auto const size = values.size();
+  return array_of(std::move(values), {size});
+}
+
+// Reads numbers that the caller gives. An array of doubles in C order is not copied. NumPy converts all else.
+Rows rows_of(nb::handle given, char const* what, std::string allowed = "an array of numbers") {
+  Rows rows;
+  if (nb::try_cast(given, rows, false)) return rows;
+  try {
+    auto const numpy = nb::module_::import_("numpy");
+    if (nb::try_cast(numpy.attr("asarray")(given, "float64", "C"), rows, false)) return rows;
+  } catch (nb::python_error& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
+  }
+  throw Error({.where = what, .found = shown(given) + " is no array of numbers", .allowed = std::move(allowed)});
+}
+
+std::vector<double> values_of(Rows const& array, char const* what) {
+  if (array.ndim() != 1)
+    throw Error({.where = what, .found = fmt::format("an array of {} dimensions", array.ndim()), .allowed = "one"});
+  return {array.data(), array.data() + array.size()};
+}
+
+// Reads a channel of a record. None means that there is none.
+std::vector<double> channel_of(nb::handle given, char const* what) {
+  return given.is_none() ? std::vector<double>() : values_of(rows_of(given, what), what);
 }
 
 struct Record {
@@ -69,25 +114,36 @@ struct Record {
   data::TestRecord raw;
   data::TestRecord uncorrected = {};  // the record without the user's corrections; empty without any, or if unknown
 };
-using RecordPtr = std::shared_ptr<Record>;
 
-Json json_of(py::handle value) {
+// Reads a list of records that the caller gives. They live as long as the list.
+std::vector<Record const*> records_of(nb::list const& given) {
+  std::vector<Record const*> records;
+  for (nb::handle const one : given) {
+    Record const* record = nullptr;
+    if (!nb::try_cast(one, record) || record == nullptr)
+      throw Error({.where = "records", .found = shown(one), .allowed = "records"});
+    records.push_back(record);
+  }
+  return records;
+}
+
+Json json_of(nb::handle value) {
   if (value.is_none()) return {};
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  if (py::isinstance<py::float_>(value)) return value.cast<double>();
+  if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
+  if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
+  if (nb::isinstance<nb::float_>(value)) return nb::cast<double>(value);
   if (PyIndex_Check(value.ptr()) != 0) {
-    auto const whole = py::reinterpret_steal<py::int_>(PyNumber_Index(value.ptr()));
-    auto const text = std::string(py::str(py::handle(whole)));
+    auto const whole = nb::steal<nb::int_>(PyNumber_Index(value.ptr()));
+    auto const text = text_of(whole);
     auto const number = Json::parse(text);  // rounds an integer above 64 bits; the text is then passed on instead
     return number.is_number_integer() ? number : Json(text);
   }
-  if (py::isinstance<py::dict>(value)) {
+  if (nb::isinstance<nb::dict>(value)) {
     Json object = Json::object();
-    for (auto const& [key, item] : value.cast<py::dict>()) object[std::string(py::str(key))] = json_of(item);
+    for (auto const& [key, item] : nb::cast<nb::dict>(value)) object[text_of(key)] = json_of(item);
     return object;
   }
-  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return std::string(py::str(value));
+  if (!nb::isinstance<nb::list>(value) && !nb::isinstance<nb::tuple>(value)) return text_of(value);
   Json array = Json::array();
   for (auto const& item : value) array.push_back(json_of(item));
   return array;
@@ -96,15 +152,15 @@ Json json_of(py::handle value) {
 // Returns the values that the caller gave for the settings in `rows`. A keyword with the value None counts as not
 // given.
 template <class Rows>
-Values given_of(Rows const& rows, py::dict const& given) {
+Values given_of(Rows const& rows, nb::dict const& given) {
   Values values;
   for (auto const& row : rows)
-    if (py::str const keyword(row.python()); given.contains(keyword))
+    if (nb::str const keyword(row.python().c_str()); given.contains(keyword))
       if (auto value = json_of(given[keyword]); !value.is_null()) values.emplace(row.key, std::move(value));
   return values;
 }
 
-campaign::Settings settings_of(py::dict const& given) {
+campaign::Settings settings_of(nb::dict const& given) {
   campaign::Settings settings;
   campaign::apply(given_of(campaign::setting_table(), given), settings);
   settings.complete();
@@ -135,17 +191,16 @@ Json described(Rows const& rows) {
   return table;
 }
 
-RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::optional<std::string> const& name,
-                         py::dict const& how) {
+Record record_of_file(std::filesystem::path const& file, bool motion, std::optional<std::string> const& name,
+                      nb::dict const& how) {
   data::ReadOptions options;
   lay_over(data::reading_table(), given_of(data::reading_table(), how), options);
   options.corrections.validate();
-  py::gil_scoped_release const released;
-  auto record = std::make_shared<Record>(
-      Record{.name = name.value_or(printable(file.stem().string())),
-             .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)});
-  if (data::is_corrected(record->raw)) try {
-      record->uncorrected = data::read_record(file, *data::without_corrections(options));
+  nb::gil_scoped_release const released;
+  Record record{.name = name.value_or(printable(file.stem().string())),
+                .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)};
+  if (data::is_corrected(record.raw)) try {
+      record.uncorrected = data::read_record(file, *data::without_corrections(options));
     } catch (Error const&) {  // reports then say that the record without corrections is not known
     }
   return record;
@@ -153,25 +208,25 @@ RecordPtr record_of_file(std::filesystem::path const& file, bool motion, std::op
 
 // Reads how the caller gives a compression test: as a file, as K_v in kN/mm, or as a dict with file, loads and keywords
 // for reading. None means that there is no test.
-campaign::VerticalInput vertical_input(py::handle const& given, std::string const& where) {
+campaign::VerticalInput vertical_input(nb::handle const& given, std::string const& where) {
   campaign::VerticalInput test;
   if (given.is_none()) return test;
-  auto const take_file = [&](py::handle const& file) {
-    test.file = file.cast<std::filesystem::path>();
+  auto const take_file = [&](nb::handle const& file) {
+    test.file = nb::cast<std::filesystem::path>(file);
     test.shown_file = printable(test.file.filename().string());
   };
-  if (py::isinstance<py::dict>(given)) {
-    auto const told = given.cast<py::dict>();
+  if (nb::isinstance<nb::dict>(given)) {
+    auto const told = nb::cast<nb::dict>(given);
     std::vector<data::Reading> rows;
     for (auto const& row : data::reading_table())
       if (!row.of_test) rows.push_back(row);
-    py::dict reading;
+    nb::dict reading;
     for (auto const& [key, value] : told) {
-      auto const name = key.cast<std::string>();
+      auto const name = nb::cast<std::string>(key);
       if (name == "file")
         take_file(value);
       else if (name == "loads")
-        test.loads = data::parse_loads(value.cast<std::string>());
+        test.loads = data::parse_loads(nb::cast<std::string>(value));
       else if (std::ranges::any_of(rows, [&](auto const& row) { return row.python() == name; }))
         reading[key] = value;
       else
@@ -184,8 +239,8 @@ campaign::VerticalInput vertical_input(py::handle const& given, std::string cons
       throw Error({.where = where, .found = "a compression test without a file", .allowed = "file=...", .advice = {}});
     return test;
   }
-  if (py::isinstance<py::float_>(given) || (py::isinstance<py::int_>(given) && !py::isinstance<py::bool_>(given))) {
-    test.stated_kN_per_mm = given.cast<double>();
+  if (nb::isinstance<nb::float_>(given) || (nb::isinstance<nb::int_>(given) && !nb::isinstance<nb::bool_>(given))) {
+    test.stated_kN_per_mm = nb::cast<double>(given);
     if (!(*test.stated_kN_per_mm > 0.0) || !std::isfinite(*test.stated_kN_per_mm))
       throw Error({.where = where,
                    .found = fmt::format("{}", *test.stated_kN_per_mm),
@@ -196,7 +251,7 @@ campaign::VerticalInput vertical_input(py::handle const& given, std::string cons
   return test;
 }
 
-std::string inspected(Record const& record, py::object const& vertical) {
+std::string inspected(Record const& record, nb::object const& vertical) {
   if (record.raw.force_kN.empty())
     throw Error({.where = record.name, .found = "a motion without force", .allowed = "a record of a test"});
   Contents contents;
@@ -207,7 +262,7 @@ std::string inspected(Record const& record, py::object const& vertical) {
                               .raw = record.raw,
                               .record = data::clean(record.raw, {})});
   auto const compression = vertical_input(vertical, "vertical");
-  py::gil_scoped_release const released;
+  nb::gil_scoped_release const released;
   contents.devices.front().vertical = campaign::prepare_vertical(compression, {});
   return render::inspection_json(study::build_summary(contents));
 }
@@ -219,45 +274,28 @@ int steps(int refinement) {
   return refinement;
 }
 
-std::string shown(py::handle value) {
-  return printable(std::string(py::repr(value)).substr(0, 100));
-}
-
-std::vector<NamedValue> named_values(py::dict const& given) {
+std::vector<NamedValue> named_values(nb::dict const& given) {
   std::vector<NamedValue> named;
   std::vector<Complaint> complaints;
   for (auto const& [key, value] : given) {
-    try {
-      named.push_back({.name = py::str(key), .value = value.cast<double>()});
-    } catch (py::cast_error const&) {
-      complaints.push_back({"parameters",
-                            fmt::format("{} = {} is no number", printable(std::string(py::str(key))), shown(value)),
-                            "a number",
-                            {}});
-    }
+    auto const name = text_of(key);
+    if (double number = 0.0; nb::try_cast(value, number))
+      named.push_back({.name = name, .value = number});
+    else
+      complaints.push_back(
+          {"parameters", fmt::format("{} = {} is no number", printable(name), shown(value)), "a number", {}});
   }
   if (!complaints.empty()) throw Error(std::move(complaints));
   return named;
 }
 
-Rows rows_of(py::object const& given) {
-  try {
-    return given.cast<Rows>();
-  } catch (py::cast_error const&) {
-  } catch (py::error_already_set& error) {  // the exception comes from NumPy
-    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
-  }
-  throw Error({.where = "parameters",
-               .found = shown(given) + " is no array of numbers",
-               .allowed = "a dict by name, or numbers in the law's order"});
-}
-
 // Returns a law's parameters in the law's order. The caller gives them as a dict by name or as values in that order.
-std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& given,
+std::vector<double> parameters_of(laws::LawEntry const& law, nb::object const& given,
                                   Together together = Together::checked) {
-  if (py::isinstance<py::dict>(given))
-    return parameters_in_order(law, named_values(given.cast<py::dict>()), "parameters", together);
-  auto const values = values_of(rows_of(given), "parameters");
+  if (nb::isinstance<nb::dict>(given))
+    return parameters_in_order(law, named_values(nb::cast<nb::dict>(given)), "parameters", together);
+  auto const values =
+      values_of(rows_of(given, "parameters", "a dict by name, or numbers in the law's order"), "parameters");
   if (values.size() != law.parameters.size())
     throw Error(
         {.where = "parameters",
@@ -270,75 +308,82 @@ std::vector<double> parameters_of(laws::LawEntry const& law, py::object const& g
   return parameters_in_order(law, named, "parameters", together);
 }
 
+struct Result {
+  nb::object array;
+  std::span<double> values;  // the numbers in `array`
+};
+
 // Returns the array for a result: the array that the caller passed as `out`, or a new one.
-Array result_array(std::optional<Array> const& out, std::size_t size) {
-  if (!out) return Array(static_cast<py::ssize_t>(size));
-  bool const fits = out->ndim() == 1 && static_cast<std::size_t>(out->size()) == size && out->writeable() &&
-                    (out->flags() & py::array::c_style) != 0;
-  if (!fits)
-    throw Error({.where = "out",
-                 .found = "another array",
-                 .allowed = fmt::format("a writeable contiguous float64 array of {} values", size)});
-  return *out;
+Result result_array(nb::object const& out, std::size_t size) {
+  if (out.is_none()) {
+    std::vector<double> values(size);
+    std::span const all(values);
+    return {array_of(std::move(values)), all};
+  }
+  if (nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu> array;
+      nb::try_cast(out, array, false) && array.size() == size)
+    return {out, {array.data(), size}};
+  throw Error({.where = "out",
+               .found = "another array",
+               .allowed = fmt::format("a writeable contiguous float64 array of {} values", size)});
 }
 
-Array force_of(std::string const& law_id, py::object const& parameters, Record const& motion, py::dict const& how,
-               int refinement, std::optional<Array> const& out) {
+nb::object force_of(std::string const& law_id, nb::object const& parameters, Record const& motion, nb::dict const& how,
+                    int refinement, nb::object const& out) {
   auto const& law = laws::find_law(law_id);
   auto const values = parameters_of(law, parameters);
   auto result = result_array(out, motion.raw.size());
-  auto* target = result.mutable_data();
   auto const settings = settings_of(how);
   steps(refinement);
-  py::gil_scoped_release const released;
+  nb::gil_scoped_release const released;
   fit::LawOnMotion const model(law, data::motion_of(motion.raw), settings.integration, settings.turning_points,
                                refinement);
-  model.force_kN(values, std::span(target, motion.raw.size()));
-  return result;
+  model.force_kN(values, result.values);
+  return result.array;
 }
 
 // A law together with a cleaned record. calibrate() cleans its records in the same way.
 class Model {
  public:
-  Model(std::string const& law, RecordPtr record, campaign::Settings const& how, int refinement)
-      : record_(std::make_shared<data::FitRecord>(data::clean(record->raw, how.clean))),
+  Model(std::string const& law, Record const& record, campaign::Settings const& how, int refinement)
+      : record_(std::make_shared<data::FitRecord>(data::clean(record.raw, how.clean))),
         model_(laws::find_law(law), *record_, how.integration, how.turning_points, steps(refinement)) {}
 
   laws::LawEntry const& law() const { return model_.law(); }
   data::FitRecord const& record() const { return *record_; }
 
-  double objective(py::object const& parameters) const {
+  double objective(nb::object const& parameters) const {
     auto const values = parameters_of(law(), parameters, Together::left);
     std::vector<double> work;
     return model_.objective(values, work);
   }
 
-  Array objectives(Rows const& population, std::optional<Array> const& out) const {
+  nb::object objectives(nb::object const& population, nb::object const& out) const {
+    auto const rows = rows_of(population, "population");
     auto const dimension = law().parameters.size();
-    if (population.ndim() != 2 || static_cast<std::size_t>(population.shape(1)) != dimension)
+    if (rows.ndim() != 2 || rows.shape(1) != dimension)
       throw Error({.where = "population",
-                   .found = population.ndim() == 2 ? fmt::format("rows of {} values", population.shape(1))
-                                                   : fmt::format("an array of {} dimensions", population.ndim()),
+                   .found = rows.ndim() == 2 ? fmt::format("rows of {} values", rows.shape(1))
+                                             : fmt::format("an array of {} dimensions", rows.ndim()),
                    .allowed = fmt::format("a row for each candidate, with the {} parameters of {} in its order",
                                           dimension, law().info.id)});
-    auto const count = static_cast<std::size_t>(population.shape(0));
-    auto result = result_array(out, count);
-    auto* target = result.mutable_data();
-    auto const* rows = population.data();
-    py::gil_scoped_release const released;
+    auto const count = rows.shape(0);
+    auto const result = result_array(out, count);
+    nb::gil_scoped_release const released;
     model_.objectives(
         count,
-        [&](std::size_t i, std::span<double> values) { std::copy_n(rows + i * dimension, dimension, values.begin()); },
-        std::span(target, count));
-    return result;
+        [&](std::size_t i, std::span<double> values) {
+          std::copy_n(rows.data() + i * dimension, dimension, values.begin());
+        },
+        result.values);
+    return result.array;
   }
 
-  Array force(py::object const& parameters, std::optional<Array> const& out) const {
+  nb::object force(nb::object const& parameters, nb::object const& out) const {
     auto const values = parameters_of(law(), parameters);
-    auto result = result_array(out, record_->size());
-    auto const force = model_.force_kN(values);
-    std::ranges::copy(force, result.mutable_data());
-    return result;
+    auto const result = result_array(out, record_->size());
+    std::ranges::copy(model_.force_kN(values), result.values.begin());
+    return result.array;
   }
 
  private:
@@ -384,29 +429,27 @@ struct Campaign {
 };
 using CampaignPtr = std::shared_ptr<Campaign>;
 
-py::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
+nb::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
   campaign.fit(law, device);
   auto const index = campaign.device(device);
   std::vector<campaign::Run const*> runs;
   for (auto const& run : campaign.contents.runs)
     if (run.device == index && run.law == law) runs.push_back(&run);
   auto const dimension = laws::find_law(law).parameters.size();
-  auto const count = static_cast<py::ssize_t>(runs.size());
-  py::array_t<int> number(count);
-  Array objective(count), parameters({count, static_cast<py::ssize_t>(dimension)});
-  py::list outcome, history;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    number.mutable_data()[i] = runs[i]->number;
-    objective.mutable_data()[i] = runs[i]->objective;
-    for (std::size_t p = 0; p < dimension; ++p)
-      parameters.mutable_data()[i * dimension + p] = runs[i]->usable() ? runs[i]->parameters[p] : std::nan("");
-    outcome.append(std::string(campaign::name(runs[i]->outcome)));
-    history.append(Array(static_cast<py::ssize_t>(runs[i]->history.size()), runs[i]->history.data()));
+  std::vector<int> number;
+  std::vector<double> objective, parameters;
+  nb::list outcome, history;
+  for (auto const* run : runs) {
+    number.push_back(run->number);
+    objective.push_back(run->objective);
+    for (std::size_t p = 0; p < dimension; ++p) parameters.push_back(run->usable() ? run->parameters[p] : std::nan(""));
+    outcome.append(std::string(campaign::name(run->outcome)));
+    history.append(array_of(run->history));
   }
-  py::dict result;
-  result["number"] = number;
-  result["objective"] = objective;
-  result["parameters"] = parameters;
+  nb::dict result;
+  result["number"] = array_of(std::move(number), {runs.size()});
+  result["objective"] = array_of(std::move(objective));
+  result["parameters"] = array_of(std::move(parameters), {runs.size(), dimension});
   result["outcome"] = outcome;
   result["history"] = history;
   return result;
@@ -447,7 +490,7 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
     for (bool over = false; !over;) {
       std::optional<Told> told;
       {
-        py::gil_scoped_release const released;
+        nb::gil_scoped_release const released;
         std::unique_lock lock(mutex);
         changed.wait_for(lock, patience, [&] { return ended || (latest && !stop); });
         told = std::exchange(latest, std::nullopt);
@@ -455,21 +498,21 @@ auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work)
       }
       if (stop) continue;
       try {
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (PyErr_CheckSignals() != 0) nb::raise_python_error();
         if (told) tell(*told);
       } catch (...) {
         asked = std::current_exception();
         stop = true;
       }
     }
-    py::gil_scoped_release const released;  // lets other Python threads run
+    nb::gil_scoped_release const released;  // lets other Python threads run
   }
   if (asked) std::rethrow_exception(asked);
   if (failure) std::rethrow_exception(failure);
   return std::move(*result);
 }
 
-CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
+CampaignPtr worked(campaign::RunOptions run, nb::object const& progress,
                    std::function<Contents(campaign::RunOptions const&)> const& work) {
   auto contents = in_a_thread<campaign::Progress>(
       [&](campaign::Progress const& now) {
@@ -480,17 +523,16 @@ CampaignPtr worked(campaign::RunOptions run, py::object const& progress,
         run.interrupted = interrupted;
         return work(run);
       });
-  py::gil_scoped_release const released;
+  nb::gil_scoped_release const released;
   return std::make_shared<Campaign>(std::move(contents));
 }
 
-CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical,
-                       CalibrateOptions options, py::object const& progress) {
+CampaignPtr calibrated(nb::list const& records, nb::dict const& given, nb::dict const& vertical,
+                       CalibrateOptions options, nb::object const& progress) {
   auto const settings = settings_of(given);
   lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
   std::vector<campaign::NamedRecord> named;
-  for (auto const& record : records) {
-    if (record == nullptr) throw Error({.where = "records", .found = "None", .allowed = "records"});
+  for (auto const* record : records_of(records)) {
     named.push_back({.name = record->name, .record = record->raw, .uncorrected = record->uncorrected});
     auto& raw = named.back().record;
     auto const last_part = [](std::string const& file) {
@@ -504,7 +546,7 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
       throw Error({.where = record->name, .found = "a motion without force", .allowed = "records of tests"});
   }
   for (auto const& [key, test] : vertical) {
-    auto const name = key.cast<std::string>();
+    auto const name = nb::cast<std::string>(key);
     auto const found = std::ranges::find(named, name, &campaign::NamedRecord::name);
     if (found == named.end())
       throw Error({.where = "vertical",
@@ -520,7 +562,7 @@ CampaignPtr calibrated(std::vector<RecordPtr> const& records, py::dict const& gi
 }
 
 CampaignPtr merged(std::filesystem::path const& directory, std::vector<std::filesystem::path> const& parts,
-                   MergeCallOptions options, py::object const& progress) {
+                   MergeCallOptions options, nb::object const& progress) {
   return worked(options.run, progress, [&](campaign::RunOptions const& run) {
     options.run = run;
     return merge(directory, parts, options);
@@ -534,7 +576,7 @@ void require_jobs(int jobs) {
 }
 
 CampaignPtr loaded(std::filesystem::path const& directory) {
-  py::gil_scoped_release const released;
+  nb::gil_scoped_release const released;
   return std::make_shared<Campaign>(campaign::Store::read(directory / store_name));
 }
 
@@ -542,33 +584,32 @@ using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
 // Reads how the caller gives a ground motion: as a tuple (step in s, accelerations along x in m/s2[, along y]) or as a
 // text for building::read_motion.
-building::Motion motion_of(py::handle const& given, std::size_t place, Values const& stated) {
-  if (py::isinstance<py::str>(given)) return building::read_motions({given.cast<std::string>()}, stated).front();
-  auto const values = given.cast<py::tuple>();
+building::Motion motion_of(nb::handle const& given, std::size_t place, Values const& stated) {
+  if (nb::isinstance<nb::str>(given)) return building::read_motions({nb::cast<std::string>(given)}, stated).front();
+  auto const values = nb::cast<nb::tuple>(given);
   constexpr double mm_in_m = 1e3;
   auto const component = [&](std::size_t i) {
-    auto accelerations = values_of(rows_of(values[i]), "motion");
+    auto accelerations = values_of(rows_of(values[i], "motion"), "motion");
     for (double& a : accelerations) a *= mm_in_m;
     return accelerations;
   };
   building::Motion motion{
-      .name = fmt::format("motion {}", place + 1), .step_s = values[0].cast<double>(), .x_mm_s2 = component(1)};
+      .name = fmt::format("motion {}", place + 1), .step_s = nb::cast<double>(values[0]), .x_mm_s2 = component(1)};
   if (values.size() > 2) motion.y_mm_s2 = component(2);
   return motion;
 }
 
-BuildingPtr studied(py::object const& file, py::object const& from, py::list const& motions, py::dict const& given,
-                    BuildingWork options, py::object const& progress) {
+BuildingPtr studied(nb::object const& file, nb::object const& from, nb::list const& motions, nb::dict const& given,
+                    BuildingWork options, nb::object const& progress) {
   building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
   auto const stated = given_of(building::stated_table(), given);
   // Throws if step or unit are stated although there are no motions.
   if (motions.empty()) building::read_motions({}, stated);
   for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size(), stated));
-  auto read = py::isinstance<py::dict>(file) ? building::building_of(json_of(file), in_place)
-                                             : building::read_building(file.cast<std::filesystem::path>(), in_place);
-  auto const is_campaign = py::isinstance<Campaign>(from);
-  auto const directory = is_campaign ? std::filesystem::path() : from.cast<std::filesystem::path>();
-  auto const campaign = is_campaign ? from.cast<CampaignPtr>() : nullptr;
+  auto read = nb::isinstance<nb::dict>(file) ? building::building_of(json_of(file), in_place)
+                                             : building::read_building(nb::cast<std::filesystem::path>(file), in_place);
+  auto const* const campaign = nb::isinstance<Campaign>(from) ? nb::cast<Campaign const*>(from) : nullptr;
+  auto const directory = campaign ? std::filesystem::path() : nb::cast<std::filesystem::path>(from);
   return in_a_thread<building::RunProgress>(
       [&](building::RunProgress const& now) {
         if (!progress.is_none()) progress(now.done, now.total);
@@ -585,53 +626,51 @@ BuildingPtr studied(py::object const& file, py::object const& from, py::list con
 
 // For each law, draw and motion there is a row of measured numbers. Returns a view of `count` numbers of each row, from
 // index `first` on. Its shape is (laws, draws, motions, count).
-Array measures(py::object const& self, std::size_t first, std::size_t count) {
-  auto const& studied = *self.cast<BuildingPtr>();
-  auto const width = static_cast<py::ssize_t>(studied.layout.count()),
-             motions = static_cast<py::ssize_t>(studied.study.file.motions.size()),
-             draws = static_cast<py::ssize_t>(studied.study.file.settings.draws);
-  constexpr py::ssize_t one = sizeof(double);
-  Array array({static_cast<py::ssize_t>(studied.study.laws.size()), draws, motions, static_cast<py::ssize_t>(count)},
-              {one * width * motions * draws, one * width * motions, one * width, one}, studied.measured.data() + first,
-              self);
-  array.attr("flags").attr("writeable") = false;
-  return array;
+nb::object measures(nb::handle self, std::size_t first, std::size_t count) {
+  auto const& studied = nb::cast<StudiedBuilding const&>(self);
+  auto const width = studied.layout.count(), motions = studied.study.file.motions.size(),
+             draws = static_cast<std::size_t>(studied.study.file.settings.draws);
+  std::array const shape{studied.study.laws.size(), draws, motions, count};
+  std::array const strides{static_cast<std::int64_t>(width * motions * draws),
+                           static_cast<std::int64_t>(width * motions), static_cast<std::int64_t>(width),
+                           std::int64_t{1}};
+  return nb::ndarray<nb::numpy, double const>(studied.measured.data() + first, shape.size(), shape.data(), self,
+                                              strides.data())
+      .cast();
 }
 
-Array quantity_of(StudiedBuilding const& studied, std::string const& key) {
-  auto const values = peaks_of(studied, key);
-  Array array({studied.study.laws.size(), static_cast<std::size_t>(studied.study.file.settings.draws),
-               studied.study.file.motions.size()});
-  std::ranges::copy(values, array.mutable_data());
-  return array;
+nb::object quantity_of(StudiedBuilding const& studied, std::string const& key) {
+  return array_of(peaks_of(studied, key),
+                  {studied.study.laws.size(), static_cast<std::size_t>(studied.study.file.settings.draws),
+                   studied.study.file.motions.size()});
 }
 
-template <std::size_t size>
-Array rows_of_history(std::vector<std::array<double, size>> const& rows) {
-  return Array({rows.size(), size}, rows.empty() ? nullptr : rows.front().data());
+template <class Rows>
+std::vector<double> joined_rows(Rows const& rows) {
+  std::vector<double> all;
+  for (auto const& row : rows) all.insert(all.end(), row.begin(), row.end());
+  return all;
 }
 
-py::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t motion) {
+nb::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t motion) {
   auto const run = [&] {
-    py::gil_scoped_release const released;
+    nb::gil_scoped_release const released;
     return building::nominal_run(studied.study, studied.study.laws.at(law), studied.study.file.motions.at(motion));
   }();
   auto const& h = run.history;
-  py::dict result;
+  nb::dict result;
   result["outcome"] = std::string(building::name(run.outcome));
-  result["time_s"] = Array(static_cast<py::ssize_t>(h.time_s.size()), h.time_s.data());
-  result["base"] = rows_of_history(h.base);
-  result["velocity"] = rows_of_history(h.velocity);
-  result["shear_kN"] = rows_of_history(h.shear_kN);
-  Array acceleration({h.acceleration.size(), studied.layout.floors + 1, std::size_t{2}});
-  auto* to = acceleration.mutable_data();
-  for (auto const& row : h.acceleration) to = std::ranges::copy(row, to).out;
-  result["acceleration_mm_s2"] = acceleration;
+  result["time_s"] = array_of(h.time_s);
+  result["base"] = array_of(joined_rows(h.base), {h.base.size(), 3});
+  result["velocity"] = array_of(joined_rows(h.velocity), {h.velocity.size(), 3});
+  result["shear_kN"] = array_of(joined_rows(h.shear_kN), {h.shear_kN.size(), 2});
+  result["acceleration_mm_s2"] =
+      array_of(joined_rows(h.acceleration), {h.acceleration.size(), studied.layout.floors + 1, 2});
   return result;
 }
 
 // The Python class isolaw.Error. This reference is never released, because exceptions may live longer than the module.
-py::handle error_type;
+nb::handle error_type;
 
 // Replaces the names of command-line options in complaints by the names of the Python keywords.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
@@ -668,7 +707,7 @@ Unit unit_named(std::string const& text, Dimension dimension) {
 // Returns what isolaw.opensees needs to know about a law: its parameters in the law's order, how it is integrated, the
 // factors of its bounds, the factors that convert the model's units, and the warnings about it. `source` is a campaign
 // or the law's parameters. dead_band_mm and refinement are used only with parameters: a campaign has its own.
-py::dict law_for_opensees(std::string const& law_id, py::object const& source, std::string const& device,
+nb::dict law_for_opensees(std::string const& law_id, nb::object const& source, std::string const& device,
                           std::pair<std::string, std::string> const& units, bool in_plane, bool anyway,
                           double dead_band_mm, int refinement) {
   auto const& law = laws::find_law(law_id);
@@ -678,8 +717,8 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
   std::optional<double> lower, upper;
   std::string bounds = "no bounds, because the law was given by its parameters";
   bool is_fitted_as_springs = false;
-  if (py::isinstance<Campaign>(source)) {
-    auto const& campaign = source.cast<Campaign const&>();
+  if (nb::isinstance<Campaign>(source)) {
+    auto const& campaign = nb::cast<Campaign const&>(source);
     auto const subject = programs::make_subject(campaign.contents, campaign.summary, law_id, device);
     study::require_taken(subject.doubts,
                          study::whose(law_id, subject.lot ? std::nullopt : std::optional<std::string_view>(device)),
@@ -710,7 +749,7 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
     throw Error({.where = "law " + law_id,
                  .found = "its force depends on the side, so springs around a circle cannot follow it",
                  .allowed = "a law of equal force on both sides"});
-  py::dict result;
+  nb::dict result;
   result["parameters"] = parameters;
   result["dead_band"] = dead_band_mm / law.info.length.in_record_units;
   result["parts"] = refinement;
@@ -728,70 +767,72 @@ py::dict law_for_opensees(std::string const& law_id, py::object const& source, s
 
 void raise_error(Error const& thrown) {
   Error const error(in_keywords(thrown.complaints()));
-  py::list complaints;
+  nb::list complaints;
   for (auto const& c : error.complaints()) {
-    py::dict one;
+    nb::dict one;
     one["where"] = c.where;
     one["found"] = c.found;
     one["allowed"] = c.allowed;
     one["advice"] = c.advice;
     complaints.append(one);
   }
-  py::object exception = py::reinterpret_borrow<py::object>(error_type)(py::str(error.what()));
+  nb::object exception = error_type(error.what());
   exception.attr("complaints") = complaints;
   PyErr_SetObject(error_type.ptr(), exception.ptr());
 }
 
 void translate_errors() {
-  error_type = py::object(py::module_::import("isolaw._error").attr("Error")).release();
-  py::register_exception_translator([](std::exception_ptr thrown) {
+  error_type = nb::object(nb::module_::import_("isolaw._error").attr("Error")).release();
+  nb::register_exception_translator([](std::exception_ptr const& thrown, void*) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      std::rethrow_exception(thrown);
     } catch (Error const& error) {
       raise_error(error);
     }
   });
 }
 
-void add_records(py::module_& m) {
-  py::class_<Record, RecordPtr>(
+void add_records(nb::module_& m) {
+  nb::class_<Record>(
       m, "Record",
       "A test record or a displacement history, in kN, mm and s, as read_record, read_motion, record and motion\n"
       "return it.")
-      .def_readonly("name", &Record::name, "Name of the device.")
-      .def_property_readonly(
+      .def_ro("name", &Record::name, "Name of the device.")
+      .def_prop_ro(
           "file", [](Record const& r) { return r.raw.file; }, "The file that it was read from, or its name.")
-      .def_property_readonly(
-          "disp_mm", [](py::object self) { return view(self.cast<Record&>().raw.disp_mm, self); },
+      .def_prop_ro(
+          "disp_mm", [](nb::handle_t<Record> self) { return view(nb::cast<Record&>(self).raw.disp_mm, self); },
           "Displacements in mm, shape (samples,): a read-only view.")
-      .def_property_readonly(
-          "force_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.force_kN, self); },
+      .def_prop_ro(
+          "force_kN",
+          [](nb::handle_t<Record> self) { return view_or_none(nb::cast<Record&>(self).raw.force_kN, self); },
           "Forces in kN, shape (samples,): a read-only view; None for a motion.")
-      .def_property_readonly(
-          "time_s", [](py::object self) { return view_or_none(self.cast<Record&>().raw.time_s, self); },
+      .def_prop_ro(
+          "time_s", [](nb::handle_t<Record> self) { return view_or_none(nb::cast<Record&>(self).raw.time_s, self); },
           "Times in s, shape (samples,): a read-only view; None without time.")
-      .def_property_readonly(
-          "load_kN", [](py::object self) { return view_or_none(self.cast<Record&>().raw.load_kN, self); },
+      .def_prop_ro(
+          "load_kN", [](nb::handle_t<Record> self) { return view_or_none(nb::cast<Record&>(self).raw.load_kN, self); },
           "Vertical loads in kN, shape (samples,): a read-only view; None without.")
-      .def_property_readonly(
+      .def_prop_ro(
           "recognised", [](Record const& r) { return wording::remarks(r.raw.recognised); },
           "A sentence for each decision of the reader, with its reason.")
-      .def_property_readonly(
+      .def_prop_ro(
           "warnings", [](Record const& r) { return wording::remarks(r.raw.warnings); },
           "Sentences about doubtful things in the file.")
       .def(
           "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
       .def(
-          "_inspection_json", [](Record const& r, py::object const& vertical) { return inspected(r, vertical); },
-          py::arg("vertical"));
+          "_inspection_json", [](Record const& r, nb::object const& vertical) { return inspected(r, vertical); },
+          nb::arg("vertical").none());
 
-  m.def("read", &record_of_file, py::arg("file"), py::arg("motion"), py::arg("name"), py::arg("how"));
+  m.def("read", &record_of_file, nb::arg("file"), nb::arg("motion"), nb::arg("name"), nb::arg("how"));
 
   m.def(
       "same_device",
-      [](std::vector<RecordPtr> const& tests, std::optional<std::string> const& name) {
+      [](nb::list const& records, std::optional<std::string> const& name) {
+        auto const tests = records_of(records);
         std::vector<data::NamedTest> named, uncorrected;
-        for (auto const& test : tests) {
+        for (auto const* test : tests) {
           if (test->raw.force_kN.empty())
             throw Error({.where = test->name, .found = "a motion without force", .allowed = "a record of a test"});
           named.push_back({.name = test->name, .record = test->raw});
@@ -801,30 +842,30 @@ void add_records(py::module_& m) {
         }
         if (named.empty())
           throw Error({.where = "records", .found = "there are none", .allowed = "one record or more"});
-        auto record = std::make_shared<Record>(Record{.name = {}, .raw = data::record_of_tests(std::move(named))});
-        if (data::is_corrected(record->raw) && uncorrected.size() == tests.size())
-          record->uncorrected = data::record_of_tests(std::move(uncorrected));
-        record->name =
-            name.value_or(tests.size() == 1 ? tests.front()->name : campaign::name_of_tests(record->raw.tests));
+        Record record{.name = {}, .raw = data::record_of_tests(std::move(named))};
+        if (data::is_corrected(record.raw) && uncorrected.size() == tests.size())
+          record.uncorrected = data::record_of_tests(std::move(uncorrected));
+        record.name =
+            name.value_or(tests.size() == 1 ? tests.front()->name : campaign::name_of_tests(record.raw.tests));
         return record;
       },
-      py::arg("records"), py::arg("name"));
+      nb::arg("records"), nb::arg("name"));
 
   m.def(
       "record",
-      [](std::string const& name, Rows const& disp_mm, std::optional<Rows> const& force_kN,
-         std::optional<Rows> const& time_s, std::optional<Rows> const& load_kN) {
-        return std::make_shared<Record>(
-            Record{.name = name,
-                   .raw = data::record_of_values(name, {.disp_mm = values_of(disp_mm, "disp_mm"),
-                                                        .force_kN = values_of(force_kN, "force_kN"),
-                                                        .time_s = values_of(time_s, "time_s"),
-                                                        .load_kN = values_of(load_kN, "load_kN")})});
+      [](std::string const& name, nb::object const& disp_mm, nb::object const& force_kN, nb::object const& time_s,
+         nb::object const& load_kN) {
+        return Record{.name = name,
+                      .raw = data::record_of_values(name, {.disp_mm = values_of(rows_of(disp_mm, "disp_mm"), "disp_mm"),
+                                                           .force_kN = channel_of(force_kN, "force_kN"),
+                                                           .time_s = channel_of(time_s, "time_s"),
+                                                           .load_kN = channel_of(load_kN, "load_kN")})};
       },
-      py::arg("name"), py::arg("disp_mm"), py::arg("force_kN"), py::arg("time_s"), py::arg("load_kN"));
+      nb::arg("name"), nb::arg("disp_mm").none(), nb::arg("force_kN").none(), nb::arg("time_s").none(),
+      nb::arg("load_kN").none());
 }
 
-void add_tables(py::module_& m) {
+void add_tables(nb::module_& m) {
   m.def("catalogue_json", &catalogue_json);
   m.def("options_json", [] {
     auto of_building = described(building::settings_table());
@@ -837,62 +878,65 @@ void add_tables(py::module_& m) {
   });
 }
 
-void add_laws(py::module_& m) {
+void add_laws(nb::module_& m) {
   m.def(
       "box",
-      [](std::string const& law_id, Record const& record, py::dict const& how) {
+      [](std::string const& law_id, Record const& record, nb::dict const& how) {
         auto const box = campaign::search_box(laws::find_law(law_id), data::clean(record.raw, {}), settings_of(how));
-        py::dict result;
+        nb::dict result;
         for (auto const& p : box.parameters) {
-          py::dict one;
+          nb::dict one;
           one["unit"] = p.unit;
           one["free"] = p.free;
-          one["value"] = p.free ? py::object(py::none()) : py::object(py::float_(p.value));
+          one["value"] = p.free ? nb::object(nb::none()) : nb::object(nb::float_(p.value));
           one["lower"] = p.lower;
           one["upper"] = p.upper;
           one["scale"] = p.scale == laws::Scale::linear ? "linear" : "logarithmic";
-          result[py::str(p.name)] = one;
+          result[std::string(p.name).c_str()] = one;
         }
         return result;
       },
-      py::arg("law"), py::arg("record"), py::arg("how"));
+      nb::arg("law"), nb::arg("record"), nb::arg("how"));
 
-  m.def("force", &force_of, py::arg("law"), py::arg("parameters"), py::arg("motion"), py::arg("how"),
-        py::arg("refinement"), py::arg("out").noconvert());
+  m.def("force", &force_of, nb::arg("law"), nb::arg("parameters").none(), nb::arg("motion"), nb::arg("how"),
+        nb::arg("refinement"), nb::arg("out").none());
 
-  py::class_<Model, std::shared_ptr<Model>>(m, "Model", "A law on a record; see isolaw.Model.")
-      .def(py::init([](std::string const& law, RecordPtr record, py::dict const& how, int refinement) {
-             return std::make_shared<Model>(law, std::move(record), settings_of(how), refinement);
-           }),
-           py::arg("law"), py::arg("record"), py::arg("how"), py::arg("refinement"))
-      .def_property_readonly("disp_mm",
-                             [](py::object self) { return view(self.cast<Model&>().record().disp_mm, self); })
-      .def_property_readonly("force_kN",
-                             [](py::object self) { return view(self.cast<Model&>().record().force_kN, self); })
-      .def_property_readonly("time_s", [](py::object self) { return view(self.cast<Model&>().record().time_s, self); })
-      .def("objective", &Model::objective, py::arg("parameters"))
-      .def("objectives", &Model::objectives, py::arg("population"), py::arg("out").noconvert())
-      .def("force", &Model::force, py::arg("parameters"), py::arg("out").noconvert());
+  nb::class_<Model>(m, "Model", "A law on a record; see isolaw.Model.")
+      .def(
+          "__init__",
+          [](Model* model, std::string const& law, Record const& record, nb::dict const& how, int refinement) {
+            new (model) Model(law, record, settings_of(how), refinement);
+          },
+          nb::arg("law"), nb::arg("record"), nb::arg("how"), nb::arg("refinement"))
+      .def_prop_ro("disp_mm",
+                   [](nb::handle_t<Model> self) { return view(nb::cast<Model&>(self).record().disp_mm, self); })
+      .def_prop_ro("force_kN",
+                   [](nb::handle_t<Model> self) { return view(nb::cast<Model&>(self).record().force_kN, self); })
+      .def_prop_ro("time_s",
+                   [](nb::handle_t<Model> self) { return view(nb::cast<Model&>(self).record().time_s, self); })
+      .def("objective", &Model::objective, nb::arg("parameters").none())
+      .def("objectives", &Model::objectives, nb::arg("population").none(), nb::arg("out").none())
+      .def("force", &Model::force, nb::arg("parameters").none(), nb::arg("out").none());
 }
 
-void add_campaigns(py::module_& m) {
-  py::class_<Campaign, CampaignPtr>(m, "Campaign", "A campaign; see isolaw.Campaign.")
+void add_campaigns(nb::module_& m) {
+  nb::class_<Campaign>(m, "Campaign", "A campaign; see isolaw.Campaign.")
       .def(
           "_summary_json", [](Campaign const& c) { return render::summary_json(c.summary); },
-          py::call_guard<py::gil_scoped_release>())
-      .def_property_readonly("complete", [](Campaign const& c) { return c.contents.complete(); })
+          nb::call_guard<nb::gil_scoped_release>())
+      .def_prop_ro("complete", [](Campaign const& c) { return c.contents.complete(); })
       .def("force",
-           [](py::object self, std::string const& law, std::string const& device) {
-             return view(self.cast<Campaign&>().fit(law, device).force_kN, self);
+           [](nb::handle_t<Campaign> self, std::string const& law, std::string const& device) {
+             return view(nb::cast<Campaign&>(self).fit(law, device).force_kN, self);
            })
       .def("runs", &runs_of)
       .def("parameters",
            [](Campaign const& c, std::string const& law, std::string const& device) {
              auto const fitted = fitted_law(c.contents, law, device);
-             py::dict values;
+             nb::dict values;
              auto const& entry = laws::find_law(law);
              for (std::size_t i = 0; i < fitted.parameters.size(); ++i)
-               values[py::str(std::string(entry.parameters[i].name))] = fitted.parameters[i];
+               values[std::string(entry.parameters[i].name).c_str()] = fitted.parameters[i];
              return values;
            })
       .def("refinement", [](Campaign const& c, std::string const& law,
@@ -901,11 +945,11 @@ void add_campaigns(py::module_& m) {
            [](Campaign const& c, std::string const& device) {
              auto const& one = c.contents.devices[c.device(device)];
              if (!one.usable()) throw Error({.where = "device '" + device + "'", .found = one.refusal});
-             return std::make_shared<Record>(Record{.name = one.name, .raw = one.raw, .uncorrected = one.uncorrected});
+             return Record{.name = one.name, .raw = one.raw, .uncorrected = one.uncorrected};
            })
       .def("fit_channel",
-           [](py::object self, std::string const& device, std::string const& channel) {
-             auto const& c = self.cast<Campaign&>();
+           [](nb::handle_t<Campaign> self, std::string const& device, std::string const& channel) {
+             auto const& c = nb::cast<Campaign&>(self);
              auto const& record = c.contents.devices[c.device(device)].record;
              return view(channel == "disp_mm"    ? record.disp_mm
                          : channel == "force_kN" ? record.force_kN
@@ -913,76 +957,76 @@ void add_campaigns(py::module_& m) {
                          self);
            })
       .def("write", [](Campaign const& c, std::filesystem::path const& directory) {
-        py::gil_scoped_release const released;
+        nb::gil_scoped_release const released;
         render::write_outputs(c.summary, directory);
       });
-  m.def("law_for_opensees", &law_for_opensees, py::arg("law"), py::arg("source"), py::arg("device"), py::arg("units"),
-        py::arg("in_plane"), py::arg("anyway"), py::arg("dead_band_mm"), py::arg("refinement"));
+  m.def("law_for_opensees", &law_for_opensees, nb::arg("law"), nb::arg("source"), nb::arg("device"), nb::arg("units"),
+        nb::arg("in_plane"), nb::arg("anyway"), nb::arg("dead_band_mm"), nb::arg("refinement"));
 }
 
-void add_calibration(py::module_& m) {
-  m.def("load", &loaded, py::arg("directory"));
+void add_calibration(nb::module_& m) {
+  m.def("load", &loaded, nb::arg("directory"));
   m.def(
       "calibrate",
-      [](std::vector<RecordPtr> const& records, py::dict const& given, py::dict const& vertical, int jobs,
+      [](nb::list const& records, nb::dict const& given, nb::dict const& vertical, int jobs,
          std::optional<std::filesystem::path> out, bool fresh, std::string title,
-         std::optional<std::pair<int, int>> part, py::object const& progress) {
+         std::optional<std::pair<int, int>> part, nb::object const& progress) {
         require_jobs(jobs);
         CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
         options.run.jobs = jobs;
         if (part) options.part = {.number = part->first, .of = part->second};
         return calibrated(records, given, vertical, std::move(options), progress);
       },
-      py::arg("records"), py::arg("given"), py::arg("vertical"), py::arg("jobs"), py::arg("out"), py::arg("fresh"),
-      py::arg("title"), py::arg("part"), py::arg("progress"));
+      nb::arg("records"), nb::arg("given"), nb::arg("vertical"), nb::arg("jobs"), nb::arg("out"), nb::arg("fresh"),
+      nb::arg("title"), nb::arg("part"), nb::arg("progress").none());
   m.def(
       "merge",
       [](std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts, int jobs, bool fresh,
-         py::object const& progress) {
+         nb::object const& progress) {
         require_jobs(jobs);
         MergeCallOptions options{.fresh = fresh};
         options.run.jobs = jobs;
         return merged(out, parts, std::move(options), progress);
       },
-      py::arg("out"), py::arg("parts"), py::arg("jobs"), py::arg("fresh"), py::arg("progress"));
+      nb::arg("out"), nb::arg("parts"), nb::arg("jobs"), nb::arg("fresh"), nb::arg("progress").none());
 }
 
-void add_buildings(py::module_& m) {
-  py::class_<StudiedBuilding, BuildingPtr>(m, "Building", "A building that was studied; see isolaw.Building.")
+void add_buildings(nb::module_& m) {
+  nb::class_<StudiedBuilding>(m, "Building", "A building that was studied; see isolaw.Building.")
       .def(
           "json", [](StudiedBuilding const& b) { return render::building_json(b.study, *b.answers); },
-          py::call_guard<py::gil_scoped_release>())
-      .def("quantity", &quantity_of, py::arg("key"))
+          nb::call_guard<nb::gil_scoped_release>())
+      .def("quantity", &quantity_of, nb::arg("key"))
       .def("accelerations",
-           [](py::object const& self) {
-             auto const& l = self.cast<BuildingPtr>()->layout;
+           [](nb::handle_t<StudiedBuilding> self) {
+             auto const& l = nb::cast<StudiedBuilding const&>(self).layout;
              return measures(self, l.acceleration(0), l.floors + 1);
            })
       .def("drifts",
-           [](py::object const& self) {
-             auto const& l = self.cast<BuildingPtr>()->layout;
+           [](nb::handle_t<StudiedBuilding> self) {
+             auto const& l = nb::cast<StudiedBuilding const&>(self).layout;
              return measures(self, l.drift(0), l.floors);
            })
       .def("displacements",
-           [](py::object const& self) {
-             auto const& l = self.cast<BuildingPtr>()->layout;
+           [](nb::handle_t<StudiedBuilding> self) {
+             auto const& l = nb::cast<StudiedBuilding const&>(self).layout;
              return measures(self, l.displacement(0), l.bearings);
            })
-      .def("history", &history_of, py::arg("law"), py::arg("motion"))
+      .def("history", &history_of, nb::arg("law"), nb::arg("motion"))
       .def("write", [](StudiedBuilding const& b, std::filesystem::path const& directory) {
-        py::gil_scoped_release const released;
+        nb::gil_scoped_release const released;
         render::write_building_outputs(b.study, *b.answers, directory);
       });
   m.def(
       "building",
-      [](py::object const& file, py::object const& from, py::list const& motions, py::dict const& given, int jobs,
-         std::optional<std::filesystem::path> out, bool fresh, py::object const& progress) {
+      [](nb::object const& file, nb::object const& from, nb::list const& motions, nb::dict const& given, int jobs,
+         std::optional<std::filesystem::path> out, bool fresh, nb::object const& progress) {
         require_jobs(jobs);
         return studied(file, from, motions, given, {.jobs = jobs, .directory = std::move(out), .fresh = fresh},
                        progress);
       },
-      py::arg("file"), py::arg("campaign"), py::arg("motions"), py::arg("given"), py::arg("jobs"), py::arg("out"),
-      py::arg("fresh"), py::arg("progress"));
+      nb::arg("file"), nb::arg("campaign"), nb::arg("motions"), nb::arg("given"), nb::arg("jobs"), nb::arg("out"),
+      nb::arg("fresh"), nb::arg("progress").none());
 }
 
 study::ConditionsResult conditions_of(std::filesystem::path const& file, bool allow_outside) {
@@ -999,10 +1043,10 @@ study::ConditionsResult conditions_of(std::filesystem::path const& file, bool al
   return study::build_conditions(campaign::observe_tests(lot), lot.title, lot.acceptance);
 }
 
-void add_conditions(py::module_& m) {
+void add_conditions(nb::module_& m) {
   using study::ConditionsResult;
-  py::class_<ConditionsResult>(m, "Conditions", "A study of conditions; see isolaw.Conditions.")
-      .def("json", &render::conditions_json, py::call_guard<py::gil_scoped_release>())
+  nb::class_<ConditionsResult>(m, "Conditions", "A study of conditions; see isolaw.Conditions.")
+      .def("json", &render::conditions_json, nb::call_guard<nb::gil_scoped_release>())
       .def("text", [](ConditionsResult const& result) { return render::conditions_text(result, false); })
       .def(
           "json_with_plan",
@@ -1014,27 +1058,22 @@ void add_conditions(py::module_& m) {
             result.plan = study::plan_tests(result, devices);
             return render::conditions_json(result);
           },
-          py::arg("devices"), py::call_guard<py::gil_scoped_release>());
-  m.def("conditions", &conditions_of, py::arg("file"), py::arg("allow_outside"),
-        py::call_guard<py::gil_scoped_release>());
+          nb::arg("devices"), nb::call_guard<nb::gil_scoped_release>());
+  m.def("conditions", &conditions_of, nb::arg("file"), nb::arg("allow_outside"),
+        nb::call_guard<nb::gil_scoped_release>());
 }
 
 }  // namespace
 }  // namespace isolaw::python
 
-PYBIND11_MODULE(_core, m) {
+NB_MODULE(_core, m) {
   m.doc() = "The compiled part of isolaw; import isolaw instead.";
   m.attr("__version__") = ISOLAW_VERSION;
   using namespace isolaw::python;
-#if PYBIND11_VERSION_HEX < 0x020C0000
-  // This pybind11 reads the arrays of NumPy 2 wrongly, without any error.
-  if (auto const version = py::module_::import("numpy").attr("__version__").cast<std::string>();
-      !version.starts_with("1."))
-    throw py::import_error("isolaw: this build knows NumPy 1 only, and NumPy " + version +
-                           " is installed; try: pip install 'numpy<2'");
-#endif
+  // By default nanobind prints at the end of the process which objects still live.
+  nb::set_leak_warnings(false);
   translate_errors();
-  // Adds a class before the functions that take or return it, because pybind11 writes its name into their docstrings.
+  // Adds a class before the functions that take or return it, because nanobind writes its name into their docstrings.
   add_records(m);
   add_tables(m);
   add_laws(m);

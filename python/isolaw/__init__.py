@@ -454,7 +454,7 @@ def calibrate(
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
     report = None if progress is None else _adapted(progress)
-    return Campaign(_core.calibrate(devices, given, tests, jobs, out, fresh, title, part and _part(part), report))
+    return Campaign(_core.calibrate(devices, given, tests, jobs, out, bool(fresh), title, part and _part(part), report))
 
 
 def _part(part):
@@ -477,7 +477,7 @@ def merge(out, parts, *, jobs=0, fresh=False, progress=None):
     """
     parts = [parts] if isinstance(parts, (str, _os.PathLike)) else list(parts)
     report = None if progress is None else _adapted(progress)
-    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, fresh, report))
+    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, bool(fresh), report))
 
 
 def load(directory):
@@ -618,7 +618,7 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     if isinstance(motions, (str, _os.PathLike)):
         motions = [motions]
     motions_given = [_motion_input(motion) for motion in motions or ()]
-    return Building(_core.building(file, source, motions_given, given, jobs, out, fresh, progress))
+    return Building(_core.building(file, source, motions_given, given, jobs, out, bool(fresh), progress))
 
 
 class Conditions:
@@ -683,4 +683,4 @@ def conditions(lot, *, allow_outside=False):
     file or below it. Returns Conditions. A test that cannot be used is in ``results["refused"]``. Raises Error with
     everything that is wrong in the lot file.
     """
-    return Conditions(_core.conditions(_os.fspath(lot), allow_outside))
+    return Conditions(_core.conditions(_os.fspath(lot), bool(allow_outside)))
