@@ -49,7 +49,8 @@ class Laws(unittest.TestCase):
         values = np.zeros(5)
         self.assertTrue(np.shares_memory(model.objectives(np.ones((5, 3)), out=values), values))
         self.assertTrue((values > 0).all())
-        for wrong in (np.zeros(3), np.zeros(2 * len(self.x))[::2], self.record.force_kN):
+        size = len(self.x)
+        for wrong in (np.zeros(3), np.zeros(2 * size)[::2], self.record.force_kN, np.zeros(size, np.float32), [0.0] * size):
             with self.assertRaisesRegex(isolaw.Error, "out: another array"):
                 isolaw.force("bilinear", BILINEAR, self.record, out=wrong)
 

@@ -57,7 +57,7 @@ class Records(unittest.TestCase):
         self.assertAlmostEqual(model.objective([1.5, 0.5, 30.0]), sum(one.objective([1.5, 0.5, 30.0]) for one in apart) / 2.0, places=12)
         campaign = isolaw.calibrate([both], ["bilinear"], analysis=False)
         self.assertEqual([one["test"] for one in campaign.summary["laws"][0]["devices"][0]["tests"]], ["slow", "fast"])
-        for wrong in ([], [slow, slow], [isolaw.motion(x, t)], [slow, isolaw.record(x, f, name="timeless")]):
+        for wrong in ([], [slow, slow], [isolaw.motion(x, t)], [slow, isolaw.record(x, f, name="timeless")], [slow, None]):
             with self.assertRaises(isolaw.Error):
                 isolaw.same_device(wrong)
 
