@@ -24,9 +24,11 @@
 #include <fmt/format.h>
 
 #include "isolaw/api/building_work.hpp"
+#include "isolaw/api/conditions.hpp"
 #include "isolaw/api/isolaw.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/campaign/lot_conditions.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/laws/plane/in_plane.hpp"
@@ -35,7 +37,6 @@
 #include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/render/terminal/conditions_text.hpp"
-#include "isolaw/rules/rule_set.hpp"
 #include "isolaw/study/conditions.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -873,6 +874,7 @@ void add_tables(nb::module_& m) {
     return Json{{"settings", described(campaign::setting_table())},
                 {"reading", described(data::reading_table())},
                 {"acceptance", described(campaign::acceptance_table())},
+                {"test", described(campaign::test_table())},
                 {"building", std::move(of_building)}}
         .dump();
   });
@@ -1029,18 +1031,13 @@ void add_buildings(nb::module_& m) {
       nb::arg("fresh"), nb::arg("progress").none());
 }
 
-study::ConditionsResult conditions_of(std::filesystem::path const& file, bool allow_outside) {
-  auto lot = campaign::read_lot_file(file, {.allow_outside = allow_outside,
-                                            .other_out = true,
-                                            .is_built_in_rules = rules::is_built_in,
-                                            .check_design = [](std::string_view text) { rules::parse_design(text); }});
-  if (!lot.conditions)
-    throw Error({.where = printable(file.string()),
-                 .found = "the lot file has no table [conditions]",
-                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
-                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
-  complete_acceptance(lot.acceptance);
-  return study::build_conditions(campaign::observe_tests(lot), lot.title, lot.acceptance);
+study::ConditionsResult conditions_of(nb::object const& lot, std::filesystem::path const& folder, bool allow_outside) {
+  auto const tables = nb::isinstance<nb::dict>(lot) ? json_of(lot) : Json();
+  auto const file = tables.is_null() ? nb::cast<std::filesystem::path>(lot) : std::filesystem::path();
+  nb::gil_scoped_release const released;
+  auto const [observed, title, acceptance] =
+      tables.is_null() ? conditions_source(file, allow_outside) : conditions_source(tables, folder, allow_outside);
+  return study::build_conditions(observed, title, acceptance);
 }
 
 void add_conditions(nb::module_& m) {
@@ -1059,8 +1056,7 @@ void add_conditions(nb::module_& m) {
             return render::conditions_json(result);
           },
           nb::arg("devices"), nb::call_guard<nb::gil_scoped_release>());
-  m.def("conditions", &conditions_of, nb::arg("file"), nb::arg("allow_outside"),
-        nb::call_guard<nb::gil_scoped_release>());
+  m.def("conditions", &conditions_of, nb::arg("lot"), nb::arg("folder"), nb::arg("allow_outside"));
 }
 
 }  // namespace

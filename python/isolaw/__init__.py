@@ -30,6 +30,7 @@ __all__ = [
     "Error",
     "Model",
     "Record",
+    "Test",
     "__version__",
     "box",
     "building",
@@ -632,6 +633,12 @@ class Conditions:
         self._results = None
 
     def __repr__(self):
+        tests = self.results["tests"]
+        devices = len({test["device"] for test in tests})
+        names = {(test["device"], test["test"]) for test in tests}
+        return f"<isolaw.Conditions of {len(names)} tests of {devices} devices>"
+
+    def __str__(self):
         return self._core.text()
 
     @property
@@ -671,16 +678,53 @@ class Conditions:
         """The values of acceptance tests under other conditions, as measured and at reference: a list of dicts."""
         return self.results["at_reference"]
 
-    def plan(self, devices=2):
-        """The tests that are missing until so many devices show every end of the design conditions: a list of dicts."""
+    def plan(self, devices=None):
+        """The tests that are missing until so many devices show every end of the design conditions: a list of dicts.
+
+        devices: as in ``isolaw conditions --plan --devices``; by default as many as that command takes.
+        """
+        if devices is None:
+            return self.results["plan"]
         return _json.loads(self._core.json_with_plan(_operator.index(devices)))["plan"]
 
 
-def conditions(lot, *, allow_outside=False):
+class Test(dict):
+    """A test of a device under a stated condition, as a ``[[device.test]]`` table of a lot file; for conditions().
+
+    file: the record, or a list of files that are read one after another as one history. name: the test's name; by
+    default the file's name without its ending. aged: ageing in an oven before the test, such as
+    ``{"days": 14, "at-C": 70}``. The other keywords are the keys of the table with ``_`` in place of ``-``:
+    docs/conditions.md explains those of the condition, read_record() those of reading. The Test is a dict with the
+    keys of the table. conditions() checks the values.
+    """
+
+    @_with_keywords(_OPTIONS["reading"] | _OPTIONS["test"], in_place=True)
+    def __init__(self, file, *, name=None, aged=None, **stated):
+        several = not isinstance(file, (str, _os.PathLike))
+        super().__init__({"files": [_os.fspath(one) for one in file]} if several else {"file": _os.fspath(file)})
+        options = _OPTIONS["reading"] | _OPTIONS["test"]
+        stated = {options[keyword]["option"]: value for keyword, value in stated.items()}
+        self.update(
+            (key, value) for key, value in {"name": name, "aged": aged, **stated}.items() if value is not None
+        )
+
+
+def conditions(lot, *, folder=".", allow_outside=False):
     """Studies how temperature, rate, load, ageing and history change properties, as ``isolaw conditions`` does.
 
-    lot: a lot file with a table ``[conditions]``. allow_outside: also reads files that are not in the folder of the lot
-    file or below it. Returns Conditions. A test that cannot be used is in ``results["refused"]``. Raises Error with
-    everything that is wrong in the lot file.
+    lot: a lot file with a table ``[conditions]``, the directory of a campaign that was made from one, or the tables of
+    a lot file as a dict. folder: where the files are that such a dict names. allow_outside: also reads files that are
+    not in this folder, or in that of the lot file, or below it. Returns Conditions. A test that cannot be used is in
+    ``results["refused"]``. Raises Error with everything that is wrong in the lot file.
+
+    >>> import isolaw
+    >>> warm = isolaw.Test("p1-warm.csv", order=1, temperature_C=20)
+    >>> cold = isolaw.Test("p1-cold.csv", order=2, temperature_C=-20, rest_h=24)
+    >>> study = isolaw.conditions({
+    ...     "conditions": {"reference": {"temperature-C": 20}, "design": {"temperature-C": [-15, 45]}},
+    ...     "device": [{"name": "P1", "test": [warm, cold]}],
+    ... })
+    >>> study.bounds["K_eff"]["max"]["factor"]
     """
-    return Conditions(_core.conditions(_os.fspath(lot), bool(allow_outside)))
+    lot = dict(lot) if isinstance(lot, _Mapping) else _os.fspath(lot)
+    return Conditions(_core.conditions(lot, _os.fspath(folder), bool(allow_outside)))

@@ -289,6 +289,51 @@ class Conditions:
     def findings(self) -> list[dict[str, Any]]: ...
     @property
     def at_reference(self) -> list[dict[str, Any]]: ...
-    def plan(self, devices: int = 2) -> list[dict[str, Any]]: ...
+    def plan(self, devices: int | None = None) -> list[dict[str, Any]]: ...
 
-def conditions(lot: _Path, *, allow_outside: bool = False) -> Conditions: ...
+class Test(dict[str, Any]):
+    def __init__(
+        self,
+        file: _Path | Iterable[_Path],
+        *,
+        name: str | None = None,
+        aged: Mapping[str, float] | None = None,
+        # isolaw keywords device-test
+        columns: str | Mapping[str, str | int] | None = None,
+        units: str | Mapping[str, str | int] | None = None,
+        channel_scale: str | Mapping[str, str | int] | None = None,
+        dt: float | None = None,
+        rows: str | None = None,
+        from_s: float | None = None,
+        to_s: float | None = None,
+        footer: Literal["skip"] | None = None,
+        missing: Literal["leave-out", "interpolate"] | None = None,
+        thousands: Literal[",", ".", "'", "blank"] | None = None,
+        date_order: Literal["dmy", "mdy"] | None = None,
+        sheet: str | int | None = None,
+        test: str | int | None = None,
+        flip_force: bool | None = None,
+        half_cycles: bool | None = None,
+        repair: Literal["spikes"] | None = None,
+        skew_ms: float | None = None,
+        rig_friction_kN: float | None = None,
+        rig_friction_coefficient: float | None = None,
+        moving_mass_kg: float | None = None,
+        force_factor: float | None = None,
+        order: int | None = None,
+        temperature_C: float | None = None,
+        load_kN: float | None = None,
+        rest_h: float | None = None,
+        conditioned_h: float | None = None,
+        scale: float | None = None,
+        fit: bool | None = None,
+        specimen: bool | Literal["full", "scaled"] | None = None,
+        started: str | None = None,
+        stands_for: bool | Literal["dependence", "acceptance"] | None = None,
+        temperature_of: Literal["core", "surface", "chamber"] | None = None,
+        # the end of what it wrote
+    ) -> None: ...
+
+def conditions(
+    lot: _Path | Mapping[str, Any], *, folder: _Path = ".", allow_outside: bool = False
+) -> Conditions: ...

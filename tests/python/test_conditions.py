@@ -4,6 +4,7 @@ import json
 import pathlib
 import subprocess
 import tempfile
+import tomllib
 import unittest
 
 import isolaw
@@ -36,6 +37,48 @@ class Conditions(unittest.TestCase):
         for at, number in zip(sorted(rates), (0.927280900, 1.067708704)):
             self.assertAlmostEqual(rates[at] / number, 1.0, delta=1e-3)
 
+    # The tables of the lot file, its devices' tests as Test, give what the file gives.
+    def test_tables_give_what_the_lot_file_gives(self):
+        tables = tomllib.loads(self.lot.read_text())
+        for device in tables["device"]:
+            device["test"] = [
+                isolaw.Test(test.pop("file"), **{key.replace("-", "_"): value for key, value in test.items()})
+                for test in device["test"]
+            ]
+        study = isolaw.conditions(tables, folder=self.lot.parent)
+        self.assertEqual(study.results, self.study.results)
+
+    def test_wrong_tables_name_the_device_and_the_test(self):
+        def study(**wrong):
+            test = isolaw.Test("p1-warm.csv", order=1, temperature_C=20) | wrong
+            return isolaw.conditions(
+                {"conditions": {"reference": {"temperature-C": 20}}, "device": [{"name": "P1", "test": [test]}]},
+                folder=self.lot.parent,
+            )
+
+        for wrong, message in {
+            ("rest-h", -1): "lot, 'P1', 'p1-warm.csv': .*rest-h.*0 or more",
+            ("temperature-X", 20): "lot, 'P1', 'p1-warm.csv': .*temperature-X",
+            ("file", "../p1.csv"): "lot, 'P1', '../p1.csv': .*outside",
+            ("order", "first"): "lot, 'P1', 'p1-warm.csv': .*order.*first",
+        }.items():
+            with self.assertRaisesRegex(isolaw.Error, message):
+                study(**dict([wrong]))
+        with self.assertRaisesRegex(isolaw.Error, r"no table \[conditions\]"):
+            isolaw.conditions({"device": [{"file": "p1-warm.csv"}]}, folder=self.lot.parent)
+        with self.assertRaises(TypeError):
+            isolaw.Test("p1-warm.csv", order=1, temperature=20)
+
+    # A test without its temperature or its record is refused with the reason, and the others count.
+    def test_a_test_that_cannot_be_used_says_why(self):
+        tables = tomllib.loads(self.lot.read_text())
+        tables["device"][0]["test"][1].pop("temperature-C")
+        tables["device"][1]["test"][1]["file"] = "no-such.csv"
+        refused = isolaw.conditions(tables, folder=self.lot.parent).results["refused"]
+        self.assertEqual({row["device"] for row in refused}, {"P1", "P2"})
+        self.assertIn("temperature", str(refused[0]))
+        self.assertIn("no-such.csv", str(refused[1]))
+
     def test_the_plan_has_the_twelve_tests_that_are_missing(self):
         self.assertEqual(len(self.study.plan()), 12)
         self.assertGreater(len(self.study.plan(devices=3)), 12)
@@ -49,7 +92,8 @@ class Conditions(unittest.TestCase):
 
     def test_it_shows_what_the_program_prints(self):
         program = subprocess.run([BINARY, "conditions", self.lot], capture_output=True, text=True)
-        self.assertEqual(repr(self.study).strip(), program.stdout.strip())
+        self.assertEqual(str(self.study).strip(), program.stdout.strip())
+        self.assertEqual(repr(self.study), "<isolaw.Conditions of 26 tests of 6 devices>")
 
     def test_observations_are_rows_for_pandas(self):
         try:

@@ -8,7 +8,7 @@ import sys
 import tempfile
 import unittest
 
-from devices import SOURCE
+from devices import BINARY, SOURCE
 
 
 class Examples(unittest.TestCase):
@@ -46,6 +46,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(len(blocks), 0)
         with tempfile.TemporaryDirectory() as folder:  # the folder must hold no results of another version
             (pathlib.Path(folder) / "examples").symlink_to(SOURCE / "examples")
+            subprocess.run([BINARY, "example", "ex", "--conditions"], cwd=folder, check=True, capture_output=True)
             process = subprocess.run(
                 [sys.executable, "-c", "\n".join(blocks)], cwd=folder, capture_output=True, text=True, timeout=300
             )  # fmt: skip

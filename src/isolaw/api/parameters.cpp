@@ -40,7 +40,7 @@ std::string all_of(laws::LawEntry const& law) {
 }
 
 std::vector<NamedValue> read_toml(std::string const& text, std::string const& file, laws::LawEntry const& law) {
-  auto const table = parse_toml(text, file, {.kind = "parameter file", .advice = std::string(file_advice)});
+  auto const table = parse_toml(text, file, {.kind = "parameter file", .advice = file_advice});
   auto const* own = table.get_as<toml::table>(std::string(law.info.id));
   std::vector<NamedValue> values;
   std::vector<Complaint> complaints;

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 
-#include "isolaw/api/calibrate.hpp"
+#include "isolaw/api/conditions.hpp"
 #include "isolaw/app/commands.hpp"
-#include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/report.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/write_file.hpp"
-#include "isolaw/campaign/store.hpp"
 #include "isolaw/render/figures/conditions_figures.hpp"
 #include "isolaw/render/json/conditions_json.hpp"
 #include "isolaw/render/rules/measured_rules.hpp"
@@ -18,38 +16,6 @@
 #include "isolaw/render/write.hpp"
 
 namespace isolaw::app {
-namespace {
-
-struct Asked {
-  campaign::ObservedTests observed;
-  std::string title;
-  campaign::Acceptance acceptance;
-};
-
-Asked of_campaign(std::filesystem::path const& directory) {
-  auto contents = campaign::Store::read(directory / "campaign.sqlite");
-  if (!contents.observed)
-    throw Error({.where = shown(directory),
-                 .found = "the campaign was made from a lot without a table [conditions]",
-                 .allowed = "a campaign of a lot file with [conditions]",
-                 .advice = "isolaw conditions lot.toml, once the lot file has the table"});
-  return {.observed = std::move(*contents.observed),
-          .title = std::move(contents.title),
-          .acceptance = std::move(contents.acceptance)};
-}
-
-Asked of_lot_file(ConditionsArguments const& arguments) {
-  auto lot = lot_of_file(arguments.lot, {.allow_outside = arguments.allow_outside, .other_out = true});
-  complete_acceptance(lot.acceptance);
-  if (!lot.conditions)
-    throw Error({.where = shown(arguments.lot),
-                 .found = "the lot file has no table [conditions]",
-                 .allowed = "[conditions] with a reference, and [[device.test]] tables with temperature-C and order",
-                 .advice = "isolaw example DIR --conditions writes a lot that has them"});
-  return {.observed = campaign::observe_tests(lot), .title = lot.title, .acceptance = lot.acceptance};
-}
-
-}  // namespace
 
 int conditions(ConditionsArguments const& arguments) {
   if (arguments.out && std::filesystem::exists(*arguments.out) && !std::filesystem::is_directory(*arguments.out))
@@ -62,8 +28,7 @@ int conditions(ConditionsArguments const& arguments) {
     throw Error({.where = "--write-rules",
                  .found = shown(*arguments.write_rules) + " exists, and somebody may have verified it",
                  .allowed = "a new file"});
-  auto const [observed, title, acceptance] =
-      std::filesystem::is_directory(arguments.lot) ? of_campaign(arguments.lot) : of_lot_file(arguments);
+  auto const [observed, title, acceptance] = conditions_source(arguments.lot, arguments.allow_outside);
   auto result = study::build_conditions(observed, title, acceptance);
   if (arguments.devices) result.plan = study::plan_tests(result, *arguments.devices);
   if (arguments.json)

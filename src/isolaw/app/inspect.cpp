@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "isolaw/api/conditions.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
@@ -74,7 +75,7 @@ namespace {
 // options, those of its first device are copied. A column that is read from a separate file is dropped, since that file
 // belongs to the other lot.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
-  auto const other = lot_of_file(file, {.allow_outside = true, .other_out = true});
+  auto const other = read_lot(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
   lot.acceptance = other.acceptance;
   lot.rules_are_file = other.rules_are_file;

@@ -9,6 +9,7 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/building/building_file.hpp"
+#include "isolaw/campaign/lot_conditions.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 
@@ -23,7 +24,7 @@ std::string python_literal(Json const& value) {
 }
 
 // A parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which keeps the value
-// in the building file.
+// that stands elsewhere, such as in the building file.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
@@ -40,7 +41,7 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   auto const is_in = [](std::vector<std::string> const& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
   };
-  std::vector<std::string> known{"settings", "acceptance", "reading", "motion", "building"}, lines;
+  std::vector<std::string> known{"settings", "acceptance", "reading", "motion", "building", "device-test"}, lines;
   auto const add = [&](auto const& row, bool asked) {
     known.push_back(row.python());
     if ((asked || is_in(which, known.back())) && !is_in(but, known.back())) lines.push_back(keyword(row));
@@ -50,14 +51,16 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   for (auto const& row : campaign::acceptance_table()) add(row, is_in(which, "acceptance"));
   for (auto const& row : data::reading_table())
     add(row, is_in(which, "reading") || (!row.of_test && is_in(which, "motion")));
-  auto const add_in_place = [&](auto const& rows) {
+  auto const add_in_place = [&](auto const& rows, std::string_view group) {
     for (auto const& row : rows) {
       known.push_back(row.python());
-      if (is_in(which, "building") && !is_in(but, known.back())) lines.push_back(keyword(row, true));
+      if (is_in(which, group) && !is_in(but, known.back())) lines.push_back(keyword(row, true));
     }
   };
-  add_in_place(building::settings_table());
-  add_in_place(building::stated_table());
+  add_in_place(building::settings_table(), "building");
+  add_in_place(building::stated_table(), "building");
+  add_in_place(data::reading_table(), "device-test");
+  add_in_place(campaign::test_table(), "device-test");
   std::vector<Complaint> complaints;
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "isolaw/api/calibrate.hpp"
+#include "isolaw/api/conditions.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
@@ -180,12 +181,6 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options) {
-  options.is_built_in_rules = rules::is_built_in;
-  options.check_design = [](std::string_view design) { rules::parse_design(design); };
-  return campaign::read_lot_file(file, options);
-}
-
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options,
                             bool same_device) {
   bool const from_file = inputs.size() == 1 && is_lot_file(inputs.front());
@@ -206,7 +201,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
       say("{} holds a lot file, which is not used: its records are read as they are; try: {}\n", shown(input),
           shown(input / "lot.toml"));
   }
-  auto lot = from_file ? lot_of_file(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
+  auto lot = from_file ? read_lot(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
   if (same_device) campaign::make_one_device(lot);  // compares no facts of records, since none has been read yet
   return lot;

@@ -12,7 +12,6 @@ bool is_of_lot_file(CalibrateArguments const& arguments);
 // Replaces a directory by the records in it, not in its subdirectories. Throws Error for a directory without records.
 std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path> const& inputs);
 
-campaign::Lot lot_of_file(std::filesystem::path const& file, campaign::LotFileOptions options);
 // If `same_device`, all records are tests of one device.
 campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, campaign::LotFileOptions const& options,
                             bool same_device);

@@ -89,14 +89,67 @@ class NestingCheck {
   std::size_t line_ = 1;
 };
 
+toml::table table_of(Json const& value, int depth);
+toml::array array_of(Json const& value, int depth);
+
+template <class Insert>
+void insert_json(Json const& value, int depth, Insert const& insert) {
+  constexpr int deepest = 8;
+  if (depth > deepest)
+    throw Error({.where = {}, .found = fmt::format("tables or lists nested more than {} levels deep", deepest)});
+  if (value.is_object()) return insert(table_of(value, depth));
+  if (value.is_array()) return insert(array_of(value, depth));
+  if (value.is_boolean()) return insert(value.get<bool>());
+  if (value.is_number_integer()) return insert(value.get<std::int64_t>());
+  if (value.is_number()) return insert(value.get<double>());
+  if (value.is_string()) return insert(value.get<std::string>());
+}
+
+toml::table table_of(Json const& value, int depth) {
+  toml::table table;
+  for (auto const& [key, item] : value.items())
+    insert_json(item, depth + 1, [&, name = key](auto node) { table.insert(name, std::move(node)); });
+  return table;
+}
+
+toml::array array_of(Json const& value, int depth) {
+  toml::array array;
+  for (auto const& item : value) insert_json(item, depth + 1, [&](auto node) { array.push_back(std::move(node)); });
+  return array;
+}
+
+// The name of a file, with that of one of its tables if the table has no line.
+std::string place_of(toml::table const& table, std::string file, std::string_view name) {
+  if (name.empty() || table.source().begin.line != 0) return file;
+  for (auto const* key : {"name", "file"})
+    if (auto const text = table[key].value<std::string>()) return fmt::format("{}, {}", file, in_quotes(*text));
+  return file;
+}
+
 }  // namespace
+
+toml::table toml_of(Json const& tables, std::string const& file, TomlMessages const& messages) {
+  if (!tables.is_object())
+    throw Error({.where = file,
+                 .found = shown(tables),
+                 .allowed = fmt::format("tables as a {} has them", messages.kind),
+                 .advice = std::string(messages.advice)});
+  try {
+    return table_of(tables, 0);
+  } catch (Error const& error) {
+    throw Error({.where = file,
+                 .found = error.complaints().front().found,
+                 .allowed = fmt::format("tables as a {} has them", messages.kind),
+                 .advice = std::string(messages.advice)});
+  }
+}
 
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages) {
   auto const refuse = [&](std::size_t line, std::string found) {
     throw Error({.where = fmt::format("{}:{}", file, line),
                  .found = std::move(found),
                  .allowed = fmt::format("a {} in TOML", messages.kind),
-                 .advice = messages.advice});
+                 .advice = std::string(messages.advice)});
   };
   if (auto const line = NestingCheck(text).deep_line())
     refuse(line, fmt::format("tables or lists nested deeper than any {} needs", messages.kind));
@@ -126,7 +179,7 @@ void throw_complaints(std::vector<Complaint> complaints, std::string const& file
 }
 
 TomlTable::TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints)
-    : table_(table), file_(std::move(file)), name_(std::move(name)), complaints_(complaints) {}
+    : table_(table), file_(place_of(table, std::move(file), name)), name_(std::move(name)), complaints_(complaints) {}
 
 std::string TomlTable::where(toml::node const& node) const {
   auto const line = node.source().begin.line;  // 0 for a table that was not parsed from text

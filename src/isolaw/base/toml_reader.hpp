@@ -22,12 +22,16 @@ namespace isolaw {
 using Json = nlohmann::ordered_json;
 
 struct TomlMessages {
-  std::string kind;    // such as "lot file"
-  std::string advice;  // the remedy for a file that is not TOML
+  std::string_view kind;    // such as "lot file"
+  std::string_view advice;  // the remedy for a file that is not TOML
 };
 
 // Throws one Error with the line if the text is not TOML, or if its tables and lists nest more than 64 levels deep.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
+// Converts an object to the table that the parser makes of a file, but without line numbers. A null is left out, as if
+// its key were not given. Messages call the object `file`. Throws Error if it is no object or nests more than 8 levels
+// deep.
+toml::table toml_of(Json const& tables, std::string const& file, TomlMessages const& messages);
 // Throws one Error with the complaints, if there are any. If there are more than most_complaints, the Error holds only
 // so many of them and says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
@@ -38,10 +42,12 @@ class TomlTable {
   static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
   static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
-  // Messages call the table `name`, such as "[calibrate]"; empty for the file itself.
+  // Messages call the table `name`, such as "[calibrate]"; empty for the file itself. If the table was not parsed from
+  // text and so has no line, they add its key `name` or `file` to the name of the file.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 
   std::string where(toml::node const& node) const;
+  std::string const& file() const { return file_; }
 
   // Calls take(value) if the key has a value of type T. An Error from take() becomes complaints at the value's line.
   template <class T, class Take>

@@ -295,34 +295,6 @@ Motion motion_of(std::filesystem::path const& folder, MotionRow const& row) {
   return motion;
 }
 
-// Converts JSON to the tables that the parser makes of a file, but without line numbers.
-toml::table table_of(Json const& value, int depth);
-toml::array array_of(Json const& value, int depth);
-template <class Insert>
-void insert_toml(Json const& value, int depth, Insert const& insert) {
-  constexpr int deepest = 4;  // no value of a valid file is nested deeper than x_m of a [[bearing]]
-  if (depth > deepest)
-    throw Error({.where = "building", .found = "tables or lists nested deeper than any building needs"});
-  if (value.is_object()) return insert(table_of(value, depth));
-  if (value.is_array()) return insert(array_of(value, depth));
-  if (value.is_boolean()) return insert(value.get<bool>());
-  if (value.is_number_integer()) return insert(value.get<std::int64_t>());
-  if (value.is_number()) return insert(value.get<double>());
-  if (value.is_string()) return insert(value.get<std::string>());
-  // A null is left out, as if the key were not given.
-}
-toml::table table_of(Json const& value, int depth) {
-  toml::table table;
-  for (auto const& [key, item] : value.items())
-    insert_toml(item, depth + 1, [&, name = key](auto node) { table.insert(name, std::move(node)); });
-  return table;
-}
-toml::array array_of(Json const& value, int depth) {
-  toml::array array;
-  for (auto const& item : value) insert_toml(item, depth + 1, [&](auto node) { array.push_back(std::move(node)); });
-  return array;
-}
-
 MotionRow row_of(std::string const& files, data::StatedMotion const& stated) {
   auto const comma = files.find(',');
   if (comma == 0 || comma + 1 == files.size() || files.empty() || comma != files.rfind(','))
@@ -468,13 +440,15 @@ void require_sound(Motion const& motion) {
 
 namespace {
 
+constexpr TomlMessages messages{.kind = "building file", .advice = "isolaw building --template"};
+
 BuildingFile read_parsed(toml::table parsed, std::string const& name, std::filesystem::path const& folder,
                          ReplacedKeys const& in_place) {
   if (!in_place.settings.empty()) {
     auto* const settings = parsed.insert(settings_info.name, toml::table()).first->second.as_table();
-    for (auto const& [key, value] : in_place.settings)
-      if (settings != nullptr)
-        insert_toml(value, 0, [&, name = key](auto node) { settings->insert_or_assign(name, std::move(node)); });
+    if (settings != nullptr)
+      for (auto const& [key, value] : toml_of(Json(in_place.settings), name, messages))
+        settings->insert_or_assign(key, value);
   }
   FileReader reader(parsed, name);
   auto& root = reader.root;
@@ -600,14 +574,11 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
 
 BuildingFile read_building_text(std::string_view content, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place) {
-  return read_parsed(parse_toml(content, name, {.kind = "building file", .advice = "isolaw building --template"}), name,
-                     folder, in_place);
+  return read_parsed(parse_toml(content, name, messages), name, folder, in_place);
 }
 
 BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place) {
-  if (!tables.is_object())
-    throw Error({.where = "building", .found = shown(tables), .allowed = "tables as a building file has them"});
-  return read_parsed(table_of(tables, 0), "building", {}, in_place);
+  return read_parsed(toml_of(tables, "building", messages), "building", {}, in_place);
 }
 
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place) {

@@ -495,19 +495,10 @@ toml::table written_acceptance(Lot const& lot, std::filesystem::path const& dire
   return table;
 }
 
-}  // namespace
+constexpr TomlMessages messages{.kind = "lot file", .advice = "isolaw init FILES... writes one"};
 
-Lot read_lot_file(std::filesystem::path const& path, LotFileOptions const& options) {
-  return read_lot_text(read_file(path, {.largest_bytes = largest_lot_file,
-                                        .allowed = "a lot file in TOML, or test records",
-                                        .when_too_large = "a lot file of its own for each production lot",
-                                        .when_missing = "isolaw init FILES... writes a lot file"}),
-                       path, options);
-}
-
-Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotFileOptions const& options) {
-  auto const file = path.string();
-  auto const root = parse_toml(text, file, {.kind = "lot file", .advice = "isolaw init FILES... writes one"});
+Lot read_parsed(toml::table const& root, std::string const& file, std::filesystem::path const& folder,
+                LotFileOptions const& options) {
   std::vector<Complaint> complaints;
   Lot lot;
   data::ReadOptions defaults;
@@ -529,7 +520,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   }
   if (auto const* table = top.table("acceptance")) {
     TomlTable reader(*table, file, "[acceptance]", complaints);
-    read_acceptance(reader, path.parent_path(), options, lot);
+    read_acceptance(reader, folder, options, lot);
     reader.refuse_unknown();
   }
   if (auto const* table = top.table("read")) {
@@ -555,9 +546,9 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
     std::set<std::string> names;
     for (auto const& node : tables) {
       TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
-      auto device =
-          DeviceReader(path.parent_path(), options, file, lot.conditions ? &*lot.conditions : nullptr, complaints)
-              .read(reader, *node.as_table(), defaults);
+      DeviceReader const device_reader(folder, options, reader.file(), lot.conditions ? &*lot.conditions : nullptr,
+                                       complaints);
+      auto device = device_reader.read(reader, *node.as_table(), defaults);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
                         "a name of its own for each device");
@@ -567,6 +558,25 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotF
   top.refuse_unknown();
   throw_complaints(std::move(complaints), file);
   return lot;
+}
+
+}  // namespace
+
+Lot read_lot_file(std::filesystem::path const& path, LotFileOptions const& options) {
+  return read_lot_text(read_file(path, {.largest_bytes = largest_lot_file,
+                                        .allowed = "a lot file in TOML, or test records",
+                                        .when_too_large = "a lot file of its own for each production lot",
+                                        .when_missing = "isolaw init FILES... writes a lot file"}),
+                       path, options);
+}
+
+Lot read_lot_text(std::string_view text, std::filesystem::path const& path, LotFileOptions const& options) {
+  auto const file = path.string();
+  return read_parsed(parse_toml(text, file, messages), file, path.parent_path(), options);
+}
+
+Lot lot_of_tables(Json const& tables, std::filesystem::path const& folder, LotFileOptions const& options) {
+  return read_parsed(toml_of(tables, "lot", messages), "lot", folder, options);
 }
 
 std::vector<std::filesystem::path> files_of(DeviceInput const& device) {

@@ -82,6 +82,9 @@ inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
 Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
 // Reads the text of a lot file. Messages call it `file`, and the files it names are sought in the folder of `file`.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
+// The same for tables that are not a file, such as those of a Python program: the files they name are sought in
+// `folder`. Messages name the device and the test in place of a line.
+Lot lot_of_tables(Json const& tables, std::filesystem::path const& folder, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
 // "a + b", "a + b + c", or "a and 3 more tests".

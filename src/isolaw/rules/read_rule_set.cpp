@@ -430,7 +430,7 @@ RuleSet read_rule_text(std::string_view text, std::string const& file) {
     throw Error({.where = file,
                  .found = fmt::format("{} bytes", text.size()),
                  .allowed = fmt::format("a rule file of at most {}", largest_rule_file),
-                 .advice = messages.advice});
+                 .advice = std::string(messages.advice)});
   return Reader(file).read(parse_toml(text, file, messages));
 }
 
