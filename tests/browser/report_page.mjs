@@ -1,9 +1,9 @@
 // Opens the report of a made-up lot in headless Chromium and fails on everything that would disturb a reader: script
 // errors, figures that are not drawn, a page wider than its window, requests to the network, and HTML in names that the
 // browser executes.
-//   node report_page.mjs fit|inspection|analysis MAKE_PAGE [CHROMIUM]
-// The first argument chooses the cases: pages with laws that were only fitted, pages without laws, and pages of a
-// campaign with its analyses.
+//   node report_page.mjs fit|inspection|analysis|large MAKE_PAGE [CHROMIUM]
+// The first argument chooses the cases: pages with laws that were only fitted, pages without laws, pages of a campaign
+// with its analyses, and those of 160 devices, which take the longest.
 // ISOLAW_SCREENSHOTS=DIR saves pictures of every case, screen by screen, and its PDF.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -50,7 +50,8 @@ const CASES = [
   { name: 'analysed-one-device', devices: 1, laws: 3, width: 1366, height: 768, records: false, analysed: true },
   { name: 'analysed-large-lot', devices: 160, laws: 7, width: 1366, height: 768, records: false, analysed: true },
 ];
-const group_of = ({ name, analysed }) => (name.startsWith('inspection') ? 'inspection' : analysed ? 'analysis' : 'fit');
+const group_of = ({ name, analysed, devices }) =>
+  name.startsWith('inspection') ? 'inspection' : devices > 100 ? 'large' : analysed ? 'analysis' : 'fit';
 const FIRST_SCREEN_MS = 2000;
 const SOURCES = [
   'contract band',

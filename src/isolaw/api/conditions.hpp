@@ -1,4 +1,5 @@
-// The tests that a study of conditions compares: those of a lot file, of the same tables in a program, or of a campaign.
+// The tests that a study of conditions compares. They come from a lot file, from the same tables in a program, or from a
+// campaign.
 #pragma once
 
 #include <filesystem>
