@@ -338,7 +338,9 @@ TEST(Ageing, stands_for_years_of_service) {
 TEST(Curves, follow_the_tested_levels) {
   expect_near(10.0 * exponent(temperature()).value(), -0.067696479, 1e-7);
   expect_near(exponent(rate()).value(), 0.047058671, 1e-7);
-  expect_near(critical_load_kN(load(&Properties::K_d)).value(), 7505.621896, 1e-7);
+  auto const over_load = load_curve(load(&Properties::K_d)).value();
+  expect_near(over_load.critical_kN, 7505.621896, 1e-7);
+  expect_near(over_load.at(2000.0), 1.0);
   EXPECT_FALSE(exponent(load()));
 }
 

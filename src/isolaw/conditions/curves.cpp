@@ -46,7 +46,11 @@ std::optional<double> exponent(Response const& response) {
   return xx > 0.0 ? std::optional(xy / xx) : std::nullopt;
 }
 
-std::optional<double> critical_load_kN(Response const& load) {
+double LoadCurve::at(double load_kN) const {
+  return unloaded * (1.0 - std::pow(load_kN / critical_kN, 2.0));
+}
+
+std::optional<LoadCurve> load_curve(Response const& load) {
   std::vector<double> squares, factors;
   for (auto const& level : load.levels()) {
     if (level.unpaired) continue;
@@ -55,7 +59,8 @@ std::optional<double> critical_load_kN(Response const& load) {
   }
   if (squares.size() < 2) return std::nullopt;
   auto const line = line_through(squares, factors);
-  return line.slope < 0.0 ? std::optional(std::sqrt(-line.start / line.slope)) : std::nullopt;
+  if (!(line.slope < 0.0 && line.start > 0.0)) return std::nullopt;
+  return LoadCurve{.unloaded = line.start, .critical_kN = std::sqrt(-line.start / line.slope)};
 }
 
 double Softening::at(double cycle) const {

@@ -13,9 +13,15 @@ namespace isolaw::conditions {
 // the reference. Empty for other effects, and without a level beside the reference.
 std::optional<double> exponent(Response const& response);
 
-// The vertical load in kN at which the stiffness would vanish: N_cr of K_0 (1 - (N/N_cr)^2), by least squares in N^2 of
-// the means of all levels. Empty with fewer than two levels, and if the stiffness does not fall with the load.
-std::optional<double> critical_load_kN(Response const& load);
+// K_0 (1 - (N/N_cr)^2) over the vertical load N. The stiffness would vanish at N_cr.
+struct LoadCurve {
+  double unloaded = 0.0, critical_kN = 0.0;  // K_0, over the stiffness at reference, and N_cr
+
+  double at(double load_kN) const;
+};
+// By least squares in N^2 of the means of all levels. Empty with fewer than two levels, and if the stiffness does not
+// fall with the load.
+std::optional<LoadCurve> load_curve(Response const& load);
 
 // P_n = last + (first - last) n^-p for the cycle n = 1, 2, ...; `last` is no limit that tests have shown.
 struct Softening {

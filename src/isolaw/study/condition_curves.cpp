@@ -109,6 +109,8 @@ std::string_view name(CurveKind kind) {
       return "mean";
     case CurveKind::extrapolated:
       return "extrapolated";
+    case CurveKind::smooth:
+      return "smooth";
   }
   return "";
 }
@@ -117,6 +119,13 @@ std::vector<ConditionCurve> condition_curves(ConditionsResult const& result) {
   std::vector<ConditionCurve> curves;
   for (auto const& each : result.responses)
     if (each.response.effect() != Effect::ageing) add_curves(curves, each, result);
+  for (auto const& row : result.curves)
+    curves.push_back({.quantity = row.quantity,
+                      .effect = row.effect,
+                      .kind = CurveKind::smooth,
+                      .device = row.device,
+                      .at = row.at,
+                      .lambda = row.lambda});
   return curves;
 }
 

@@ -1,5 +1,5 @@
-// The lines of the figures of `isolaw conditions`: the factor over temperature, frequency or load, for every device and
-// for their mean.
+// The lines of the figures of `isolaw conditions`: the factor over temperature, frequency, load or cycles, for every
+// device and for their mean.
 #pragma once
 
 #include <string>
@@ -14,6 +14,7 @@ enum class CurveKind {
   device,        // one device, through the levels at which it was tested
   mean,          // the devices tested at both of two neighbouring levels
   extrapolated,  // from the outermost level to an end of the design range
+  smooth,        // a CurveRow, from which no factor is taken
 };
 std::string_view name(CurveKind kind);
 
@@ -21,8 +22,8 @@ struct ConditionCurve {
   rules::Quantity quantity;
   conditions::Effect effect;
   CurveKind kind;
-  std::string device;              // of CurveKind::device
-  std::vector<double> at, lambda;  // the condition in C, Hz or kN, and the factor
+  std::string device;              // of CurveKind::device, and of CurveKind::smooth over cycles
+  std::vector<double> at, lambda;  // the condition in C, Hz or kN, or the cycle, and the factor
 };
 
 std::vector<ConditionCurve> condition_curves(ConditionsResult const& result);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 
 #include "isolaw/conditions/curves.hpp"
@@ -192,16 +193,31 @@ class Builder {
 
   void add_curves(Quantity quantity, conditions::Response const& response) {
     auto const effect = response.effect();
-    if (auto const b = conditions::exponent(response))
-      out_.curves.push_back({.quantity = quantity,
-                             .effect = effect,
-                             .parameter = "exponent",
-                             .value = *b,
-                             .unit = effect == Effect::temperature ? "1/K" : ""});
+    // Adds a curve with its points from the first to the last of the levels to which it is fitted.
+    auto const add = [&](std::string parameter, double value, std::string unit, auto const& lambda_at) {
+      CurveRow row{.quantity = quantity,
+                   .effect = effect,
+                   .parameter = std::move(parameter),
+                   .value = value,
+                   .unit = std::move(unit)};
+      auto fitted = response.levels() | std::views::filter([](auto const& level) { return !level.unpaired; });
+      constexpr int steps = 24;
+      for (int i = 0; i <= steps; ++i) {
+        row.at.push_back(std::lerp(fitted.front().at, fitted.back().at, static_cast<double>(i) / steps));
+        row.lambda.push_back(lambda_at(row.at.back()));
+      }
+      out_.curves.push_back(std::move(row));
+    };
+    if (auto const b = conditions::exponent(response)) {
+      double const from = std::ranges::find_if(response.levels(), &conditions::Level::reference)->at;
+      if (effect == Effect::temperature)
+        add("exponent", *b, "1/K", [&](double at) { return std::exp(*b * (at - from)); });
+      else
+        add("exponent", *b, "", [&](double at) { return std::pow(at / from, *b); });
+    }
     if (effect != Effect::load || quantity != Quantity::K_d) return;
-    if (auto const critical = conditions::critical_load_kN(response))
-      out_.curves.push_back(
-          {.quantity = quantity, .effect = effect, .parameter = "critical load", .value = *critical, .unit = "kN"});
+    if (auto const curve = conditions::load_curve(response))
+      add("critical load", curve->critical_kN, "kN", [&](double at) { return curve->at(at); });
   }
 
   // The factor of ageing that the design asks for; empty if it asks for none.
@@ -247,13 +263,20 @@ class Builder {
           first.push_back(test);
           std::vector<double> values;
           for (int n = 1; at(n); ++n) values.push_back(std::exp(*at(n)));
-          if (auto const curve = conditions::softening(values))
-            out_.curves.push_back({.quantity = quantity,
-                                   .effect = Effect::cycles,
-                                   .parameter = "p",
-                                   .value = curve->p,
-                                   .unit = "",
-                                   .device = seen.block.device});
+          if (auto const curve = conditions::softening(values)) {
+            CurveRow row{.quantity = quantity,
+                         .effect = Effect::cycles,
+                         .parameter = "p",
+                         .value = curve->p,
+                         .unit = "",
+                         .device = seen.block.device};
+            constexpr double step = 0.25;
+            for (double n = 1.0; n <= static_cast<double>(values.size()); n += step) {
+              row.at.push_back(n);
+              row.lambda.push_back(curve->at(n) / std::exp(*reference));
+            }
+            out_.curves.push_back(std::move(row));
+          }
           first_ratios.push_back({.device = seen.block.device, .ln = *one - *reference});
         } else if (word == conditions::History::first_after_rest) {
           again.push_back(test);

@@ -98,7 +98,8 @@ struct CurveRow {  // the parameter of a smooth curve through what tests showed 
   std::string parameter;  // "exponent", "critical load" or "p"
   double value = 0.0;
   std::string unit;
-  std::string device = {};  // of the curve over the cycles of one test; else empty
+  std::string device = {};                   // of the curve over the cycles of one test; else empty
+  std::vector<double> at = {}, lambda = {};  // points of the curve: condition or cycle, and factor
 };
 
 struct AssumedFrom {  // where an assumed factor comes from

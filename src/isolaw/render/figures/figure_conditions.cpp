@@ -66,29 +66,39 @@ ConditionPanel condition_panel(ConditionsResult const& result, std::vector<Condi
   return panel;
 }
 
+// An interval far wider than the factors would flatten them, so the axis shows little more of it than their own range.
 Range range_of_factors(std::vector<ConditionPanel> const& panels) {
-  Range range;
-  range.add(1.0);
+  Range factors;
+  factors.add(1.0);
   for (auto const& panel : panels) {
     for (auto const* level : panel.levels) {
-      range.add(level->factor.lambda());
-      for (auto const& ratio : level->ratios) range.add(std::exp(ratio.ln));
-      for (auto const about : {conditions::About::mean, conditions::About::device})
-        if (auto const found = interval(level->factor, about)) range.add(found->low), range.add(found->high);
+      factors.add(level->factor.lambda());
+      for (auto const& ratio : level->ratios) factors.add(std::exp(ratio.ln));
     }
     for (auto const* curve : panel.curves)
-      for (double const lambda : curve->lambda) range.add(lambda);
+      for (double const lambda : curve->lambda) factors.add(lambda);
   }
+  Range range = factors;
+  double const room = std::exp(std::max(0.5 * std::log(factors.high / factors.low), 0.2));
+  for (auto const& panel : panels)
+    for (auto const* level : panel.levels)
+      for (auto const about : {conditions::About::mean, conditions::About::device})
+        if (auto const found = interval(level->factor, about)) {
+          range.add(std::max(found->low, factors.low / room));
+          range.add(std::min(found->high, factors.high * room));
+        }
   return range;
 }
 
 // Writes the blocks of a panel and returns the commands that plot them. `block` is the index of the next block.
 std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& panel, std::string const& file,
-                                     std::size_t& block) {
+                                     std::size_t& block, Range const& range) {
   std::vector<std::string> plots;
+  auto const plot = [&](std::string const& how) { plots.push_back(fmt::format("'{}' index {} {}", file, block, how)); };
   auto const add = [&](std::string const& how) {
     table.end_block();
-    plots.push_back(fmt::format("'{}' index {} {}", file, block++, how));
+    plot(how);
+    ++block;
   };
   MaybeNumber const none;
   auto const lines = [&](CurveKind kind, std::string const& how) {
@@ -119,9 +129,11 @@ std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& pan
   lines(CurveKind::device, fmt::format("with lines ls {} dt 1 lw 0.6", grey));
   lines(CurveKind::mean, fmt::format("with lines ls {}", blue));
   lines(CurveKind::extrapolated, fmt::format("with lines ls {} dt 3", blue));
-  // An interval is drawn as an arrow without a head.
+  lines(CurveKind::smooth, fmt::format("with lines ls {} dt (12,7) lw 0.6", black));
+  // An interval is drawn as an arrow without a head, and as far as the axis goes. A triangle marks an end beyond it.
+  auto const low = number(range.low), high = number(range.high);
   auto const bars = [&](conditions::About about, double thickness) {
-    bool any = false;
+    bool any = false, cut = false;
     for (std::size_t i = 0; i < panel.levels.size(); ++i) {
       auto const found = interval(panel.levels[i]->factor, about);
       if (!found) continue;
@@ -129,14 +141,34 @@ std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& pan
         table.comment(fmt::format("{}, 95 % interval, {}: condition low high", name(panel.effect), name(about)));
       table.row(panel.place(i), found->low, found->high);
       any = true;
+      cut |= found->low < range.low || found->high > range.high;
     }
-    if (any) add(fmt::format("using 1:2:(0):($3-$2) with vectors nohead ls {} dt 1 lw {}", blue, number(thickness)));
+    if (!any) return;
+    if (cut) {
+      plot(fmt::format("using 1:($2<{0}?{0}:NaN) with points ls {1} pt 11 ps 0.6", low, blue));
+      plot(fmt::format("using 1:($3>{0}?{0}:NaN) with points ls {1} pt 9 ps 0.6", high, blue));
+    }
+    auto const from = fmt::format("($2<{0}?{0}:$2)", low), to = fmt::format("($3>{0}?{0}:$3)", high);
+    add(fmt::format("using 1:{0}:(0):({1}-{0}) with vectors nohead ls {2} dt 1 lw {3}", from, to, blue,
+                    number(thickness)));
   };
   bars(conditions::About::device, 0.8);
   bars(conditions::About::mean, 2.5);
-  table.comment(fmt::format("{}, levels: condition factor", name(panel.effect)));
-  for (std::size_t i = 0; i < panel.levels.size(); ++i) table.row(panel.place(i), panel.levels[i]->factor.lambda());
-  add(fmt::format("with points ls {} pt 7", blue));
+  auto const points = [&](bool shown, int symbol) {
+    bool any = false;
+    for (std::size_t i = 0; i < panel.levels.size(); ++i) {
+      auto const& factor = panel.levels[i]->factor;
+      if ((factor.status == conditions::Status::shown) != shown) continue;
+      if (!any)
+        table.comment(fmt::format("{}, levels{}: condition factor", name(panel.effect),
+                                  shown ? "" : " of other devices or scaled specimens"));
+      table.row(panel.place(i), factor.lambda());
+      any = true;
+    }
+    if (any) add(fmt::format("with points ls {} pt {}", blue, symbol));
+  };
+  points(true, 7);
+  points(false, 4);
   return plots;
 }
 
@@ -199,7 +231,7 @@ MaybeFigure conditions_figure(ConditionsResult const& result, UnitSystem const& 
       script.place(grid, place++);
       if (panel.levels.empty()) continue;
       table.comment(fmt::format("{} over {}", rules::name(quantity), rules::name(panel.effect)));
-      auto plots = write_panel(table, panel, name + ".dat", block);
+      auto plots = write_panel(table, panel, name + ".dat", block, range);
       set_log_axis(script, range);
       set_condition_axis(script, panel);
       script.line("set ylabel '{}' offset inward,0", label);
