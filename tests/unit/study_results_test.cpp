@@ -117,6 +117,7 @@ TEST(Results, OfConditionsAreDocumentedInTheirOrderWithTheirUnitsAndMeaning) {
   expect_all_documented(conditions_level_results, documented("`levels[]`", "conditions.md"));
   expect_all_documented(conditions_factor_results, documented("`levels[].factor`", "conditions.md"));
   expect_all_documented(conditions_cycle_results, documented("`tests[].cycles[]`", "conditions.md"));
+  expect_all_documented(bound_law_results, documented("`bound_laws[].lower`", "conditions.md"));
   expect_all_documented(at_reference_results, documented("`at_reference[]`", "conditions.md"));
   expect_all_documented(converting_factor_results, documented("`at_reference[].factors[]`", "conditions.md"));
   expect_all_documented(planned_test_results, documented("`plan[]`", "conditions.md"));

@@ -30,14 +30,9 @@ bool keeps_limits(laws::LawEntry const& law, std::span<double const> parameters)
   return !law.unmet(parameters);
 }
 
-bool near(double value, double target) {
-  return std::abs(value - target) <= within * std::abs(target);
-}
+constexpr int samples = 400;  // in a cycle
 
-}  // namespace
-
-Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block) {
-  constexpr int samples = 400;
+data::FitRecord motion_of(ReferenceBlock const& block) {
   constexpr double two_pi = 2.0 * std::numbers::pi;
   data::FitRecord motion;
   for (int i = 0; i <= samples * block.last_cycle; ++i) {
@@ -46,6 +41,31 @@ Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, Refe
     motion.disp_mm.push_back(i % (samples / 2) == 0 ? 0.0 : block.amplitude_mm * std::sin(phase));
     motion.vel_mm_s.push_back(block.amplitude_mm * two_pi * block.frequency_Hz * std::cos(phase));
   }
+  return motion;
+}
+
+bool near(double value, double target) {
+  return std::abs(value - target) <= within * std::abs(target);
+}
+
+}  // namespace
+
+std::string_view name(OneFactor why) {
+  switch (why) {
+    case OneFactor::inseparable:
+      return "inseparable";
+    case OneFactor::not_positive:
+      return "not-positive";
+    case OneFactor::limits:
+      return "limits";
+    case OneFactor::not_reached:
+      return "not-reached";
+  }
+  return "";
+}
+
+Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block) {
+  auto const motion = motion_of(block);
   auto const force_kN = fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
   Loop mean;
   double const share = 1.0 / (block.last_cycle - block.first_cycle + 1);
@@ -57,6 +77,18 @@ Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, Refe
     mean.energy_kN_mm += share * cycle.energy_kN_mm;
   }
   return mean;
+}
+
+CycleCurve cycle_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block) {
+  auto const motion = motion_of(block);
+  auto const force_kN = fit::LawOnMotion(law, motion, laws::Integration::converged).force_kN(parameters);
+  CycleCurve curve;
+  constexpr int every = 2;
+  for (int i = samples * (block.first_cycle - 1); i <= samples * block.first_cycle; i += every) {
+    curve.disp_mm.push_back(motion.disp_mm[static_cast<std::size_t>(i)]);
+    curve.force_kN.push_back(force_kN[static_cast<std::size_t>(i)]);
+  }
+  return curve;
 }
 
 LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block) {

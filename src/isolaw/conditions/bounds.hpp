@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "isolaw/laws/catalogue.hpp"
@@ -28,6 +29,11 @@ struct LoopParts {
 
 // Simulates the block with 400 samples a cycle. Not finite if the law has no finite force there.
 Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
+struct CycleCurve {
+  std::vector<double> disp_mm, force_kN;
+};
+// The first of the block's reference cycles, for drawing.
+CycleCurve cycle_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
 // The loop with a doubled part less the loop as it is.
 LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
 
@@ -44,6 +50,7 @@ enum class OneFactor {
   limits,        // the parameters would leave their limits
   not_reached,   // K_eff or energy would be farther than 0.5 % from its target, since the parts act on each other
 };
+std::string_view name(OneFactor why);
 
 struct BoundLaw {
   PartFactors factors = {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "isolaw/study/conditions.hpp"
+#include "isolaw/study/design_bounds.hpp"
 #include "isolaw/study/results.hpp"
 
 namespace isolaw::study {
@@ -111,6 +112,27 @@ inline constexpr Result<ConditionFactor> conditions_factor_results[]{
     {"prototypes", "-", "installed, prototypes",
      "the same, if more devices were tested than the lot has, so that they cannot be some of it",
      interval_of<conditions::About::prototypes>},
+};
+
+inline constexpr Result<DesignBound> bound_law_results[]{
+    {"K_eff_factor", "-", "factor on K_eff", "factor on K_eff in the reference cycle: that of `bounds`",
+     get<&DesignBound::C_K>},
+    {"energy_factor", "-", "factor on energy", "factor on the energy there", get<&DesignBound::C_E>},
+    {"status", "", "status", "how sure these two factors are: the weaker word", get<&DesignBound::status>},
+    {"share_shown", "-", "share from tests", "the smaller `share_shown` of the two", get<&DesignBound::share_shown>},
+    {"elastic_factor", "-", "a", "factor a on the elastic part of the force",
+     get<&DesignBound::law, &conditions::BoundLaw::factors, &conditions::PartFactors::a>},
+    {"hysteretic_factor", "-", "b", "factor b on the hysteretic or viscous part",
+     get<&DesignBound::law, &conditions::BoundLaw::factors, &conditions::PartFactors::b>},
+    {"one_factor", "", "one factor because",
+     "why the whole force has one factor: `inseparable` (no parameters change one part alone), `not-positive`, `limits` or `not-reached` (by 0.5 %); null if it has two",
+     get<&DesignBound::law, &conditions::BoundLaw::one_factor>},
+    {"energy_off_percent", "%", "energy off", "by how much the energy then differs from `energy_factor`",
+     get<&DesignBound::law, &conditions::BoundLaw::energy_off_percent>},
+    {"K_eff_kN_per_mm", "kN/mm", "K_eff", "effective stiffness of the bound law in the reference cycle",
+     get<&DesignBound::law, &conditions::BoundLaw::reached, &conditions::Loop::K_eff_kN_per_mm>, significant(4)},
+    {"energy_kN_mm", "kN mm", "energy", "energy of its loop there",
+     get<&DesignBound::law, &conditions::BoundLaw::reached, &conditions::Loop::energy_kN_mm>, significant(4)},
 };
 
 // The unit of the condition that belongs to an effect; empty for ageing and history, whose levels are no number.

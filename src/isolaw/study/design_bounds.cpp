@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/study/typical_device.hpp"
 
 namespace isolaw::study {
 namespace {
@@ -43,20 +44,6 @@ std::optional<conditions::ReferenceBlock> reference_block(ConditionsResult const
   block.amplitude_mm /= tests;
   block.frequency_Hz = timed == 0 ? 1.0 : block.frequency_Hz / timed;
   return block;
-}
-
-std::string_view word(conditions::OneFactor why) {
-  switch (why) {
-    case conditions::OneFactor::inseparable:
-      return "inseparable";
-    case conditions::OneFactor::not_positive:
-      return "not-positive";
-    case conditions::OneFactor::limits:
-      return "limits";
-    case conditions::OneFactor::not_reached:
-      return "not-reached";
-  }
-  return "";
 }
 
 }  // namespace
@@ -102,9 +89,38 @@ Finding about_bound(std::string_view which, DesignBound const& bound) {
                   .words = {{"which", std::string(which)}, {"status", std::string(conditions::name(bound.status))}}};
   finding.words.push_back({"made", law.one_factor ? "whole" : "parts"});
   if (!law.one_factor) return finding;
-  finding.words.push_back({"since", std::string(word(*law.one_factor))});
+  finding.words.push_back({"since", std::string(name(*law.one_factor))});
   finding.numbers.push_back({"energy_off_percent", law.energy_off_percent});
   return finding;
+}
+
+std::vector<LawBounds> law_bounds(Summary const& summary) {
+  std::vector<LawBounds> all;
+  auto const typical = typical_device(summary);
+  for (auto const& law : summary.laws) {
+    LawBounds of{.law = law.id};
+    std::vector<double> parameters;
+    if (law.lot) {
+      parameters = law.lot->parameters;
+    } else if (typical) {
+      of.device = summary.devices[*typical].name;
+      auto const fit = std::ranges::find(law.devices, of.device, &DeviceFit::device);
+      if (fit == law.devices.end() || !fit->objective.best) continue;
+      for (auto const& parameter : fit->parameters) parameters.push_back(parameter.value.best.value_or(0.0));
+    } else {
+      continue;
+    }
+    auto const& entry = laws::find_law(law.id);
+    of.bounds = design_bounds(summary, entry, parameters);
+    if (!of.bounds.none) {
+      auto const block = *reference_block(*summary.conditions, entry);
+      of.reference = conditions::cycle_of(entry, parameters, block);
+      of.lower_kN = conditions::cycle_of(entry, of.bounds.lower->law.parameters, block).force_kN;
+      of.upper_kN = conditions::cycle_of(entry, of.bounds.upper->law.parameters, block).force_kN;
+    }
+    all.push_back(std::move(of));
+  }
+  return all;
 }
 
 }  // namespace isolaw::study

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "isolaw/base/finding.hpp"
 #include "isolaw/conditions/bounds.hpp"
@@ -27,6 +28,19 @@ struct DesignBounds {
 // `parameters` are those of a device or of the lot. The reference block has the mean amplitude and frequency of the
 // reference tests.
 DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, std::span<double const> parameters);
+
+// The bound laws of a fitted law, for the outputs of a campaign.
+struct LawBounds {
+  std::string law = {};
+  std::string device = {};  // whose parameters the fitted law has; empty: those of the lot
+  DesignBounds bounds = {};
+  // A reference cycle of the fitted law, and the forces of the bound laws at its displacements. Empty without bounds.
+  conditions::CycleCurve reference = {};
+  std::vector<double> lower_kN = {}, upper_kN = {};
+};
+// Of each law in the order of the summary. A law has the parameters of the lot or, where there are none, those of the
+// best run on the typical device.
+std::vector<LawBounds> law_bounds(Summary const& summary);
 
 // Says what a bound does to K_eff and energy and to the parts of the force. `which` is "upper" or "lower".
 Finding about_bound(std::string_view which, DesignBound const& bound);

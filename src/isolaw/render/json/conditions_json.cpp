@@ -154,6 +154,37 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
   write_findings(out, "findings", study::conditions_findings(result));
 }
 
+void write_bound_laws(JsonWriter& out, study::Summary const& summary) {
+  constexpr int digits = 4;
+  out.key("bound_laws").objects(study::law_bounds(summary), [&](study::LawBounds const& of) {
+    auto const& law = laws::find_law(of.law);
+    auto const text = [&](std::string_view key, std::string const& content) {
+      out.key(key);
+      content.empty() ? out.null() : out.value(content);
+    };
+    out.member("law", of.law);
+    text("device", of.device);
+    text("obstacle", of.bounds.none ? wording::remark(*of.bounds.none) : std::string());
+    out.key("disp_mm").line(of.reference.disp_mm, digits);
+    out.key("force_kN").line(of.reference.force_kN, digits);
+    auto const write = [&](std::string_view which, std::optional<study::DesignBound> const& bound,
+                           std::vector<double> const& force_kN) {
+      out.key(which);
+      if (!bound) return void(out.null());
+      out.object([&] {
+        write_results(out, study::bound_law_results, *bound, Digits::shown);
+        out.key("parameters").object([&] {
+          for (std::size_t i = 0; i < law.parameters.size(); ++i)
+            write_value(out.key(law.parameters[i].name), bound->law.parameters[i], shown_digits);
+        });
+        out.key("force_kN").line(force_kN, digits);
+      });
+    };
+    write("lower", of.bounds.lower, of.lower_kN);
+    write("upper", of.bounds.upper, of.upper_kN);
+  });
+}
+
 }  // namespace
 
 std::string conditions_json(study::ConditionsResult const& result) {
@@ -166,7 +197,11 @@ std::string conditions_json(study::ConditionsResult const& result) {
 }
 
 void write_conditions(JsonWriter& out, study::Summary const& summary) {
-  if (summary.conditions) out.key("conditions").object([&] { write_members_of(out, *summary.conditions); });
+  if (summary.conditions)
+    out.key("conditions").object([&] {
+      write_members_of(out, *summary.conditions);
+      write_bound_laws(out, summary);
+    });
   if (!summary.no_conditions.empty()) out.member("no_conditions", summary.no_conditions);
 }
 
