@@ -3,7 +3,7 @@ import { LEGEND, namedAxis, panelHeading, symbolOf } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { atTheHead, plain, shareText, short, unitText } from '../text.js';
 import { bars, bounds, histogramData, spanOf } from './histogram.js';
-import { BOUNDS, SPREAD, axisTitle, first, grouped, isCovered, isDrawn, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
+import { BOUNDS, FROM_CONDITIONS, SPREAD, axisTitle, first, grouped, isCovered, isDrawn, laws, nameAndUnit, numberText, quantityChooser, quantityOf, spreadText, study, unitOf } from './study.js';
 
 const ROW = 150; // height in pixels for each law
 const quantity = () => quantityOf(chosen.quantity);
@@ -21,7 +21,7 @@ export const spreadSection = {
       depends: ['quantity'],
       caption: () =>
         atTheHead(quantity().meaning) + '; means over the motions of ' + grouped(study.draws) +
-        ' buildings. Lines: lower bound (solid), nominal (dotted), upper bound (dashed). ' + insideText(),
+        ' buildings. Lines: lower bound (solid), nominal (dotted), upper bound (dashed).' + FROM_CONDITIONS + ' ' + insideText(),
       csv: () => histogramData(laws, chosen.quantity),
       height: () => 60 + ROW * laws.length + (laws.length === 1 ? 110 : 0),
       draw: histograms,

@@ -7,8 +7,17 @@ export const laws = study.laws.map((law, index) => ({ ...law, index }));
 // The law of the verdict: the first whose analyses gave numbers.
 export const first = laws.find(({ id }) => id === study.answer[0]?.law) ?? laws[0];
 export const isDrawn = study.draws !== null; // whether any bearing is a draw of the lot
-const bound = (factor) => (factor === null ? 'of the design conditions' : factor);
-export const BOUNDS = bound(study.lower_factor) + ', ' + bound(study.upper_factor);
+// The factors of a bound on the force. Those of a bound law belong to the law of the verdict.
+const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower one first
+function bound(factor, place) {
+  if (factor !== null) return String(factor);
+  const [{ numbers }] = ofBoundLaws.at(place).each;
+  return significant(numbers.elastic_factor, 3) + ' elastic and ' + significant(numbers.hysteretic_factor, 3) + ' hysteretic, from the design conditions';
+}
+export const BOUNDS = bound(study.lower_factor, 0) + '; ' + bound(study.upper_factor, -1);
+const fromConditions = ['lower', 'upper'].filter((side) => study[side + '_factor'] === null);
+// Stands beside responses of bounds that are bound laws.
+export const FROM_CONDITIONS = fromConditions.length === 0 ? '' : ' From the design conditions: the ' + fromConditions.join(' and the ') + ' bound.';
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);

@@ -2,7 +2,7 @@ import { element, shortList } from '../dom.js';
 import { said, tableOf } from '../tables.js';
 import { DASH, atTheHead, isNumber, sentence, shareText } from '../text.js';
 import { motionFigures } from './motion.js';
-import { SPREAD, first, isDrawn, laws, nameAndUnit, quantityOf, spreadText, study, valueText } from './study.js';
+import { FROM_CONDITIONS, SPREAD, first, isDrawn, laws, nameAndUnit, quantityOf, spreadText, study, valueText } from './study.js';
 
 const KEY = 'isolator_mm';
 const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
@@ -22,7 +22,7 @@ export const verdictSection = {
       title: 'Limits',
       wanted: () => rows.length > 0,
       caption: () =>
-        (laws.length > 1 ? 'Responses: ' : first.name + ', ') + (IS_MEAN ? 'means over the motions.' : 'the largest of the motions.'),
+        (laws.length > 1 ? 'Responses: ' : first.name + ', ') + (IS_MEAN ? 'means over the motions.' : 'the largest of the motions.') + FROM_CONDITIONS,
       csv: () => ({
         columns: ['law', 'limit', 'quantity', 'unit', 'allowed', 'nominal', 'bound', 'p95', 'kept', 'keeps', 'broken_by'],
         rows: rows.map(({ law, ...row }) => [
