@@ -1,26 +1,29 @@
 import { element, shortList } from '../dom.js';
 import { tableOf } from '../tables.js';
-import { DASH, THIN, count, enumerate, isNumber, shareText, significant, trimmed } from '../text.js';
+import { DASH, THIN, count, enumerate, isNumber, sentence, shareText, trimmed } from '../text.js';
 import { KN, MM } from '../units.js';
-import { agedText, conditions, cyclesText, factorText, intervalText, restText, statusWord, toneOf } from './data.js';
+import { agedText, boundText, conditions, cyclesText, findings, intervalText, restText, statusWord, toneOf } from './data.js';
 
 export const answerFigure = { id: 'conditions-answer', title: '', build: answer };
 
 const SIDES = [['max', 'Upper'], ['min', 'Lower']];
 const WORST_FIRST = ['poor', 'care', 'accent', 'good'];
 
+// In the band, since they say what the bounds mean for the design.
+const JUDGED = ['dependence-not-kept', 'mean-properties-judged'];
+// The table has these numbers.
+const IN_THE_TABLE = ['design-bound'];
+
 function answer() {
-  const { bounds, refused, tests, reference, design_conditions: design } = conditions;
+  const { bounds, reference, design_conditions: design } = conditions;
   const [first] = bounds;
   const tones = bounds.slice(0, 2).flatMap((bound) => SIDES.map(([side]) => toneOf(bound[side].status)));
-  const broken = conditions.dependence.filter(({ verdict }) => verdict === 'fail');
-  const tone = broken.length > 0 ? 'poor' : (WORST_FIRST.find((one) => tones.includes(one)) ?? 'muted');
-  const unused = tests.filter(({ role }) => role !== 'reference' && role !== 'effect');
+  const isBroken = findings.some(({ kind }) => kind === 'dependence-not-kept');
+  const tone = isBroken ? 'poor' : (WORST_FIRST.find((one) => tones.includes(one)) ?? 'muted');
   const line = (term, text) => (text ? element('p', {}, element('b', {}, term), ' ' + text) : null);
   const effects = (key) => enumerate([...new Set(bounds.flatMap((bound) => SIDES.flatMap(([side]) => bound[side][key] ?? [])))], 9);
-  const listed = (title, items) =>
-    items.length === 0 ? null : element('div', { class: 'remarks' }, element('b', {}, title), ...shortList(items, 3, 2));
-  const life = conditions.ageing_stands_for_years;
+  const without = effects('without_interval');
+  const others = findings.filter(({ kind }) => !JUDGED.includes(kind) && !IN_THE_TABLE.includes(kind));
   return element(
     'div',
     {},
@@ -31,7 +34,7 @@ function answer() {
       first ? boundsTable(bounds) : null,
       line('NOT COVERED:', effects('not_covered')),
       line('ASSUMED:', assumed()),
-      line('LIMIT NOT KEPT:', broken.map(limitText).join('; ')),
+      ...findings.filter(({ kind }) => JUDGED.includes(kind)).map(({ sentence: text }) => element('p', {}, sentence(text))),
     ),
     element(
       'div',
@@ -39,21 +42,11 @@ function answer() {
       line('Reference', withCycle(conditionsText(reference), cyclesText(reference))),
       line('Design', designText(design)),
       line('Stated, not measured', 'temperature, ageing, rest.'),
-      line('No interval', missing(effects('without_interval'), 'one device, or tests that do not differ.')),
-      line('Drift not checked', missing(conditions.drift_not_checked.join(', '), 'no second reference test.')),
-      line('Straightness not checked', missing(conditions.straightness_not_checked.join(', '), 'too few levels.')),
-      line('The ageing test stands for', isNumber(life) && significant(life, 3) + ' years.'),
-    ),
-    listed(count(refused.length, 'test') + ' refused', refused.map(({ device, test, reason }) => element('li', {}, device + ', ' + test + ': ' + reason))),
-    listed(
-      count(unused.length, 'test') + (unused.length === 1 ? ' shows' : ' show') + ' no effect',
-      unused.map(({ device, test, role }) => element('li', {}, device + ', ' + test + ': ' + role)),
+      line('No interval', without && without + ': one device, or tests that do not differ.'),
+      ...(others.length > 0 ? shortList(others.map(({ sentence: text }) => element('li', {}, sentence(text))), 3, 2) : []),
     ),
   );
 }
-
-const limitText = ({ effect, quantity, within_percent: within, clause }) =>
-  effect + ', ' + quantity + ' within ' + trimmed(within) + THIN + '%' + (clause ? ' (' + clause + ')' : '');
 
 // The assumed effects, each with the rule set and the clause that gives its factor.
 function assumed() {
@@ -64,11 +57,7 @@ function assumed() {
   return [...new Set(texts)].join(', ');
 }
 
-const missing = (effects, why) => (effects ? effects + ': ' + why : '');
 const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
-
-// A bound of which an effect is missing can only be farther from 1.
-const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 
 function headline({ quantity, max, min }) {
   return quantity + ' goes from ' + boundText('min', min) + ' to ' + boundText('max', max) + ' times its value at reference.';

@@ -7,6 +7,8 @@ import { DASH, THIN, count, fixed, isNumber, trimmed } from '../text.js';
 import { KN } from '../units.js';
 
 export const conditions = report.conditions ?? null;
+// What the program says of the conditions.
+export const findings = report.findings.warnings.filter(({ topic }) => topic === 'conditions');
 
 // The conditions that are a number.
 const CONDITIONS = {
@@ -29,9 +31,13 @@ const IN_CAPITALS = ['assumed', 'not covered'];
 export const statusWord = (status) => (IN_CAPITALS.includes(status) ? status.toUpperCase() : status);
 export const factorText = (value) => fixed(value, 3);
 export const intervalText = (interval) => factorText(interval.low) + ' to ' + factorText(interval.high);
-// A factor without devices is 1, that of the reference itself.
-export const statusText = ({ status, devices, lambda }) =>
-  lambda === 1 && devices === 0 ? 'reference' : statusWord(status) + (devices > 0 ? ' on ' + count(devices, 'device') : '');
+// A bound of which an effect is missing can only be farther from 1.
+export const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
+// A factor without devices is 1, that of the reference itself. `all` is the bound of all effects together.
+export const statusText = ({ status, devices, all = null }) =>
+  devices === 0 && !all && !IN_CAPITALS.includes(status)
+    ? 'reference'
+    : statusWord(status) + (devices > 0 ? ' on\u00a0' + count(devices, 'device').replace(' ', '\u00a0') : '');
 
 export const allLevels = conditions?.levels ?? [];
 const among = (all) => (effect, quantity) => all.filter((one) => one.effect === effect && one.quantity === quantity);
@@ -67,6 +73,8 @@ Object.assign(chosen, {
 
 export const cyclesText = ({ first_cycle: first, last_cycle: last }) =>
   first === last ? 'cycle ' + first : 'mean of cycles ' + first + ' to ' + last;
+// A loop is of one cycle, also if the reference is the mean of several.
+export const referenceCycle = () => cyclesText({ ...conditions.reference, last_cycle: conditions.reference.first_cycle });
 export const restText = (hours) => (isNumber(hours) ? trimmed(hours) + THIN + 'h' : DASH);
 
 // Round factors for an axis of logarithms.

@@ -1,19 +1,21 @@
+import { element } from '../dom.js';
 import { panelHeading } from '../plotting.js';
-import { isNumber, plain } from '../text.js';
-import { conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
+import { tableOf } from '../tables.js';
+import { DASH, isNumber, plain } from '../text.js';
+import { boundText, conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
 
 // The properties whose bounds are told at the head of the section.
 const shown = () => conditions.bounds.slice(0, 2).map(({ quantity }) => quantity);
 const rowsOf = (quantity) => {
   const bound = conditions.bounds.find((one) => one.quantity === quantity);
-  const all = ({ factor, interval, status, not_covered: missing }) => ({ lambda: factor, mean: interval, status, devices: 0, missing });
+  const allOf = (all) => ({ lambda: all.factor, mean: all.interval, status: all.status, devices: 0, all });
   return [
     ...conditions.design.filter((row) => row.quantity === quantity),
-    { quantity, effect: 'all together', max: all(bound.max), min: all(bound.min) },
+    { quantity, effect: ALL, max: allOf(bound.max), min: allOf(bound.min) },
   ];
 };
 const SIDES = ['max', 'min'];
-
+const ALL = 'all together';
 
 const COLOURS = { good: 'green', accent: 'blue', care: 'yellow', poor: 'red' };
 // "green shown, red ASSUMED or NOT COVERED"
@@ -23,7 +25,7 @@ function colourKey() {
     .map(([tone, colour]) => [colour, present.filter((status) => toneOf(status) === tone).map(statusWord).join(' or ')])
     .filter(([, words]) => words)
     .map((pair) => pair.join(' '))
-    .join(', ');
+    .join(', ') + (present.includes('assumed') ? '; hatched: ASSUMED' : '');
 }
 
 export const factorsFigure = {
@@ -34,7 +36,38 @@ export const factorsFigure = {
   caption: () =>
     'Largest and smallest factor on the value at reference. Colour: ' +
     colourKey() + '.',
-  csv: () => ({
+  csv: factorData,
+  height: (width) => (width < 480 ? shown().reduce((sum, quantity) => sum + 70 + 30 * rowsOf(quantity).length, 0) : 400),
+  draw: drawFactors,
+};
+
+export const factorTableFigure = {
+  id: 'conditions-factor-table',
+  title: 'How sure each factor is',
+  width: 'half',
+  wanted: () => conditions.bounds.length > 0,
+  csv: factorData,
+  build: factorTable,
+};
+
+function factorTable() {
+  const rows = new Map(shown().map((quantity) => [quantity, new Map(rowsOf(quantity).map((row) => [row.effect, row]))]));
+  const cell = (quantity, side) => (effect) => {
+    const factor = rows.get(quantity).get(effect)?.[side];
+    if (!factor) return DASH;
+    const value = factor.all ? boundText(side, factor.all) : isNumber(factor.lambda) ? factorText(factor.lambda) : DASH;
+    return element('td', { class: 'number' }, element('b', {}, value), element('small', {}, statusText(factor)));
+  };
+  const columns = [
+    { title: 'Effect', cell: (effect) => effect },
+    ...shown().flatMap((quantity) => SIDES.map((side) => ({ title: quantity, unit: side === 'max' ? 'largest' : 'smallest', number: true, cell: cell(quantity, side) }))),
+  ];
+  const asked = [...new Set(conditions.design.map(({ effect }) => effect))];
+  return tableOf(columns, [...asked, ALL], 'Largest and smallest factor of each effect', { sorts: false });
+}
+
+function factorData() {
+  return {
     columns: ['property', 'effect', 'side', 'factor [-]', 'interval lower', 'interval upper', 'status', 'devices'],
     rows: conditions.bounds.flatMap(({ quantity }) => rowsOf(quantity)).flatMap((row) =>
       SIDES.map((side) => {
@@ -42,11 +75,8 @@ export const factorsFigure = {
         return [row.quantity, row.effect, side, lambda, mean?.low ?? null, mean?.high ?? null, status, devices];
       }),
     ),
-  }),
-  height: (width) => (width < 480 ? shown().reduce((sum, quantity) => sum + 70 + 30 * rowsOf(quantity).length, 0) : 400),
-  draw: drawFactors,
-};
-
+  };
+}
 
 function drawFactors(look, width) {
   const narrow = width < 480,
@@ -83,15 +113,16 @@ function drawFactors(look, width) {
         type: 'bar', orientation: 'h', xaxis: 'x' + suffix, yaxis: 'y' + suffix, width: 0.62, base: 0,
         x: covered.map(({ of }) => Math.log(of.lambda)), y: covered.map(({ k }) => k),
         marker: {
-          color: covered.map(({ of }) => look.colour(toneOf(of.status))), opacity: covered.map(({ k }) => (k === rows.length - 1 ? 1 : 0.8)),
+          color: covered.map(({ of }) => look.colour(toneOf(of.status))),
+          pattern: { shape: covered.map(({ of }) => (of.status === 'assumed' ? '/' : '')), bgcolor: look.colour('paper'), size: 6 },
+          opacity: covered.map(({ k }) => (k === rows.length - 1 ? 1 : 0.8)),
         },
         text: covered.map(beside), textposition: 'outside', cliponaxis: false,
         textfont: { size: 11.5, color: look.colour('ink') }, customdata: covered.map(says), hovertemplate: '%{customdata}<extra></extra>',
       });
     }
     rows.forEach((row, k) => {
-      const missing = row.missing ?? [];
-      if (isNumber(row.max.lambda) || missing.length > 0) return;
+      if (isNumber(row.max.lambda)) return;
       layout.annotations.push({
         xref: 'x' + suffix, yref: 'y' + suffix, x: 0, y: k, xanchor: 'left', showarrow: false,
         text: ' ' + statusWord(row.max.status), font: { size: 11.5, color: look.colour('poor') },

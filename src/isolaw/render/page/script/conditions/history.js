@@ -1,7 +1,7 @@
 import { NARROW, panelHeading } from '../plotting.js';
 import { resultData } from '../report.js';
 import { THIN, count, fixed, isNumber, plain, trimmed } from '../text.js';
-import { KEYS, chosenProperties, conditions, cyclesText, restText } from './data.js';
+import { KEYS, chosenProperties, conditions, curvesOf, cyclesText, restText } from './data.js';
 
 export const historyFigure = {
   id: 'conditions-history',
@@ -11,7 +11,7 @@ export const historyFigure = {
   wanted: () => tests().length > 0,
   caption: () =>
     'Softening: ' + quantity() + ' of each reference test over its ' + cyclesText(conditions.reference) +
-    '. Orange: after a rest; all others: of a new device.' +
+    '. Orange: after a rest; all others: of a new device; dashed: smooth curve, for drawing only.' +
     (conditions.recovery.length > 0 ? ' Recovery: share of the loss in the first cycles that comes back, in K_eff.' : ''),
   csv: historyData,
   height: (width) => (width < NARROW && conditions.recovery.length > 0 ? 520 : 300),
@@ -46,6 +46,8 @@ function drawHistory(look, width) {
       text: points.map(({ ratio }) => fixed(ratio, 3)), hovertemplate: name + '<br>cycle %{x}: %{text}<extra></extra>',
     };
   });
+  for (const { at, lambda } of curvesOf('cycles', quantity()))
+    traces.push({ mode: 'lines', x: at, y: lambda, hoverinfo: 'skip', line: { color: look.colour('ink'), width: 1, dash: 'dash' } });
   const largest = Math.max(...traces.flatMap(({ x }) => x));
   const layout = {
     margin: { l: 56, r: 12, t: 22, b: 44 },

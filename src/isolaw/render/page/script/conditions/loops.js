@@ -1,7 +1,7 @@
 import { chooser, chosen } from '../choice.js';
 import { THIN, isNumber, plain, trimmed } from '../text.js';
 import { KN, LOOP_HOVER, MM } from '../units.js';
-import { agedText, atText, conditionOf, conditions, cyclesText, loopDevices, testsOf } from './data.js';
+import { agedText, atText, conditionOf, loopDevices, referenceCycle, testsOf } from './data.js';
 
 export const loopsFigure = {
   id: 'conditions-loops',
@@ -15,9 +15,6 @@ export const loopsFigure = {
   height: (width) => 340 + (width < 480 ? 24 * Math.ceil(testsOf(chosen.conditionsDevice).length / 2) : 0),
   draw: drawLoops,
 };
-
-// A loop is of one cycle, also if the reference is the mean of several.
-const referenceCycle = () => cyclesText({ ...conditions.reference, last_cycle: conditions.reference.first_cycle });
 
 // The text of a test in the legend: the condition in which it differs from the reference.
 function testText(test) {

@@ -27,7 +27,8 @@ function cellsOf(effect) {
   const open = endsOf(effect, QUANTITY)
     .filter(({ factor }) => factor.status !== 'shown' && factor.status !== 'unpaired' && factor.status !== 'scaled')
     .map((end) => ({ at: end.at, text: atText(effect, end.at), devices: 0, why: statusWord(end.factor.status) }));
-  const hole = { at: null, text: rangeOf(effect)?.map((end) => trimmed(end)).join(' to ') ?? '', devices: 0, why: statusWord('not covered') };
+  const asked = conditions.design.find((row) => row.effect === effect && row.quantity === QUANTITY);
+  const hole = { at: null, text: rangeOf(effect)?.map((end) => trimmed(end)).join(' to ') ?? '', devices: 0, why: statusWord(asked?.max.status ?? 'not covered') };
   const untested = tested.length === 0 && open.length === 0 ? [hole] : [];
   return [...tested, ...reference, ...open, ...untested].sort((a, b) => (a.at ?? 0) - (b.at ?? 0));
 }

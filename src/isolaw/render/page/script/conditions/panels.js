@@ -1,5 +1,5 @@
 import { isPrinting } from '../dom.js';
-import { NARROW, decadeTicks, paddedRange, panelHeading } from '../plotting.js';
+import { decadeTicks, paddedRange, panelHeading } from '../plotting.js';
 import { resultColumns } from '../report.js';
 import { isNumber, plain } from '../text.js';
 import {
@@ -9,6 +9,17 @@ import {
 
 const SHOWN = ['temperature', 'rate', 'load', 'ageing'];
 
+// What the caption explains besides the marks of every panel.
+function marksShown() {
+  const quantities = chosenProperties(), levels = allLevels.filter(({ quantity }) => quantities.includes(quantity));
+  const others = [...new Set(levels.map(({ factor }) => factor.status))].filter((status) => ['unpaired', 'scaled'].includes(status));
+  const isCut = quantities.some((quantity) => levelsOfAll(quantity).some(({ factor }) => cutEnds(factor, rangeOfFactors(quantity)).length > 0));
+  return [
+    others.length > 0 && ' Open square: ' + others.join(' or ') + '.',
+    isCut && ' Arrow: the interval goes on beyond the panel.',
+  ].filter(Boolean).join('');
+}
+
 export const panelsFigure = {
   id: 'conditions-panels',
   title: 'The factor over each condition',
@@ -16,7 +27,7 @@ export const panelsFigure = {
   wanted: () => effects().length > 0,
   caption: () =>
     'Thin: each device, over its own value at reference (ring). Blue: mean; thick bar: its 95\u202f% interval, thin bar: that of ' +
-    'one further device. Shaded: design conditions. Dotted: extrapolated.',
+    'one further device. Shaded: design conditions. Dotted: extrapolated. Dashed: smooth curve, for drawing only.' + marksShown(),
   csv: panelData,
   height: (width) => grid(width).height,
   draw: drawPanels,
@@ -44,7 +55,7 @@ const panelHeight = () => (isPrinting() ? 125 : 190); // a printed figure must f
 // Wide pages have a column for each effect and a row for each property; narrower ones have fewer columns.
 function grid(width) {
   const quantities = chosenProperties(), among = effects();
-  const across = width < NARROW ? 1 : width < 900 ? 2 : among.length;
+  const across = width < 900 ? 2 : among.length;
   const byProperty = across === among.length && across > 2;
   const cells = byProperty
     ? quantities.flatMap((quantity) => among.map((effect) => ({ quantity, effect })))
@@ -66,7 +77,8 @@ function drawPanels(look, width) {
     const left = column * (wide + share), top = 1 - (HEADING + row * (panel + HEADING + BELOW)) / inner;
     const range = ranges.get(quantity), ticks = factorTicks(...range.map(Math.exp));
     const shown = effect === 'ageing' ? ofAgeing(quantity) : ofCondition(effect, quantity);
-    layout['xaxis' + n] = { ...shown.axis, domain: [left, left + wide], anchor: 'y' + n, zeroline: false };
+    const nticks = Math.min(6, Math.floor((wide * (width - margin.l - margin.r)) / 28));
+    layout['xaxis' + n] = { nticks, ...shown.axis, domain: [left, left + wide], anchor: 'y' + n, zeroline: false };
     layout['yaxis' + n] = {
       domain: [top - panel / inner, top], anchor: 'x' + n, range,
       tickmode: 'array', tickvals: ticks.map(Math.log), ticktext: ticks.map(String),
@@ -80,19 +92,27 @@ function drawPanels(look, width) {
         fillcolor: look.colour('band'), line: { width: 0 },
       });
     const axes = { xaxis: 'x' + n, yaxis: 'y' + n, showlegend: false };
-    traces.push(...devicesOf(look, shown, axes), ...meansOf(look, shown, axes, effect));
+    traces.push(...devicesOf(look, shown, axes), ...meansOf(look, shown, axes, effect, range));
   });
   return { traces, layout };
 }
 
 // The axis of a property is the same for all effects, so that they can be compared.
 function rangeOfFactors(quantity) {
-  const factors = [...effects().flatMap((effect) => [...levelsOf(effect, quantity), ...endsOf(effect, quantity)])];
-  const values = factors.flatMap(({ factor, ratios = [] }) => [
-    factor.lambda, factor.device?.low, factor.device?.high, factor.mean?.low, factor.mean?.high, ...ratios.map(({ lambda }) => lambda),
-  ]);
-  return paddedRange([0, ...values.filter((value) => isNumber(value) && value > 0).map(Math.log)], 0.08);
+  const factors = [...levelsOfAll(quantity), ...effects().flatMap((effect) => endsOf(effect, quantity))];
+  const logs = (values) => values.filter((value) => isNumber(value) && value > 0).map(Math.log);
+  const [low, high] = paddedRange([0, ...logs(factors.flatMap(({ factor, ratios = [] }) => [factor.lambda, ...ratios.map(({ lambda }) => lambda)]))], 0);
+  // An interval far wider than the factors would flatten them, so the axis shows little more of it than their own range.
+  const room = Math.max(0.5 * (high - low), 0.2), within = (value) => Math.min(high + room, Math.max(low - room, value));
+  const ends = logs(factors.flatMap(({ factor: { mean, device } }) => [mean?.low, mean?.high, device?.low, device?.high]));
+  return paddedRange([low, high, ...ends.map(within)], 0.08);
 }
+
+const levelsOfAll = (quantity) => effects().flatMap((effect) => levelsOf(effect, quantity));
+
+// The ends of the axis beyond which an interval of a factor goes on: [0] the lower, [1] the upper, or both.
+const cutEnds = ({ mean, device }, [low, high]) =>
+  [0, 1].filter((end) => [mean, device].some((of) => of && (end === 0 ? Math.log(of.low) < low : Math.log(of.high) > high)));
 
 // Points of a panel in the order of the condition, with the reference, and its lines.
 function ofCondition(effect, quantity) {
@@ -103,7 +123,7 @@ function ofCondition(effect, quantity) {
   return {
     points, ends, curves: curvesOf(effect, quantity), design: range ? [range] : [],
     axis: {
-      title: title + ' [' + unit + ']', nticks: 6,
+      title: title + ' [' + unit + ']',
       ...(log ? { type: 'log', range: paddedRange(places.map(Math.log10), 0.05), ...decadeTicks(places) } : { range: paddedRange(places, 0.05) }),
     },
   };
@@ -151,7 +171,7 @@ function devicesOf(look, { points, curves }, axes) {
   ];
 }
 
-function meansOf(look, { points, ends, curves }, axes, effect) {
+function meansOf(look, { points, ends, curves }, axes, effect, range) {
   const colour = look.colour('accent');
   const measured = points.filter((point) => !point.reference && isNumber(point.factor.lambda));
   const bars = (kind, width, size) => {
@@ -161,18 +181,24 @@ function meansOf(look, { points, ends, curves }, axes, effect) {
       marker: { size: 1, color: colour }, hoverinfo: 'skip',
       error_y: {
         type: 'data', symmetric: false, color: colour, thickness: width, width: size,
-        array: some.map(({ factor }) => Math.log(factor[kind].high / factor.lambda)),
-        arrayminus: some.map(({ factor }) => Math.log(factor.lambda / factor[kind].low)),
+        array: some.map(({ factor }) => Math.min(Math.log(factor[kind].high), range[1]) - Math.log(factor.lambda)),
+        arrayminus: some.map(({ factor }) => Math.log(factor.lambda) - Math.max(Math.log(factor[kind].low), range[0])),
       },
     };
   };
   const says = (where, factor) =>
     plain(where) + ': ' + factorText(factor.lambda) + (factor.mean ? '<br>mean ' + intervalText(factor.mean) : '') +
     (factor.device ? '<br>one further device ' + intervalText(factor.device) : '') + '<br>' + statusText(factor);
+  const cut = measured.flatMap(({ at, factor }) => cutEnds(factor, range).map((end) => ({ at, end })));
   const between = ends.filter(({ factor }) => isNumber(factor.lambda) && ['interpolated', 'extrapolated'].includes(factor.status));
   return [
     lineOf(curves, 'mean', axes, { color: colour, width: 1.8 }),
     lineOf(curves, 'extrapolated', axes, { color: colour, width: 1.8, dash: 'dot' }),
+    lineOf(curves, 'smooth', axes, { color: look.colour('ink'), width: 1, dash: 'dash' }),
+    {
+      ...axes, mode: 'markers', x: cut.map(({ at }) => at), y: cut.map(({ end }) => range[end]), hoverinfo: 'skip', cliponaxis: false,
+      marker: { color: colour, size: 9, symbol: cut.map(({ end }) => (end === 0 ? 'triangle-down' : 'triangle-up')) },
+    },
     bars('device', 1, 4),
     bars('mean', 3, 0),
     {

@@ -2,8 +2,9 @@ import { choiceButtons } from '../choice.js';
 import { empty } from '../dom.js';
 import { report } from '../report.js';
 import { answerFigure } from './answer.js';
+import { boundLawsFigure, noBoundLawsFigure } from './bound_laws.js';
 import { PROPERTIES, conditions } from './data.js';
-import { factorsFigure } from './factors.js';
+import { factorTableFigure, factorsFigure } from './factors.js';
 import { historyFigure } from './history.js';
 import { loopsFigure } from './loops.js';
 import { matrixFigure } from './matrix.js';
@@ -21,7 +22,10 @@ export const conditionsSection = {
   id: 'conditions',
   title: 'Conditions',
   figures: conditions
-    ? [answerFigure, loopsFigure, factorsFigure, withProperties(panelsFigure), historyFigure, matrixFigure]
+    ? [
+        answerFigure, factorsFigure, factorTableFigure, noBoundLawsFigure, loopsFigure, boundLawsFigure,
+        withProperties(panelsFigure), historyFigure, matrixFigure,
+      ]
     : [whyNotFigure],
 };
 

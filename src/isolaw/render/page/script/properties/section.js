@@ -16,7 +16,7 @@ import { cycleTableFigure } from './table.js';
 const warningsFigure = {
   id: 'warnings',
   title: '',
-  wanted: () => inspection && report.findings.warnings.length > 0,
+  wanted: () => inspection && warned().length > 0,
   build: takeCare,
 };
 
@@ -52,7 +52,10 @@ function propertyControls() {
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
 }
 
+// The section on conditions has those of its own.
+const warned = () => report.findings.warnings.filter(({ topic }) => !report.conditions || topic !== 'conditions');
+
 function takeCare() {
-  const warnings = report.findings.warnings.map((warning) => element('li', {}, warning.sentence));
+  const warnings = warned().map((warning) => element('li', {}, warning.sentence));
   return element('div', { class: 'warnings' }, element('h3', {}, 'Take care'), ...shortList(warnings, 5, 4));
 }
