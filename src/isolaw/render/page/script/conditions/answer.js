@@ -2,7 +2,8 @@ import { element, shortList } from '../dom.js';
 import { tableOf } from '../tables.js';
 import { DASH, THIN, count, enumerate, isNumber, sentence, shareText, trimmed } from '../text.js';
 import { KN, MM } from '../units.js';
-import { agedText, boundText, conditions, cyclesText, findings, intervalText, restText, statusWord, toneOf } from './data.js';
+import { obstacle } from './bound_laws.js';
+import { agedText, conditions, cyclesText, factorText, findings, intervalText, restText, statusWord, toneOf } from './data.js';
 
 export const answerFigure = { id: 'conditions-answer', title: '', build: answer };
 
@@ -23,7 +24,9 @@ function answer() {
   const line = (term, text) => (text ? element('p', {}, element('b', {}, term), ' ' + text) : null);
   const effects = (key) => enumerate([...new Set(bounds.flatMap((bound) => SIDES.flatMap(([side]) => bound[side][key] ?? [])))], 9);
   const without = effects('without_interval');
-  const others = findings.filter(({ kind }) => !JUDGED.includes(kind) && !IN_THE_TABLE.includes(kind));
+  const others = ['serious', 'caution', 'note'].flatMap((one) =>
+    findings.filter(({ kind, severity }) => severity === one && !JUDGED.includes(kind) && !IN_THE_TABLE.includes(kind)),
+  );
   return element(
     'div',
     {},
@@ -43,6 +46,7 @@ function answer() {
       line('Design', designText(design)),
       line('Stated, not measured', 'temperature, ageing, rest.'),
       line('No interval', without && without + ': one device, or tests that do not differ.'),
+      line('Bound laws', obstacle && obstacle + '.'),
       ...(others.length > 0 ? shortList(others.map(({ sentence: text }) => element('li', {}, sentence(text))), 3, 2) : []),
     ),
   );
@@ -58,6 +62,9 @@ function assumed() {
 }
 
 const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
+
+// A bound of which an effect is missing can only be farther from 1.
+const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 
 function headline({ quantity, max, min }) {
   return quantity + ' goes from ' + boundText('min', min) + ' to ' + boundText('max', max) + ' times its value at reference.';

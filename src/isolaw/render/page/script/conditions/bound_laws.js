@@ -1,8 +1,7 @@
 import { chosen } from '../choice.js';
-import { empty } from '../dom.js';
 import { emptyPlot } from '../plotting.js';
 import { laws } from '../report.js';
-import { atTheHead, fixed, plain, sentence } from '../text.js';
+import { atTheHead, fixed, plain } from '../text.js';
 import { KN, LOOP_HOVER, MM } from '../units.js';
 import { conditions, factorText, referenceCycle, statusWord } from './data.js';
 
@@ -12,13 +11,8 @@ const law = () => laws[chosen.law] ?? laws[0];
 const shown = () => all.find((of) => of.law === law().id);
 const isThere = (of) => of && !of.obstacle;
 
-// Says why no law has bounds.
-export const noBoundLawsFigure = {
-  id: 'no-bound-laws',
-  title: '',
-  wanted: () => all.length > 0 && !all.some(isThere),
-  build: () => empty(sentence(atTheHead(all[0].obstacle))),
-};
+// Why no law has bounds; empty if one has.
+export const obstacle = all.some(isThere) ? '' : (all[0]?.obstacle ?? '');
 
 export const boundLawsFigure = {
   id: 'bound-laws',
@@ -32,7 +26,7 @@ export const boundLawsFigure = {
   draw: drawBoundLaws,
 };
 
-function boundText(side) {
+function lawText(side) {
   const bound = shown()[side];
   const times = (factor) => '\u00d7\u202f' + factorText(factor);
   const how = bound.one_factor
@@ -44,7 +38,7 @@ function boundText(side) {
 function caption() {
   const of = shown();
   if (!isThere(of)) return '';
-  return law().name + ' of ' + (of.device ?? 'the lot') + ', ' + referenceCycle() + '; grey: reference tests. ' + SIDES.map(boundText).join(' ');
+  return law().name + ' of ' + (of.device ?? 'the lot') + ', ' + referenceCycle() + '; grey: reference tests. ' + SIDES.map(lawText).join(' ');
 }
 
 function boundLawData() {

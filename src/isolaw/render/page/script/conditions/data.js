@@ -31,8 +31,6 @@ const IN_CAPITALS = ['assumed', 'not covered'];
 export const statusWord = (status) => (IN_CAPITALS.includes(status) ? status.toUpperCase() : status);
 export const factorText = (value) => fixed(value, 3);
 export const intervalText = (interval) => factorText(interval.low) + ' to ' + factorText(interval.high);
-// A bound of which an effect is missing can only be farther from 1.
-export const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 // A factor without devices is 1, that of the reference itself. `all` is the bound of all effects together.
 export const statusText = ({ status, devices, all = null }) =>
   devices === 0 && !all && !IN_CAPITALS.includes(status)

@@ -2,7 +2,7 @@ import { element } from '../dom.js';
 import { panelHeading } from '../plotting.js';
 import { tableOf } from '../tables.js';
 import { DASH, isNumber, plain } from '../text.js';
-import { boundText, conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
+import { conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
 
 // The properties whose bounds are told at the head of the section.
 const shown = () => conditions.bounds.slice(0, 2).map(({ quantity }) => quantity);
@@ -55,7 +55,8 @@ function factorTable() {
   const cell = (quantity, side) => (effect) => {
     const factor = rows.get(quantity).get(effect)?.[side];
     if (!factor) return DASH;
-    const value = factor.all ? boundText(side, factor.all) : isNumber(factor.lambda) ? factorText(factor.lambda) : DASH;
+    const part = factor.all && !factor.all.complete ? (side === 'max' ? '\u2265\u202f' : '\u2264\u202f') : '';
+    const value = isNumber(factor.lambda) ? part + factorText(factor.lambda) : DASH;
     return element('td', { class: 'number' }, element('b', {}, value), element('small', {}, statusText(factor)));
   };
   const columns = [

@@ -2,7 +2,7 @@ import { choiceButtons } from '../choice.js';
 import { empty } from '../dom.js';
 import { report } from '../report.js';
 import { answerFigure } from './answer.js';
-import { boundLawsFigure, noBoundLawsFigure } from './bound_laws.js';
+import { boundLawsFigure } from './bound_laws.js';
 import { PROPERTIES, conditions } from './data.js';
 import { factorTableFigure, factorsFigure } from './factors.js';
 import { historyFigure } from './history.js';
@@ -23,8 +23,8 @@ export const conditionsSection = {
   title: 'Conditions',
   figures: conditions
     ? [
-        answerFigure, factorsFigure, factorTableFigure, noBoundLawsFigure, loopsFigure, boundLawsFigure,
-        withProperties(panelsFigure), historyFigure, matrixFigure,
+        answerFigure, factorsFigure, factorTableFigure, loopsFigure, boundLawsFigure, withProperties(panelsFigure),
+        historyFigure, matrixFigure,
       ]
     : [whyNotFigure],
 };
