@@ -153,6 +153,13 @@ TEST_F(BoundLaws, in_a_building_take_the_place_of_a_factor) {
   // A softer bearing takes less force.
   auto const& shear = j["laws"][0]["quantities"]["shear_over_weight"];
   EXPECT_LT(shear["lower"], shear["nominal"]);
+  // The file may state a factor for each part of the force.
+  std::string text(building_file), stated = "upper = 1.2";
+  write("b.toml", text.replace(text.find(stated), stated.size(), "upper = { elastic = 1.2, hysteretic = 1.1 }"));
+  ASSERT_LE(isolaw({"building", "b.toml", "--from", "C", "--out", "P", "--figures", "none"}).code, 1);
+  auto const parts = json("P/building.json");
+  EXPECT_EQ(parts["upper_factor"], Json({{"elastic", 1.2}, {"hysteretic", 1.1}}));
+  EXPECT_TRUE(contains(parts["assumed"].dump(), "times 1.20 in the elastic and 1.10 in the hysteretic part"));
 }
 
 TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {

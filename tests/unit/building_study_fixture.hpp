@@ -49,8 +49,8 @@ inline Study usual_study(double scatter, int count, int populations = 0) {
                 .draws = count,
                 .populations = populations,
                 .draws_of_each = 4,
-                .lower = 0.9,
-                .upper = 1.1,
+                .lower = whole(0.9),
+                .upper = whole(1.1),
                 .rest_s = 0.5};
   f.frame = three_floors();
   for (auto const& at : grid(3, 2, 6000.0).bearings)

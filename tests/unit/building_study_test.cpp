@@ -151,7 +151,7 @@ TEST(BuildingFile, takes_the_design_conditions_in_place_of_a_factor) {
   auto const read = [&] { return building_of(tables, {.motions = {synthetic_motion(5, 0, {})}, .settings = {}}); };
   auto const settings = read().settings;
   EXPECT_FALSE(settings.lower);
-  EXPECT_EQ(settings.upper, 1.1);
+  EXPECT_EQ(settings.upper, whole(1.1));
   // A store of runs keeps the word, and reads it back as the same setting.
   for (auto const& key : settings_table()) {
     if (key.key != "lower") continue;
@@ -160,15 +160,45 @@ TEST(BuildingFile, takes_the_design_conditions_in_place_of_a_factor) {
     EXPECT_FALSE(to.building.lower);
   }
   tables["building"]["lower"] = "state";
-  EXPECT_TRUE(contains(refusal_of(read), "0.05 to 1, or \"conditions\"")) << refusal_of(read);
+  EXPECT_TRUE(contains(refusal_of(read), "0.05 to 1, a table of elastic and hysteretic, or \"conditions\""))
+      << refusal_of(read);
+}
+
+TEST(BuildingFile, takes_a_factor_for_each_part_of_the_force) {
+  std::string const rest =
+      "[base]\nmass_Mg = 1\ngyration_m = 2\n[[bearing]]\nx_m = -1\ny_m = 0\n[[bearing]]\nx_m = 1\ny_m = 0\n";
+  auto const read = [&](std::string const& lower) {
+    return read_building_text("[building]\nupper = 1.1\nlower = " + lower + "\n" + rest, "b.toml", {},
+                              {.motions = {synthetic_motion(5, 0, {})}, .settings = {}})
+        .settings;
+  };
+  auto const settings = read("{ elastic = 0.9, hysteretic = 0.7 }");
+  EXPECT_EQ(settings.lower, (PartFactors{.elastic = 0.9, .hysteretic = 0.7}));
+  EXPECT_EQ(settings.upper, whole(1.1));
+  for (auto const& key : settings_table()) {  // a store of runs reads back what it wrote
+    if (key.key != "lower") continue;
+    FileTables from{.building = settings}, to;
+    key.set(to, value_of(key.kind, {text_of(key.get(from))}));
+    EXPECT_EQ(to.building.lower, settings.lower);
+  }
+  auto const refused = [&](std::string const& lower) { return refusal_of([&] { read(lower); }); };
+  EXPECT_TRUE(contains(refused("{ elastic = 0.9 }"), "lower has no factor on the hysteretic part"));
+  EXPECT_TRUE(contains(refused("{ elastic = 0.9, friction = 1 }"), "elastic and hysteretic"));
+  EXPECT_TRUE(contains(refused("{ elastic = 1.2, hysteretic = 1.1 }"), "both factors of lower are above 1"));
+  EXPECT_TRUE(contains(refused("{ elastic = 0.01, hysteretic = 1 }"), "0.05 to 20"));
+  EXPECT_TRUE(contains(refused("1.2"), "0.05 to 1"));
 }
 
 // In a bilinear law K2 is the elastic part and K1 - K2 the stiffness of the hysteretic part.
 TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
   auto study = usual_study(0.0, 0);
+  PartFactors const factors{.elastic = 0.7, .hysteretic = 0.6};
   study.file.settings.lower.reset();
-  study.laws[0].lower = PartFactors{.elastic = 0.7, .hysteretic = 0.6};
+  study.laws[0].lower = factors;
   Devices const devices(study.laws[0], study.file, study.file.motions[0]);
+  study.file.settings.lower = factors;  // as the file may state them itself
+  EXPECT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).of({.kind = CaseKind::lower}),
+            devices.of({.kind = CaseKind::lower}));
   auto const nominal = devices.of({}), lower = devices.of({.kind = CaseKind::lower}),
              upper = devices.of({.kind = CaseKind::upper});
   for (std::size_t i = 0; i < nominal.size(); i += 3) {
@@ -469,8 +499,8 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
 // The same law is listed twice, so the first listing's bounds must cover the same share of draws of both listings.
 TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   auto study = usual_study(0.07, 40);
-  study.file.settings.lower = 0.98;
-  study.file.settings.upper = 1.02;
+  study.file.settings.lower = whole(0.98);
+  study.file.settings.upper = whole(1.02);
   study.laws.push_back(study.laws.front());
   study.file.settings.laws.push_back(study.laws.front().law);
   RunStore store(file_, properties_of(study), false);
@@ -708,7 +738,7 @@ TEST_F(BuildingRuns, the_first_lanes_of_a_block_outlive_an_interruption) {
 // from R's binom.test.
 // Three cases without draws, then the draws. Codes take the mean over seven motions and the largest of fewer.
 TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
-  Settings settings{.draws = 100, .populations = 0, .lower = 0.9, .upper = 1.1};
+  Settings settings{.draws = 100, .populations = 0, .lower = whole(0.9), .upper = whole(1.1)};
   CasePlaces const places(settings);
   auto const responses = [&](std::size_t motions, double nominal, double bound, std::size_t beyond, double last = 1.0) {
     Responses made;

@@ -276,9 +276,11 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
       study.file.bearings.size(), count(Stands::draw),
       s.draws > 0 ? "are draws of the lot" : "have the median parameters of the lot's population", count(Stands::lot),
       count(Stands::device), count(Stands::lower), count(Stands::upper)));
-  auto const bound = [](std::optional<double> const& factor) {
-    return factor ? fmt::format("times {:.2f}: stiffness and strength alike", *factor)
-                  : std::string("as in the bound law over the design conditions of the lot");
+  auto const bound = [](std::optional<PartFactors> const& factors) {
+    if (!factors) return std::string("as in the bound law over the design conditions of the lot");
+    return factors->is_whole() ? fmt::format("times {:.2f}: stiffness and strength alike", factors->elastic)
+                               : fmt::format("times {:.2f} in the elastic and {:.2f} in the hysteretic part",
+                                             factors->elastic, factors->hysteretic);
   };
   sentences.push_back(fmt::format(
       "The bound analyses take every bearing at its nominal values; in the lower one its forces are {}, in the upper one {}.",

@@ -46,6 +46,39 @@ Limits positive(double most = 1e9) {
   return {.least = 1e-9, .most = most, .words = fmt::format("a number above 0, {:g} at most", most)};
 }
 
+void take_part(std::string_view part, Json const& factor, PartFactors& to) {
+  Limits const limits{.least = 0.05, .most = 20.0};
+  if (part == "elastic")
+    to.elastic = real_of(factor, limits);
+  else if (part == "hysteretic")
+    to.hysteretic = real_of(factor, limits);
+  else
+    refuse(std::string(part), "elastic and hysteretic");
+}
+
+// A factor, "conditions", or a factor for each part of the force: as a table, of which a file gives one entry at a time
+// (TomlTable::json()), or as the text that factors_of() makes.
+void take_factors(Json const& value, Limits const& limits, std::optional<PartFactors>& to) {
+  if (value == "conditions") return to.reset();
+  auto const text = value.is_string() ? value.get<std::string>() : std::string();
+  auto const comma = text.find(',');
+  if (!value.is_object() && comma == std::string::npos) return void(to = whole(real_of(value, limits)));
+  if (!to) to = whole(0.0);
+  if (value.is_object())
+    for (auto const& [part, factor] : value.items()) take_part(part, factor, *to);
+  else
+    for (auto const& item : {text.substr(0, comma), text.substr(comma + 1)}) {
+      auto const equals = std::min(item.find('='), item.size() - 1);
+      take_part(item.substr(0, equals), or_null(number_in<double>(std::string_view(item).substr(equals + 1))), *to);
+    }
+}
+
+Json factors_of(std::optional<PartFactors> const& factors) {
+  if (!factors) return "conditions";
+  if (factors->is_whole()) return factors->elastic;
+  return fmt::format("elastic={},hysteretic={}", factors->elastic, factors->hysteretic);
+}
+
 std::vector<FileKey> make_keys() {
   using F = FileTables;
   constexpr bool required = true;
@@ -111,25 +144,21 @@ std::vector<FileKey> make_keys() {
   real("seed", "seed of all draws", settings(&Settings::seed), {.least = 0, .most = 2147483647});
   real("damping", "damping ratio of every mode of the superstructure on a fixed base", settings(&Settings::damping),
        {.least = 0.0, .most = 0.5});
-  auto const bound = [&](std::string_view key, std::string_view help, std::optional<double> Settings::*member,
+  auto const bound = [&](std::string_view key, std::string_view help, std::optional<PartFactors> Settings::*member,
                          Limits const& limits) {
-    real(key, help, settings(member), limits, required);
-    auto& option = keys.back();
-    option.type = "float | Literal[\"conditions\"]";
-    option.get = [member](F const& f) { return f.building.*member ? Json(*(f.building.*member)) : Json("conditions"); };
-    option.set = [member, number = option.set](F& f, Json const& value) {
-      if (value == "conditions")
-        (f.building.*member).reset();
-      else
-        number(f, value);
-    };
+    Option<F> option{{.key = key, .kind = Kind::real, .help = std::string(help), .limits = limits},
+                     [member](F const& f) { return factors_of(f.building.*member); },
+                     [member, limits](F& f, Json const& value) { take_factors(value, limits, f.building.*member); }};
+    option.type = "float | Literal[\"conditions\"] | dict[str, float]";
+    keys.push_back({std::move(option), table, required});
   };
   bound(
       "lower",
-      "factor on the force of every bearing in the lower bound analysis, or \"conditions\": the lower bound law over the design conditions of the lot",
-      &Settings::lower, {.least = 0.05, .most = 1.0, .words = "0.05 to 1, or \"conditions\""});
+      "factor on the force of every bearing in the lower bound analysis, { elastic = 0.9, hysteretic = 0.8 } for a factor on each part of the force, or \"conditions\": the lower bound law over the design conditions of the lot",
+      &Settings::lower,
+      {.least = 0.05, .most = 1.0, .words = "0.05 to 1, a table of elastic and hysteretic, or \"conditions\""});
   bound("upper", "the same in the upper bound analysis", &Settings::upper,
-        {.least = 1.0, .most = 20.0, .words = "1 to 20, or \"conditions\""});
+        {.least = 1.0, .most = 20.0, .words = "1 to 20, a table of elastic and hysteretic, or \"conditions\""});
   real("step_s", "longest integration step", settings(&Settings::step_s), {.least = 1e-5, .most = 0.05});
   real("rest_s", "seconds to continue after the ground motion ends, before the residual displacement is read",
        settings(&Settings::rest_s), {.least = 0.0, .most = 120.0});
@@ -365,8 +394,8 @@ std::string building_template(int motions) {
       "# A building on isolators for `isolaw building`. Lines that start with # are explanations or not in use.\n";
   FileTables tables;
   tables.building.title = "Five floors on 28 bearings";
-  tables.building.lower = 0.9;
-  tables.building.upper = 1.1;
+  tables.building.lower = whole(0.9);
+  tables.building.upper = whole(1.1);
   tables.motion.scale = 0.5;
   tables.limits = {
       .bearing_mm = 200.0, .clearance_mm = 250.0, .base_shear_over_weight = 0.1, .floor_acceleration_g = 0.25};
@@ -442,6 +471,26 @@ namespace {
 
 constexpr TomlMessages messages{.kind = "building file", .advice = "isolaw building --template"};
 
+// A bound with two factors states both, and they do not both lie on the other side of 1.
+void require_both_parts(TomlTable& root, Settings const& settings) {
+  auto const require = [&](std::string_view key, std::optional<PartFactors> const& factors, double sign) {
+    if (!factors || factors->is_whole()) return;
+    auto const [elastic, hysteretic] = *factors;
+    auto const advice =
+        fmt::format("{} = {{ elastic = {}, hysteretic = {} }}", key, sign < 0.0 ? 0.9 : 1.1, sign < 0.0 ? 0.8 : 1.2);
+    if (elastic == 0.0 || hysteretic == 0.0)
+      root.complain(*root.find(settings_info.name),
+                    fmt::format("{} has no factor on the {} part", key, elastic == 0.0 ? "elastic" : "hysteretic"),
+                    "both factors", advice);
+    else if (sign * (elastic - 1.0) < 0.0 && sign * (hysteretic - 1.0) < 0.0)
+      root.complain(*root.find(settings_info.name),
+                    fmt::format("both factors of {} are {} 1", key, sign < 0.0 ? "above" : "below"),
+                    fmt::format("one of them {} 1, or 1", sign < 0.0 ? "below" : "above"), advice);
+  };
+  require("lower", settings.lower, -1.0);
+  require("upper", settings.upper, 1.0);
+}
+
 BuildingFile read_parsed(toml::table parsed, std::string const& name, std::filesystem::path const& folder,
                          ReplacedKeys const& in_place) {
   if (!in_place.settings.empty()) {
@@ -484,6 +533,7 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   };
   auto const& s = file.settings;
   if (has_settings) file.settings = tables.building;
+  if (has_settings && complaints.empty()) require_both_parts(root, s);
   file.limits = tables.limits;
   if (auto const drawn = s.draws + 1.0 * s.populations * s.draws_of_each; drawn > most_drawn)
     root.complain(fmt::format("{:.0f} buildings: draws + populations * draws_of_each", drawn),

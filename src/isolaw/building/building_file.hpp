@@ -16,6 +16,16 @@
 
 namespace isolaw::building {
 
+// Factors on the elastic and on the hysteretic part of a bearing's forces.
+struct PartFactors {
+  double elastic = 1.0, hysteretic = 1.0;
+  bool is_whole() const { return elastic == hysteretic; }
+  bool operator==(PartFactors const&) const = default;
+};
+constexpr PartFactors whole(double factor) {
+  return {factor, factor};
+}
+
 // The table [building] of a building file.
 struct Settings {
   std::string title;
@@ -29,7 +39,7 @@ struct Settings {
   double damping = 0.02;
   // Factors of the bound analyses, on the forces of every bearing. Empty: the bearings follow the bound laws over the
   // design conditions of the lot (LawSource::lower, upper).
-  std::optional<double> lower = 0.0, upper = 0.0;
+  std::optional<PartFactors> lower = whole(0.0), upper = whole(0.0);
   double step_s = 0.005;
   double rest_s = 5.0;
 };

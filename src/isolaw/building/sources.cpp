@@ -139,13 +139,12 @@ std::vector<double> Devices::of(Case const& which) const {
   if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
   if (which.kind == CaseKind::uncertain && draws > 0)
     draw(again(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
-  auto const one = [](double factor) { return PartFactors{factor, factor}; };
-  auto const lower = settings_.lower ? one(*settings_.lower) : source_.lower.value();
-  auto const upper = settings_.upper ? one(*settings_.upper) : source_.upper.value();
+  auto const lower = settings_.lower ? *settings_.lower : source_.lower.value();
+  auto const upper = settings_.upper ? *settings_.upper : source_.upper.value();
   PartFactors factors;
   if (which.kind == CaseKind::lower) factors = lower;
   if (which.kind == CaseKind::upper) factors = upper;
-  if (which.kind == CaseKind::factor) factors = one(grid_factor(which.draw));
+  if (which.kind == CaseKind::factor) factors = whole(grid_factor(which.draw));
 
   std::vector<double> parameters;
   std::size_t next = 0;

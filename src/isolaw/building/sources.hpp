@@ -18,11 +18,6 @@
 
 namespace isolaw::building {
 
-// Factors on the elastic and on the hysteretic part of a bearing's forces.
-struct PartFactors {
-  double elastic = 1.0, hysteretic = 1.0;
-};
-
 // Parameters in the law's order and units.
 struct LawSource {
   std::string law;

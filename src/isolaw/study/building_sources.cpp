@@ -121,10 +121,22 @@ void take_bounds(building::LawSource& source, Summary const& summary, building::
   if (!asked.upper) take("upper", *bounds.upper, &building::LawSource::upper);
 }
 
+// A law whose parameters change both parts of the force alike cannot have two factors.
+void require_one_factor(laws::LawEntry const& law, building::Settings const& asked, std::string_view where) {
+  for (auto const& factors : {asked.lower, asked.upper})
+    if (law.one_factor && factors && !factors->is_whole())
+      throw Error({.where = fmt::format("{}, law {}", where, law.info.id),
+                   .found =
+                       "factors on the elastic and on the hysteretic part, and no parameters of this law change one "
+                       "part alone",
+                   .allowed = "one factor for lower and one for upper, or another law"});
+}
+
 }  // namespace
 
 building::LawSource law_source(campaign::Contents const& contents, Summary const& summary, std::string_view law,
                                std::string_view where, building::BuildingFile const& file) {
+  require_one_factor(laws::find_law(law), file.settings, where);
   auto source = source_of(contents, summary, law, where);
   bool const any_springs = std::ranges::any_of(file.motions, [&](building::Motion const& motion) {
     return building::coupling_under(motion, source) == building::Coupling::springs;

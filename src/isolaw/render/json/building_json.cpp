@@ -44,7 +44,7 @@ class BuildingWriter {
     out_.key("draws");
     drawn ? out_.value(s.draws) : out_.null();
     out_.member("seed", s.seed);
-    number("lower_factor", s.lower), number("upper_factor", s.upper);
+    bound("lower_factor", s.lower), bound("upper_factor", s.upper);
     plan();
     motions();
     quantities();
@@ -74,6 +74,10 @@ class BuildingWriter {
   std::optional<int> rounding() const { return digits_ == Digits::all ? std::nullopt : std::optional(shown_digits); }
   void number(std::string_view key, std::optional<double> const& value) {
     write_value(out_.key(key), value ? Value(*value) : Value(), rounding());
+  }
+  void bound(std::string_view key, std::optional<building::PartFactors> const& factors) {
+    if (!factors || factors->is_whole()) return number(key, factors ? std::optional(factors->elastic) : std::nullopt);
+    out_.key(key).object([&] { number("elastic", factors->elastic), number("hysteretic", factors->hysteretic); });
   }
   void point(building::Point const& at) {
     number("x_m", at.x_mm / mm_per_m);

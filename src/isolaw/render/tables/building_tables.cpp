@@ -66,8 +66,11 @@ std::string building_tex(building::Study const& study, building::Answers const& 
       "% The isolated building: bound analyses{}.\n",
       drawn ? ", fractiles of the draws, parts of the spread of ln(response)" : "; no bearing is drawn from the lot");
   text += "% Needs in the preamble: \\usepackage{booktabs}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
-  auto const bound = [](std::optional<double> const& factor) {
-    return factor ? fmt::format("times {}", *factor) : std::string("those of the bound law over the design conditions");
+  auto const bound = [](std::optional<building::PartFactors> const& factors) {
+    if (!factors) return std::string("those of the bound law over the design conditions");
+    return factors->is_whole()
+               ? fmt::format("times {}", factors->elastic)
+               : fmt::format("times {} (elastic part) and {} (hysteretic part)", factors->elastic, factors->hysteretic);
   };
   text += fmt::format("% Means over {} motions, {} draws; forces of the lower bound {}, of the upper one {}.\n",
                       study.file.motions.size(), drawn ? s.draws : 0, bound(s.lower), bound(s.upper));

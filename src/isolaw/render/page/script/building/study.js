@@ -10,7 +10,8 @@ export const isDrawn = study.draws !== null; // whether any bearing is a draw of
 // The factors of a bound on the force. Those of a bound law belong to the law of the verdict.
 const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower one first
 function bound(factor, place) {
-  if (factor !== null) return String(factor);
+  if (isNumber(factor)) return String(factor);
+  if (factor !== null) return factor.elastic + ' elastic and ' + factor.hysteretic + ' hysteretic';
   const [{ numbers }] = ofBoundLaws.at(place).each;
   return significant(numbers.elastic_factor, 3) + ' elastic and ' + significant(numbers.hysteretic_factor, 3) + ' hysteretic, from the design conditions';
 }
