@@ -658,19 +658,49 @@ void expect_one_factor(BoundLaw const& bound, OneFactor why, double C_K, double 
   expect_near(bound.reached.energy_kN_mm, bound.target.energy_kN_mm * C_K / C_E);
 }
 
+std::vector<double> parameters_of(laws::LawEntry const& law,
+                                  std::vector<std::pair<std::string_view, double>> const& values) {
+  std::vector<double> parameters(law.parameters.size());
+  for (auto const& [name, value] : values) parameters[law.index_of(name)] = value;
+  return parameters;
+}
+
 TEST(BoundLaws, fall_back_to_one_factor) {
   auto const& bilinear_law = laws::find_law("bilinear");
   // The hysteretic part alone has more stiffness than wanted: 4 Q/D is 0.481, and 0.7 K_eff is 0.474.
   expect_one_factor(bound_law(bilinear_law, bilinear(), reference_block, 0.7, 4.0).value(), OneFactor::not_positive,
                     0.7, 4.0, -82.5);
   auto const& kikuchi = laws::find_law("kikuchi-aiken");
-  std::vector<double> parameters(kikuchi.parameters.size());
-  for (auto const& [name, value] : std::initializer_list<std::pair<char const*, double>>{
-           {"G1", 80.0}, {"p", 0.3}, {"h0", 0.15}, {"u0", 0.4}, {"amax", 10.0}, {"c", 10.0}})
-    parameters[kikuchi.index_of(name)] = value;
+  auto const parameters =
+      parameters_of(kikuchi, {{"G1", 80.0}, {"p", 0.3}, {"h0", 0.15}, {"u0", 0.4}, {"amax", 10.0}, {"c", 10.0}});
   auto const bound = bound_law(kikuchi, parameters, reference_block, 1.25, 1.5).value();
   expect_one_factor(bound, OneFactor::inseparable, 1.25, 1.5, -100.0 / 6.0);
   EXPECT_EQ(bound.parameters[kikuchi.index_of("G1")], 100.0);
+}
+
+// A falling elastic force of -1.5 kN/mm beside z, which hardly yields and begins with 2.5 A = 5 kN/mm. Twice the energy
+// needs b = 2 C_K, and the stiffness wanted then a such that Ke' = (2.5 b - 1.5 a) kN/mm is below 0, its limit.
+TEST(BoundLaws, keep_the_limits_of_parameters) {
+  auto const& law = laws::find_law("bouc-wen");
+  double const slow = 0.05 / amplitude_mm;
+  auto const parameters =
+      parameters_of(law, {{"alpha", -1.5}, {"Ke", 1.0}, {"A", 2.0}, {"beta", slow}, {"n", 1.0}, {"gamma", slow}});
+  expect_one_factor(bound_law(law, parameters, reference_block, 1.1, 2.2).value(), OneFactor::limits, 1.1, 2.2, -50.0);
+  EXPECT_FALSE(bound_law(law, parameters, reference_block, 1.1, 1.2).value().one_factor);
+}
+
+// A stiffness of hwang-wu fades with the work of the whole force. If one part alone grows, it fades otherwise, so that
+// K_eff is off by 13 % of its target. One factor on all forces with work that counts accordingly is exact.
+TEST(BoundLaws, that_miss_their_targets_have_one_factor) {
+  auto const& law = laws::find_law("hwang-wu");
+  auto const bound = [&](double a9) {
+    auto const parameters = parameters_of(
+        law,
+        {{"a1", 500.0}, {"a4", 5000.0}, {"a5", 0.001}, {"a6", 15000.0}, {"a8", 60.0}, {"a9", a9}, {"a10", -1e-10}});
+    return bound_law(law, parameters, reference_block, 1.2, 3.0).value();
+  };
+  expect_one_factor(bound(-2e-7), OneFactor::not_reached, 1.2, 3.0, -60.0);
+  EXPECT_FALSE(bound(-1e-12).one_factor);
 }
 
 TEST(BoundLaws, need_a_loop) {
