@@ -1,8 +1,6 @@
 // `isolaw conditions`: how the properties of devices change with temperature, rate, load, ageing and history.
 #include "isolaw/study/conditions.hpp"
 
-#include <algorithm>
-
 #include "isolaw/api/conditions.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/report.hpp"
@@ -49,9 +47,7 @@ int conditions(ConditionsArguments const& arguments) {
     write_file(file, render::measured_rules(result, file.stem().string()));
     say("written: {}\n", shown(file));
   }
-  bool const fails = std::ranges::any_of(
-      result.dependence, [](study::DependenceRow const& row) { return row.verdict() == rules::Verdict::fail; });
-  return result.refused.empty() && !fails ? exit_done : exit_with_refusals;
+  return result.refused.empty() && !study::dependence_failed(result) ? exit_done : exit_with_refusals;
 }
 
 }  // namespace isolaw::app

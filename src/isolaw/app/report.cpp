@@ -57,7 +57,7 @@ int exit_code(study::Summary const& summary) {
   for (auto const& law : summary.laws)
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
-  return study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
+  return study::conditions_refused(summary) || study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
 }
 
 std::string what_is_missing(study::Summary const& summary) {

@@ -150,20 +150,22 @@ MeanAnalysis mean_analysis(LotAcceptance const& acceptance) {
       result.permitted = result.permitted.value_or(true) && *quantity.mean_analysis_permitted;
     if (open.empty()) open = quantity.mean_analysis_open;
   }
-  if (parts.empty()) return result;
+  if (parts.empty() && !acceptance.conditions_forbid_mean) return result;
   if (!open.empty() && result.permitted.value_or(true)) result.permitted.reset();
   bool const only_conditions_forbid = acceptance.conditions_forbid_mean && result.permitted.value_or(true);
   if (acceptance.conditions_forbid_mean) result.permitted = false;
-  result.sentence = "Largest deviation of a device from the lot's mean: " + joined(parts) + ".";
+  if (!parts.empty()) result.sentence = "Largest deviation of a device from the lot's mean: " + joined(parts) + ".";
+  if (!result.permitted && open.empty()) return result;
+  if (!parts.empty()) result.sentence += ' ';
   if (result.permitted)
     result.sentence +=
         *result.permitted
-            ? " As far as the variability within the supply goes, an analysis with mean properties is permitted; ageing, temperature and the other effects add to it."
+            ? "As far as the variability within the supply goes, an analysis with mean properties is permitted; ageing, temperature and the other effects add to it."
         : only_conditions_forbid
-            ? " An analysis with mean properties alone is not permitted, because the properties change too much over the design conditions: upper and lower bounds are needed."
-            : " An analysis with mean properties alone is not permitted: upper and lower bounds are needed.";
-  else if (!open.empty())
-    result.sentence += " Whether an analysis with mean properties is permitted cannot be said: " + open + ".";
+            ? "An analysis with mean properties alone is not permitted, because the properties change too much over the design conditions: upper and lower bounds are needed."
+            : "An analysis with mean properties alone is not permitted: upper and lower bounds are needed.";
+  else
+    result.sentence += "Whether an analysis with mean properties is permitted cannot be said: " + open + ".";
   return result;
 }
 

@@ -342,15 +342,12 @@ void add_accuracy(LawResult& law, std::vector<double> const& all_objectives) {
 
 }  // namespace
 
-bool conditions_share_rules(Summary const& summary) {
-  return summary.conditions && summary.conditions->rules == summary.acceptance.rules.id;
+bool conditions_refused(Summary const& summary) {
+  return !summary.no_conditions.empty() || (summary.conditions && !summary.conditions->refused.empty());
 }
 
 bool acceptance_failed(Summary const& summary) {
-  if (conditions_share_rules(summary) &&
-      std::ranges::any_of(summary.conditions->dependence,
-                          [](DependenceRow const& row) { return row.verdict() == rules::Verdict::fail; }))
-    return true;
+  if (summary.conditions && dependence_failed(*summary.conditions)) return true;
   return lot_failed(summary.acceptance) || std::ranges::any_of(summary.devices, [](auto const& device) {
            return any_failed(device.acceptance.assessments);
          });
@@ -368,7 +365,7 @@ void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design
                      .copy_of = device.status == "ok" ? device.copy_of : std::string()});
   std::vector<DeviceAcceptance> devices;
   summary.acceptance = assess_lot(rules, design, lot_size, tests, devices, summary.asked.alike);
-  if (conditions_share_rules(summary) && summary.conditions->mean_properties)
+  if (summary.conditions && summary.conditions->mean_properties)
     summary.acceptance.conditions_forbid_mean = summary.conditions->mean_properties->permitted == false;
   for (std::size_t d = 0; d < devices.size(); ++d) summary.devices[d].acceptance = std::move(devices[d]);
   summary.conditions_differ = conditions_differ(summary);

@@ -132,4 +132,8 @@ std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rule
   return rows;
 }
 
+bool dependence_failed(ConditionsResult const& result) {
+  return std::ranges::any_of(result.dependence, [](auto const& row) { return row.verdict() == Verdict::fail; });
+}
+
 }  // namespace isolaw::study

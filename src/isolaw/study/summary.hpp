@@ -247,9 +247,10 @@ struct Summary {
   std::size_t missing_analyses() const { return expected_analyses > analyses ? expected_analyses - analyses : 0; }
 };
 
-// True if the study of conditions and the acceptance are by the same rule set, so that its verdicts count for the lot.
-bool conditions_share_rules(Summary const& summary);
-// True if a device or the lot does not keep some limit of a verified rule set.
+// True if a test under other conditions was refused, or if the tests could not be compared at all.
+bool conditions_refused(Summary const& summary);
+// True if a device or the lot does not keep some limit of a verified rule set: that of the acceptance or that of the
+// table [conditions].
 bool acceptance_failed(Summary const& summary);
 // Assesses the devices and the lot. Throws Error if the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,

@@ -73,10 +73,13 @@ void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_
     for (auto const& limit : quantity.mean_limits) add_line(fmt::format("mean {}", name(quantity.quantity)), limit);
 }
 
-// Limits on how properties change with conditions, if they are those of this rule set.
+// Limits on how properties change with conditions. The rule set of the table [conditions] is named if it is another one.
 void add_dependence(OverallVerdict& overall, Summary const& summary) {
-  if (!conditions_share_rules(summary)) return;
+  if (!summary.conditions) return;
+  auto const& rules = summary.conditions->rules;
+  auto const of_set = rules == summary.acceptance.rules.id ? std::string() : " of " + printable(rules);
   for (auto const& row : summary.conditions->dependence) {
+    if (row.verdict() == Verdict::information) continue;
     auto const what = fmt::format("{} under {}{}", name(row.limit.quantity), name(row.limit.effect),
                                   row.is_load_variation ? ", from load to load" : "");
     add(overall.requirements, what, row.verdict());
@@ -84,8 +87,8 @@ void add_dependence(OverallVerdict& overall, Summary const& summary) {
     auto const* worst = row.worst();
     overall.failing.push_back(
         {.device = printable(worst->device),
-         .remark = fmt::format("{} {:+.1f} %, limit {:g} %", what, 100.0 * (worst->ratio->lambda() - 1.0),
-                               row.limit.within_percent)});
+         .remark = fmt::format("{} {:+.1f} %, limit {:g} %{}", what, 100.0 * (worst->ratio->lambda() - 1.0),
+                               row.limit.within_percent, of_set)});
   }
 }
 
@@ -278,11 +281,21 @@ OverallVerdict overall_verdict(Summary const& summary) {
   OverallVerdict overall;
   auto const& acceptance = summary.acceptance;
   auto const title = short_title(acceptance.rules);
-  if (!acceptance.has_rules()) {
-    overall.sentence = "no verdict: no rule set";
-  } else if (!acceptance.rules.verified()) {
-    overall.sentence = fmt::format("{}: no verdict, the limits of this set are not verified", title);
-    overall.mark = "LIMITS NOT VERIFIED";
+  if (!acceptance.has_rules() || !acceptance.rules.verified()) {
+    overall.sentence = acceptance.has_rules()
+                           ? fmt::format("{}: no verdict, the limits of this set are not verified", title)
+                           : "no verdict: no rule set";
+    if (acceptance.has_rules()) overall.mark = "LIMITS NOT VERIFIED";
+    // The rule set of the table [conditions] may be verified. Its limits alone are too few for a pass.
+    OverallVerdict of_conditions;
+    add_dependence(of_conditions, summary);
+    if (!of_conditions.failing.empty()) {
+      of_conditions.sentence =
+          fmt::format("{}; otherwise {}", sentence_of(of_conditions, summary.devices.size()), overall.sentence);
+      overall = std::move(of_conditions);
+      overall.word = overall.mark = "FAIL";
+      overall.is_red = true;
+    }
   } else {
     for (auto const& device : summary.devices) add_device(overall, device);
     add_lot(overall, acceptance, !summary.conditions_differ);
@@ -310,17 +323,18 @@ OverallVerdict overall_verdict(Summary const& summary) {
 }
 
 std::string verdict_summary(Summary const& summary) {
-  return summary.acceptance.has_rules() ? overall_verdict(summary).text() + "\n" : std::string();
+  auto const verdict = overall_verdict(summary);
+  return summary.acceptance.has_rules() || !verdict.word.empty() ? verdict.text() + "\n" : std::string();
 }
 
 std::optional<Finding> verdict_against(Summary const& summary, std::optional<std::string_view> device) {
   auto const& rules = summary.acceptance.rules;
-  if (!summary.acceptance.has_rules() || !rules.verified()) return std::nullopt;
   if (!device)
     return acceptance_failed(summary)
                ? std::optional(Finding{.kind = FindingKind::rule_set_not_kept_by_lot,
                                        .words = {{"verdict", overall_verdict(summary).sentence}}})
                : std::nullopt;
+  if (!summary.acceptance.has_rules() || !rules.verified()) return std::nullopt;
   auto found = std::ranges::find(summary.devices, *device, &DeviceResult::name);
   // If two devices share a record, the first one has the verdict for both.
   if (found != summary.devices.end() && !found->acceptance.copy_of.empty())
