@@ -1,5 +1,6 @@
 // Tests `isolaw conditions` on its example, whose records follow closed formulas, and on lot files with mistakes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -113,6 +114,46 @@ TEST_F(Conditions, have_keys_that_are_listed_for_the_page) {
                                        R"({"device":"device-01","temperature-C":null,"load-kN":null,"aged":false}])");
 }
 
+// `init` proposes tests in comments. Without the plain devices, and with these comments as text, the lot file gives the
+// factors of the example's closed formulas.
+TEST_F(Conditions, are_proposed_by_init_from_the_names) {
+  Words files;
+  for (auto const* name :
+       {"P1--20C", "P1-0C", "P1-20C", "P1-40C", "P2--20C", "P2-20C", "P3--20C", "P3-20C", "P4-3000kN", "P4-aged"})
+    files.push_back(fmt::format("ex/{}.csv", name));
+  auto const o = isolaw(Words{"init", "--out", "ex/new.toml"} + files);
+  ASSERT_EQ(o.code, 0) << o;
+  EXPECT_TRUE(contains(o.err, "new.toml ends with a proposal, as comments to be checked")) << o;
+  auto const written = read("ex/new.toml");
+  ASSERT_EQ(isolaw({"inspect", "ex/new.toml"}).code, 0);
+  auto const first = written.find("\n[[device]]"), proposal = written.find("# [conditions]");
+  ASSERT_LT(first, proposal) << written;
+  ASSERT_NE(proposal, std::string::npos) << written;
+  std::string text = written.substr(0, first + 1);
+  std::istringstream lines(written.substr(proposal));
+  for (std::string line; std::getline(lines, line);) text += (line.starts_with("# ") ? line.substr(2) : line) + '\n';
+  write("ex/new.toml", text);
+  auto const read_back = isolaw({"conditions", "ex/new.toml", "--json"});
+  ASSERT_EQ(read_back.code, 1) << read_back << text;  // P4's test has no temperature
+  auto const j = Json::parse(read_back.out);
+  auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C")["factor"];
+  EXPECT_EQ(cold["devices"], 3);
+  near(cold["lambda"], 1.313436434, 1e-8);
+  EXPECT_EQ(j["tests"].size(), 8u);
+  ASSERT_EQ(j["refused"].size(), 1u) << j["refused"];
+  EXPECT_EQ(j["refused"][0]["device"], "P4");
+  EXPECT_TRUE(contains(j["refused"][0]["reason"].get<std::string>(), "no temperature is stated"));
+  EXPECT_TRUE(contains(text, "# aged = { days = 0.0, at-C = 0.0 }")) << text;
+}
+
+// Names without a condition, or of one device each, propose nothing.
+TEST_F(Conditions, are_not_proposed_from_other_names) {
+  write("ex/A.csv", read("ex/P1-20C.csv"));
+  write("ex/A-2.csv", read("ex/P2-20C.csv"));
+  ASSERT_EQ(isolaw({"init", "ex/A.csv", "ex/A-2.csv", "ex/P3-20C.csv", "--out", "ex/new.toml"}).code, 0);
+  EXPECT_FALSE(contains(read("ex/new.toml"), "conditions"));
+}
+
 TEST_F(Conditions, are_written_as_tables_and_figures) {
   write("C/figures/mine.gp", "# not isolaw's\n");
   auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});
@@ -211,15 +252,43 @@ TEST_F(Conditions, are_refused_with_the_line_and_what_is_allowed) {
     EXPECT_TRUE(contains(o.err, said)) << said << o;
     EXPECT_TRUE(contains(o.err, "changed.toml:")) << o;
   }
+  auto const unknown = with("[conditions]\n", "[conditions]\nrules = \"ntc2018\"\n");
+  EXPECT_TRUE(contains(unknown.err, "allowed: aashto, asce-7-22, en-15129, ")) << unknown;
+  EXPECT_TRUE(contains(unknown.err, "try: ntc-2018")) << unknown;
+  auto const devices = isolaw({"conditions", "ex/lot.toml", "--plan", "--devices", "0"});
+  EXPECT_TRUE(contains(devices.err, "1 to 100")) << devices;
+  auto const check = isolaw({"check", "ex/lot.toml"});
+  EXPECT_EQ(check.code, 2) << check;
+  EXPECT_TRUE(contains(check.err, "isolaw conditions ex/lot.toml")) << check;
   auto const without = isolaw({"conditions", "ex/P1-20C.csv"});
   EXPECT_EQ(without.code, 2) << without;
 }
 
-// Without [conditions], each test with such a key has one complaint that names the table.
+TEST_F(Conditions, have_one_complaint_about_one_mistake) {
+  for (auto const& [part, by, said] : std::initializer_list<std::array<char const*, 3>>{
+           {"order = 2\n", "order = \"2026-03-01\"\n", "order: "},
+           {"order = 2\n", "started = \"2026-03-01\"\n", "a date with a time of day"},
+           {"[conditions]", "[condition]", "unknown key 'condition'"},
+           {"[conditions]\n", "[conditions]\nrules = \"ntc2018\"\n", "rules: no built-in rule set 'ntc2018'"},
+           {"name = \"P1\"", "name = \"P1\"\nsize = 600", "size"},
+       }) {
+    auto const o = with(part, by);
+    EXPECT_EQ(o.code, 2) << o;
+    EXPECT_EQ(count_of("isolaw: ", o.err), 1u) << o;
+    EXPECT_TRUE(contains(o.err, "isolaw: ex/changed.toml:")) << o;
+    EXPECT_TRUE(contains(o.err, said)) << said << o;
+  }
+}
+
+// Without [conditions], one complaint names the table, however many tests have such keys.
 TEST_F(Conditions, need_their_table) {
   auto const o = with("[conditions]", "[no-conditions]");
   EXPECT_EQ(o.code, 2) << o;
-  EXPECT_TRUE(contains(o.err, "the file has no table [conditions]")) << o;
+  EXPECT_EQ(count_of("the file has no table [conditions]", o.err), 1u) << o;
+}
+
+TEST_F(Conditions, of_the_example_raise_no_doubt_about_a_record) {
+  EXPECT_FALSE(contains(isolaw({"conditions", "ex/lot.toml"}).out, "The test "));
 }
 
 // A condition that the reference leaves out must be the same in all tests.
@@ -246,7 +315,8 @@ TEST_F(Conditions, of_refused_tests_count_as_history) {
     }
   auto const twice = with("file = \"P2-20C.csv\"", "file = \"P1-20C.csv\"");
   EXPECT_EQ(twice.code, 1) << twice;
-  EXPECT_TRUE(contains(twice.out, "warning: The test 20C of P2 is not used: the same record stands for another test"))
+  EXPECT_TRUE(contains(
+      twice.out, "warning: The test 20C of P2 (changed.toml:52) is not used: the same record stands for another test"))
       << twice;
 }
 
@@ -254,7 +324,8 @@ TEST_F(Conditions, name_a_test_that_cannot_be_used) {
   auto const o = with("rest-h = 24\n", "rest-h = 24\nload-kN = 2000\n");
   EXPECT_EQ(o.code, 1) << o;
   EXPECT_TRUE(contains(
-      o.out, "warning: The test -20C of P1 is not used: load-kN is stated, and the record has a channel for the load"))
+      o.out,
+      "warning: The test -20C of P1 (changed.toml:26) is not used: load-kN is stated, and the record has a channel for the load"))
       << o;
 }
 
@@ -291,6 +362,50 @@ TEST_F(Conditions, are_held_to_the_limits_of_the_rule_set) {
   near(loads["devices"][0]["ratio"], 1.12574803, 1e-7);
   auto const text = isolaw({"conditions", "ex/lot.toml"});
   EXPECT_TRUE(contains(text.out, "warning: K_eff under temperature: FAIL: ")) << text;
+}
+
+// A rule set that stands only in [conditions] is judged by all commands in the same way.
+TEST_F(Conditions, have_one_verdict_in_every_command) {
+  auto text = read("ex/lot.toml");
+  auto const move_rules = [&](std::string const& instead) {
+    auto moved = text;
+    std::string const rules = "rules = \"ntc-2018\"\n", table = "[conditions]\n";
+    moved.replace(moved.find(rules), rules.size(), instead);
+    return moved.insert(moved.find(table) + table.size(), rules);
+  };
+  write("ex/changed.toml", move_rules(""));
+  EXPECT_EQ(isolaw({"conditions", "ex/changed.toml"}).code, 1);
+  auto const inspected = isolaw({"inspect", "ex/changed.toml", "--json"});
+  EXPECT_EQ(inspected.code, 1) << inspected;
+  auto const result = Json::parse(inspected.out)["result"];
+  EXPECT_EQ(result["word"], "FAIL");
+  EXPECT_EQ(result["mark_is_red"], false);  // the example is not measured
+  ASSERT_EQ(result["failing"].size(), 1u) << result;
+  EXPECT_EQ(result["failing"][0]["device"], "P2");
+  EXPECT_EQ(result["failing"][0]["remark"], "K_eff under temperature +27.6 %, limit 20 % of ntc-2018");
+  EXPECT_TRUE(contains(result["sentence"].get<std::string>(), "otherwise no verdict: no rule set")) << result;
+  auto const calibrated = isolaw({"calibrate", "ex/changed.toml", "--out", "C", "--laws", "bilinear", "--runs", "1",
+                                  "--figures", "none", "--replicates", "0"});
+  EXPECT_EQ(calibrated.code, 1) << calibrated;
+  EXPECT_TRUE(contains(calibrated.out, "FAIL: 1 of 6 devices fails: P2 K_eff under temperature +27.6 %")) << calibrated;
+  // K_eff goes up to 1.869 times its value at reference.
+  EXPECT_TRUE(contains(isolaw({"inspect", "ex/changed.toml"}).out, "mean properties alone is not permitted, because"));
+  // A set without a verified limit in [acceptance] changes nothing.
+  write("ex/changed.toml", move_rules("rules = \"asce-7-22\"\n"));
+  auto const other = isolaw({"inspect", "ex/changed.toml", "--json"});
+  EXPECT_EQ(other.code, 1) << other;
+  EXPECT_EQ(Json::parse(other.out)["result"]["failing"], result["failing"]);
+  // Kept limits alone are no verdict on the devices.
+  write("ex/changed.toml", only_rate(move_rules("")));
+  auto const kept = isolaw({"inspect", "ex/changed.toml", "--json"});
+  EXPECT_EQ(kept.code, 0) << kept;
+  EXPECT_EQ(Json::parse(kept.out)["result"]["word"], Json());
+}
+
+TEST_F(Conditions, that_are_refused_give_every_command_the_same_exit_code) {
+  EXPECT_EQ(with("rest-h = 24\n", "rest-h = 24\nload-kN = 2000\n").code, 1);
+  write("ex/changed.toml", only_rate(read("ex/changed.toml")));
+  for (auto const* command : {"conditions", "inspect"}) EXPECT_EQ(isolaw({command, "ex/changed.toml"}).code, 1);
 }
 
 TEST_F(Conditions, of_a_set_that_nobody_verified_are_information) {
@@ -442,7 +557,7 @@ TEST_F(Conditions, are_part_of_a_campaign) {
        1e-3);
   of_summary.erase("bound_laws");
   EXPECT_EQ(of_summary, members);
-  for (auto const& file : {"ex/P1--20C.csv", "ex/lot.toml"}) std::filesystem::remove(file);
+  for (auto const& file : {"ex/P1--20C.csv", "ex/lot.toml"}) std::filesystem::remove(path(file));
   EXPECT_EQ(Json::parse(isolaw({"conditions", "C", "--json"}).out), own);
   ASSERT_LE(isolaw({"report", "C", "--figures", "none"}).code, 1);
   EXPECT_EQ(Json::parse(read("C/summary.json"))["conditions"], summary["conditions"]);

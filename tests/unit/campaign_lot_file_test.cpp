@@ -271,7 +271,7 @@ TEST_F(LotFileTest, FilesOutsideTheFolderHaveTheirLine) {
 
 // A rule file outside the folder must give the same message whether or not it exists.
 TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
-  auto const built_in = [](std::string_view name) { return name == "known"; };
+  std::vector<std::string> const built_in{"known"};
   auto const lot = [](std::string const& name) {
     return "[acceptance]\nrules = \"" + name + "\"\n[[device]]\nfile = \"a.csv\"\n";
   };
@@ -279,10 +279,10 @@ TEST_F(LotFileTest, RulesOutsideTheFolderHaveTheirLine) {
     expect_parts(complaints(lot(name)), {"lot.toml:2: rules: '" + name + "' leads outside, to /",
                                          "a built-in rule set, or a file in the folder of the lot file or below it"});
   std::ofstream(folder / "own.toml") << "title = \"own\"\n";
-  auto const own = read(lot("own.toml"), {.is_built_in_rules = built_in});
+  auto const own = read(lot("own.toml"), {.built_in_rules = built_in});
   EXPECT_TRUE(own.rules_are_file);
   EXPECT_EQ(own.acceptance.rules_file, (folder / "own.toml").string());
-  auto const known = read(lot("known"), {.is_built_in_rules = built_in});
+  auto const known = read(lot("known"), {.built_in_rules = built_in});
   EXPECT_FALSE(known.rules_are_file);
   EXPECT_EQ(known.acceptance.rules_file, "known");
   EXPECT_EQ(read(lot("../x.toml"), {.allow_outside = true}).acceptance.rules_file, (folder / "../x.toml").string());
@@ -530,8 +530,7 @@ TEST_F(LotFileTest, WrittenAcceptanceReadsBack) {
   EXPECT_EQ(read(text).acceptance, lot.acceptance) << text;
   lot.rules_are_file = false;
   lot.acceptance.rules_file = "known";
-  auto const known = [](std::string_view name) { return name == "known"; };
-  EXPECT_EQ(read(lot_file_text(lot, folder), {.is_built_in_rules = known}).acceptance, lot.acceptance);
+  EXPECT_EQ(read(lot_file_text(lot, folder), {.built_in_rules = {"known"}}).acceptance, lot.acceptance);
 }
 
 // A lot file that isolaw writes must give the same lot when read.

@@ -13,7 +13,7 @@ namespace isolaw {
 namespace {
 
 campaign::LotFileOptions with_rules(campaign::LotFileOptions options) {
-  options.is_built_in_rules = rules::is_built_in;
+  options.built_in_rules = rules::built_in_names();
   options.check_design = [](std::string_view design) { rules::parse_design(design); };
   return options;
 }

@@ -249,7 +249,8 @@ void add_conditions(Commands& commands) {
   c.add_flag("--details", a.details, "also list every test and how it is used");
   c.add_flag("--plan", a.plan, "print the tests that are missing until enough devices show every end of the design");
   c.add_option("--devices", a.devices,
-               fmt::format("how many devices that are in the plan (default: {})", study::usual_planned_devices))
+               fmt::format("how many devices the plan has for every end: 1 to {} (default: {})",
+                           study::most_planned_devices, study::usual_planned_devices))
       ->check(CLI::Range(1, study::most_planned_devices).description(""));
   c.add_flag("--at-reference", a.at_reference,
              "print the values of acceptance tests under other conditions, as measured and at reference");

@@ -99,6 +99,11 @@ int check_building(std::filesystem::path const& file) {
 
 int check(std::filesystem::path const& directory) {
   std::error_code unknown;
+  if (std::filesystem::is_regular_file(directory, unknown))
+    throw Error({.where = shown(directory),
+                 .found = "a file",
+                 .allowed = "the directory of a campaign or of the analysis of a building",
+                 .advice = fmt::format("isolaw inspect {0}, or isolaw conditions {0}", shown(directory))});
   int of_building = exit_done;
   if (auto const file = directory / building_store_name; std::filesystem::exists(file, unknown)) {
     of_building = check_building(file);

@@ -11,6 +11,7 @@
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/output.hpp"
+#include "isolaw/app/proposed_tests.hpp"
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
@@ -31,11 +32,11 @@ namespace isolaw::app {
 namespace {
 
 bool refused(study::Summary const& summary) {
-  return std::ranges::any_of(summary.devices, [](auto const& device) {
-    auto const& properties = device.properties;
-    return device.status != "ok" || properties.is_false || !properties.faulty.empty() ||
-           !device.vertical_test.refusal.empty();
-  });
+  return study::conditions_refused(summary) || std::ranges::any_of(summary.devices, [](auto const& device) {
+           auto const& properties = device.properties;
+           return device.status != "ok" || properties.is_false || !properties.faulty.empty() ||
+                  !device.vertical_test.refusal.empty();
+         });
 }
 
 }  // namespace
@@ -142,6 +143,7 @@ Complaint about_sheets(std::filesystem::path const& file, campaign::Lot const& l
 
 struct Recognition {
   std::vector<campaign::DeviceInput> devices = {};
+  std::vector<RecognisedTest> tests = {};  // one for each device
   campaign::LotFileRemarks remarks = {};
   std::vector<Complaint> complaints = {};  // about files that cannot be read
 };
@@ -165,6 +167,15 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
              counted(record.size(), "sample"));
   for (auto const& line : wording::remarks(record.recognised)) fmt::print("  {}\n", line);
   auto const properties = data::cyclic_properties(record);
+  found.tests.push_back({.condition = {.temperature_C = device.info.temperature_C}});
+  if (auto const block = std::ranges::max_element(properties.blocks, {}, &data::Block::amplitude_mm);
+      block != properties.blocks.end()) {
+    auto& seen = found.tests.back();
+    seen.amplitude_mm = block->amplitude_mm;
+    seen.cycles = static_cast<int>(block->counted().size());
+    seen.condition.frequency_Hz = block->frequency_Hz;
+    seen.condition.load_kN = study::mean_load_kN(*block);
+  }
   if (properties.is_false)
     say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(properties.refusal));
   else if (!properties.faulty.empty()) {
@@ -228,7 +239,7 @@ int init(InitArguments const& arguments) {
   auto lot = lot_of_tests(arguments);
   auto const folder = std::filesystem::absolute(out).parent_path();
   lot.title = printable(folder.filename().string());
-  auto [devices, remarks, complaints] = recognise_tests(lot, arguments.read.contains("sheet"));
+  auto [devices, tests, remarks, complaints] = recognise_tests(lot, arguments.read.contains("sheet"));
   for (auto const& complaint : complaints) say("isolaw: {}\n", to_string(complaint));
   if (!remarks.left_out.empty())
     say("{} of {} left out, as comments at the end of {}\n", remarks.left_out.size(), lot.devices.size(), shown(out));
@@ -239,6 +250,11 @@ int init(InitArguments const& arguments) {
       say("{}: {}: the tests differ, so the device has no value for it; are they tests of one device?\n", key, texts);
     for (auto& of_test : remarks.stated) stated.merge(of_test);
     remarks.stated = {std::move(stated)};
+  } else {
+    propose_conditions(lot, std::move(tests), remarks);
+    if (!remarks.tests.empty())
+      say("the names of the records look like conditions of tests: {} ends with a proposal, as comments to be checked\n",
+          shown(out));
   }
   review_lot_size(lot, arguments);
   std::vector<std::filesystem::path> inputs;

@@ -144,13 +144,11 @@ void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   complete_acceptance(acceptance);
   if (acceptance.design.empty()) return;
-  if (acceptance.rules.empty()) {
-    std::vector<std::string> sets;
-    for (auto const& set : rules::built_in_rule_sets()) sets.push_back(set.id);
+  if (acceptance.rules.empty())
     say("design values {}: without a rule set no device is checked against them{}; try: --rules NAME, one of {}, or --rules FILE\n",
         printable(acceptance.design),
-        rules::parse_design(acceptance.design).disp_mm ? ", but laws are tried at the displacement" : "", joined(sets));
-  }
+        rules::parse_design(acceptance.design).disp_mm ? ", but laws are tried at the displacement" : "",
+        joined(rules::built_in_names()));
   auto const damping = rules::parse_design(acceptance.design).damping_percent;
   if (damping && *damping < 1.0)
     say("--design damping={:g}: damping is in percent, and no isolator has less than 1 %; try: damping={:g}\n",

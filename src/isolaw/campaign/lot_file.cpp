@@ -12,6 +12,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
+#include "isolaw/base/nearest_word.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/base/words.hpp"
@@ -24,6 +25,11 @@ namespace isolaw::campaign {
 namespace {
 
 constexpr std::size_t longest_path = 4096;
+constexpr std::size_t most_wrong_letters = 2;  // in a misspelt name
+
+bool is_among(std::vector<std::string> const& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 void read_settings(TomlTable& table, Settings& settings) {
   bool method_given = false;
@@ -58,9 +64,20 @@ void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests 
 void require_rules(TomlTable& table, toml::node const& node, std::string const& name, std::filesystem::path const& file,
                    LotFileOptions const& options) {
   std::error_code unknown;
-  if (options.is_built_in_rules && !std::filesystem::exists(file, unknown))
-    table.complain(node, fmt::format("rules: {} is neither a built-in rule set nor a file here", in_quotes(name)),
-                   "a name that isolaw rules lists, or a file in the folder of the lot file or below it");
+  if (!options.built_in_rules.empty() && !std::filesystem::exists(file, unknown))
+    table.complain(
+        node, fmt::format("rules: {} is neither a built-in rule set nor a file here", in_quotes(name)),
+        fmt::format("{}, or a file in the folder of the lot file or below it", joined(options.built_in_rules)),
+        nearest_word(name, options.built_in_rules, most_wrong_letters));
+}
+
+// The table [conditions] names a built-in rule set only.
+void require_built_in(toml::table const& conditions, std::string const& file, std::vector<std::string> const& built_in,
+                      std::string const& name, std::vector<Complaint>& complaints) {
+  if (name.empty() || built_in.empty() || is_among(built_in, name)) return;
+  TomlTable table(conditions, file, "[conditions]", complaints);
+  table.complain(*table.find("rules"), fmt::format("rules: no built-in rule set {}", in_quotes(name)), joined(built_in),
+                 nearest_word(name, built_in, most_wrong_letters));
 }
 
 // A complaint about a file that is not in the folder of the lot file or below it.
@@ -92,7 +109,7 @@ void read_acceptance(TomlTable& table, std::filesystem::path const& directory, L
   auto const* rules = table.find("rules");
   if (rules == nullptr || acceptance.rules_file.empty()) return;
   auto const name = std::exchange(acceptance.rules_file, {});
-  lot.rules_are_file = !options.is_built_in_rules || !options.is_built_in_rules(name);
+  lot.rules_are_file = !is_among(options.built_in_rules, name);
   acceptance.rules_file = lot.rules_are_file ? (directory / name).string() : name;
   if (!lot.rules_are_file) return;
   if (options.allow_outside) return require_rules(table, *rules, name, acceptance.rules_file, options);
@@ -203,7 +220,7 @@ class DeviceReader {
         conditions_(conditions),
         complaints_(complaints) {}
 
-  DeviceInput read(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) const {
+  DeviceInput read(TomlTable& table, toml::table const& source, data::ReadOptions const& defaults) {
     DeviceInput device;
     device.directory = directory_;
     device.tests.clear();
@@ -213,6 +230,9 @@ class DeviceReader {
     if (conditions_ != nullptr)
       for (auto const& option : compared_devices_table())
         table.json(option.option(), [&](Json const& value) { option.set(device.stated, value); });
+    else
+      refuse_conditions(table, compared_devices_table());
+    auto const complaints_before = complaints_.size();
     auto only = test_in(table, defaults, has_tests(table));
     if (has_tests(table)) {
       auto const* tests = table.find("test");
@@ -228,7 +248,7 @@ class DeviceReader {
       device.tests.push_back(std::move(only));
     }
     if (device.name.empty()) device.name = name_of(device.tests);
-    if (conditions_ != nullptr) take_history(table, source, device);
+    if (conditions_ != nullptr) take_history(table, source, device, complaints_.size() == complaints_before);
     read_vertical_input(
         table, directory_, [&](std::string const& name) { check_inside(name); }, file_, complaints_, device.vertical);
     table.refuse_unknown();
@@ -293,24 +313,27 @@ class DeviceReader {
       }
   }
 
-  TestInput named_test(toml::table const& source, data::ReadOptions const& defaults) const {
+  TestInput named_test(toml::table const& source, data::ReadOptions const& defaults) {
     TomlTable table(source, file_, "[[device.test]]", complaints_);
     auto test = test_in(table, defaults, false);
+    // Tables of Python have no lines.
+    if (auto const line = source.source().begin.line; line > 0)
+      test.place = fmt::format("{}:{}", std::filesystem::path(file_).filename().string(), line);
     find_columns(table, source, test);
     test.name = name_in(table);
     if (conditions_ != nullptr) {
       for (auto const& option : test_table())
         table.json(option.option(), [&](Json const& value) { option.set(test.stated, value); });
       test.stated.aged = read_aged(table, file_, complaints_);
-      if (!test.stated.order && test.stated.started.empty())
+      if (table.find("order") == nullptr && table.find("started") == nullptr)
         table.complain(
             source, "a test without its order",
             "order = 1, 2, ... as the device was tested, or started = \"2026-03-01T09:00:00\" in every test");
       if (test.stated.scale && !test.stated.is_scaled)
         table.complain(source, "a scale, and the specimen is not scaled", "specimen = \"scaled\" with a scale");
-    } else if (auto const* node = condition_key_in(table)) {
-      table.complain(*node, "a key about the conditions of a test, and the file has no table [conditions]",
-                     "a table [conditions] with a reference, or none of these keys", "docs/conditions.md");
+    } else {
+      table.find("aged");
+      refuse_conditions(table, test_table());
     }
     if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
     if (test.name.empty() && !test.files.empty()) test.name = name_of_file(test.files.front());
@@ -318,18 +341,23 @@ class DeviceReader {
     return test;
   }
 
-  // The first key of the test's table that is about conditions, or nullptr. table.find() marks each of these keys as
-  // known, so that table.refuse_unknown() does not complain about them.
-  static toml::node const* condition_key_in(TomlTable& table) {
-    auto const* first = table.find("aged");
-    for (auto const& option : test_table())
-      if (auto const* node = table.find(option.option()); first == nullptr) first = node;
-    return first;
+  // Complains about the first key that is about conditions, once in a file. table.find() marks each such key as known,
+  // so that table.refuse_unknown() does not complain about them.
+  void refuse_conditions(TomlTable& table, auto const& options) {
+    for (auto const& option : options) {
+      auto const* node = table.find(option.option());
+      if (node == nullptr || std::exchange(lacks_conditions_, true)) continue;
+      table.complain(*node,
+                     fmt::format("{} is about the conditions of tests, and the file has no table [conditions]",
+                                 in_quotes(option.option())),
+                     "a table [conditions] with a reference, or no such keys", "docs/conditions.md");
+    }
   }
 
   // Sorts the tests by their `order`. Then chooses the one test to which a campaign fits laws: the test with stands-for
-  // = "acceptance", else the first one at the reference temperature that is not aged, else the first one.
-  void take_history(TomlTable& table, toml::table const& source, DeviceInput& device) const {
+  // = "acceptance", else the first one at the reference temperature that is not aged, else the first one. `is_sound`:
+  // nothing in the tests' tables was complained about.
+  void take_history(TomlTable& table, toml::table const& source, DeviceInput& device, bool is_sound) const {
     auto& all = device.history = std::move(device.tests);
     device.tests.clear();
     if (all.size() == 1) {
@@ -338,7 +366,7 @@ class DeviceReader {
       if (!only.stated.temperature_C) only.stated.temperature_C = device.info.temperature_C;
       only.stated.order = only.stated.order.value_or(1);
     }
-    order_by_start(table, source, all);
+    if (is_sound) order_by_start(table, source, all);
     std::set<int> orders;
     for (auto const& test : all)
       if (test.stated.order && !orders.insert(*test.stated.order).second)
@@ -398,6 +426,7 @@ class DeviceReader {
   std::string file_;
   StatedConditions const* conditions_;
   std::vector<Complaint>& complaints_;
+  bool lacks_conditions_ = false;  // a complaint says that the file has no table [conditions]
 };
 
 // Complains about each value that Settings::validate() refuses, at the line of its key.
@@ -414,6 +443,14 @@ void refuse_settings(TomlTable const& reader, toml::table const& table, Settings
       complaints.push_back(std::move(complaint));
     }
   }
+}
+
+// A table whose name is nearly "conditions". It is read as this table, so that only its name is complained about.
+toml::table const* misspelt_conditions(toml::table const& root) {
+  for (auto const& [key, node] : root)
+    if (node.is_table() && !nearest_word(key.str(), std::vector<std::string>{"conditions"}, most_wrong_letters).empty())
+      return node.as_table();
+  return nullptr;
 }
 
 // A lot file from someone else must not write its results outside the current directory.
@@ -529,7 +566,12 @@ Lot read_parsed(toml::table const& root, std::string const& file, std::filesyste
     reader.refuse_unknown();
   }
   lot.read = defaults;
-  if (auto const* table = top.table("conditions")) lot.conditions = read_conditions(*table, file, complaints);
+  auto const* conditions = top.table("conditions");
+  if (conditions == nullptr) conditions = misspelt_conditions(root);
+  if (conditions != nullptr) {
+    lot.conditions = read_conditions(*conditions, file, complaints);
+    require_built_in(*conditions, file, options.built_in_rules, lot.conditions->rules, complaints);
+  }
   auto const* devices = top.find("device");
   if (devices == nullptr || !devices->is_array_of_tables()) {
     complaints.push_back({.where = file,
@@ -544,10 +586,9 @@ Lot read_parsed(toml::table const& root, std::string const& file, std::filesyste
                    .allowed = fmt::format("{} or fewer", most_devices),
                    .advice = "a lot file of its own for each production lot"});
     std::set<std::string> names;
+    DeviceReader device_reader(folder, options, file, lot.conditions ? &*lot.conditions : nullptr, complaints);
     for (auto const& node : tables) {
       TomlTable reader(*node.as_table(), file, "[[device]]", complaints);
-      DeviceReader const device_reader(folder, options, reader.file(), lot.conditions ? &*lot.conditions : nullptr,
-                                       complaints);
       auto device = device_reader.read(reader, *node.as_table(), defaults);
       if (!names.insert(device.name).second)
         reader.complain(node, fmt::format("two devices are named '{}'", printable(device.name)),
@@ -710,6 +751,44 @@ std::string open_keys(DeviceInfo const& info, StatedFacts const& hints) {  // ke
   return text;
 }
 
+std::string as_comment(std::string_view text) {
+  std::istringstream lines{std::string(text)};
+  std::string all;
+  for (std::string line; std::getline(lines, line);) all += line.empty() ? "#\n" : "# " + line + '\n';
+  return all;
+}
+
+// The records as tests of fewer devices under several conditions. A test that may be aged is a comment within this text,
+// because its name does not say for how long.
+std::string proposed_tables(Lot const& lot, std::filesystem::path const& directory, Json const& shared_reading,
+                            LotFileRemarks const& remarks) {
+  std::vector<std::string> devices;
+  for (auto const& test : remarks.tests)
+    if (std::ranges::find(devices, test.device) == devices.end()) devices.push_back(test.device);
+  auto text = fmt::format("[conditions]\nreference = {}\n", remarks.reference);
+  for (auto const& name : devices) {
+    std::ostringstream head;
+    head << toml::table{{"name", name}};
+    text += fmt::format("\n[[device]]\n{}\n", head.str());
+    int order = 0;
+    for (bool const is_aged : {false, true})
+      for (std::size_t i = 0; i < remarks.tests.size(); ++i) {
+        auto const& proposed = remarks.tests[i];
+        if (proposed.device != name || proposed.is_aged != is_aged) continue;
+        toml::table table{{"name", lot.devices[i].name}, {"order", ++order}};
+        insert_test(table, lot.devices[i].tests.front(), directory, shared_reading);
+        if (proposed.temperature_C) table.insert("temperature-C", *proposed.temperature_C);
+        if (proposed.load_kN) table.insert("load-kN", *proposed.load_kN);
+        std::ostringstream test;
+        test << "\n[[device.test]]\n" << table << '\n';
+        if (!proposed.temperature_C) test << "# temperature-C = 0.0  # the name does not say it\n";
+        if (is_aged) test << "aged = { days = 0.0, at-C = 0.0 }  # the name does not say for how long\n";
+        text += is_aged ? as_comment(test.str()) : test.str();
+      }
+  }
+  return text;
+}
+
 }  // namespace
 
 StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> const& device_facts, DeviceInfo& info) {
@@ -776,6 +855,11 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
   if (!remarks.left_out.empty()) out << "\n# Not read, and no device here:\n";
   for (auto const& [file, reason] : remarks.left_out)
     out << "# file = " << toml::value(printable(relative_name(file, directory))) << "  # " << printable(reason) << '\n';
+  if (!remarks.tests.empty())
+    out << "\n# The names of these records look like conditions of tests. If each [[device]] below is one device, delete\n"
+           "# the [[device]] tables above, take the first \"# \" away from every line below, and check all values and the\n"
+           "# order of the tests. docs/conditions.md explains them. Then: isolaw conditions\n#\n"
+        << as_comment(proposed_tables(lot, directory, shared, remarks));
   return out.str();
 }
 

@@ -12,6 +12,7 @@
 
 #include "isolaw/campaign/contents.hpp"
 #include "isolaw/campaign/lot_conditions.hpp"
+#include "isolaw/campaign/names_of_tests.hpp"
 #include "isolaw/data/read.hpp"
 
 namespace isolaw::campaign {
@@ -30,6 +31,7 @@ struct TestInput {                           // one test before its record is re
   std::string name = {};                     // empty for the only test of a device
   std::vector<std::filesystem::path> files;  // read one after another as one history
   std::string shown_file;                    // the name in reports
+  std::string place = {};                    // its table in the lot file, such as "lot.toml:38"; empty without one
   data::ReadOptions read;
   StatedTest stated = {};  // the condition of the test; only in a lot file with [conditions]
 };
@@ -66,10 +68,9 @@ struct Lot {
 // A lot file may come from someone else. The files it names must be in its own folder or below (with links followed),
 // and results go below the current directory. Only the user can lift these limits, no key of the file.
 struct LotFileOptions {
-  bool allow_outside = false;  // the user gave --allow-outside
-  bool other_out = false;      // the user gave --out, so the file's `out` is ignored
-  // Whether a name belongs to a built-in rule set; the module `rules` answers this. If empty, every name is a file.
-  std::function<bool(std::string_view)> is_built_in_rules = {};
+  bool allow_outside = false;                    // the user gave --allow-outside
+  bool other_out = false;                        // the user gave --out, so the file's `out` is ignored
+  std::vector<std::string> built_in_rules = {};  // names of the built-in rule sets; if empty, every name is a file
   std::function<void(std::string_view)> check_design = {};  // checks design values (module `rules`); throws Error
 };
 
@@ -100,6 +101,10 @@ struct LotFileRemarks {             // comments for the person who edits the fil
   bool open_keys = false;           // list, as comments, the keys of a device that have no value yet
   std::vector<StatedFacts> stated;  // for each device, statements of its file that could not be taken over
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
+  // For each device, the test of another device that its name proposes it to be; empty if there is no proposal. It is
+  // written with this reference, as a TOML table.
+  std::vector<ProposedTest> tests = {};
+  std::string reference = {};
 };
 
 // The text of a lot file that reads back as `lot`. Reading options that all devices share are written in [read]. File

@@ -33,6 +33,7 @@ struct ObservedBlock {
 
 struct ObservedTest {
   std::string device, test, file, sha256;
+  std::string place = {};  // its table in the lot file, such as "lot.toml:38"; empty for a store of an earlier build
   StatedDevice of_device = {};
   std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
   StatedTest stated = {};

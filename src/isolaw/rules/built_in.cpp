@@ -43,14 +43,17 @@ std::span<RuleSet const> built_in_rule_sets() {
   return all;
 }
 
-bool is_built_in(std::string_view name) {
-  return name != template_name && std::ranges::find(texts(), name, &Embedded::name) != texts().end();
+std::vector<std::string> built_in_names() {
+  std::vector<std::string> names;
+  for (auto const& [name, toml] : texts())
+    if (name != template_name) names.emplace_back(name);
+  return names;
 }
 
 std::string load_rule_text(std::string_view name_or_file) {
-  if (is_built_in(name_or_file)) return std::string(rule_set_text(name_or_file));
-  auto const allowed =
-      fmt::format("{}, or a rule file", joined(built_in_rule_sets() | std::views::transform(&RuleSet::id)));
+  auto const names = built_in_names();
+  if (std::ranges::find(names, name_or_file) != names.end()) return std::string(rule_set_text(name_or_file));
+  auto const allowed = fmt::format("{}, or a rule file", joined(names));
   auto text =
       read_file(std::string(name_or_file),
                 {.largest_bytes = largest_rule_file,

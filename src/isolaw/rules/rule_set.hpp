@@ -162,8 +162,7 @@ inline constexpr std::size_t largest_rule_file = 256 << 10;  // bytes
 RuleSet read_rule_text(std::string_view text, std::string const& file);
 // The rule sets that come with the program, in alphabetical order, without the template.
 std::span<RuleSet const> built_in_rule_sets();
-
-bool is_built_in(std::string_view name);
+std::vector<std::string> built_in_names();
 // The unchecked text of a built-in set, or else of the file of this name. Throws Error if it is unreadable or empty.
 std::string load_rule_text(std::string_view name_or_file);
 // Reads a built-in set or a file. Throws Error as read_rule_text() does; for a missing file it names the built-in sets.

@@ -39,8 +39,8 @@ struct ConditionsCycle {
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
 };
 
-struct ConditionsTest {  // one block of one test
-  std::string device, test, file, sha256;
+struct ConditionsTest {                           // one block of one test
+  std::string device, test, file, sha256, place;  // place: its table in the lot file, such as "lot.toml:38"
   campaign::StatedDevice of_device = {};
   std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
   bool is_scaled = false, is_acceptance = false;
@@ -63,11 +63,11 @@ struct ConditionsTest {  // one block of one test
 };
 
 struct RefusedTest {  // a test, or one block of it
-  std::string device, test, reason;
+  std::string device, test, place, reason;
 };
 
 struct DoubtedTest {  // a test whose record is read with a doubt
-  std::string device, test;
+  std::string device, test, place;
   Finding doubt;
 };
 

@@ -22,6 +22,13 @@ std::string names_of(std::vector<Effect> const& effects) {
   return joined(names);
 }
 
+// A finding about one test, with its place in the lot file.
+Finding about_test(FindingKind kind, auto const& test) {
+  Finding finding{.kind = kind, .devices = {test.device}, .words = {{"test", test.test}}};
+  if (!test.place.empty()) finding.words.push_back({"place", test.place});
+  return finding;
+}
+
 Finding bound(rules::Quantity quantity, std::string which, conditions::Combined const& all) {
   Finding finding{.kind = FindingKind::design_bound,
                   .numbers = {{"factor", all.factor}},
@@ -53,11 +60,10 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
       bool const is_compared = test.role != TestRole::other_device && test.role != TestRole::scaled && !test.is_scaled;
       if (!is_compared || !test.K_eff_kN_per_mm) continue;
       double const times = *test.K_eff_kN_per_mm / median;
-      if (times > most_times || times < 1.0 / most_times)
-        findings.push_back({.kind = FindingKind::condition_test_unlike,
-                            .devices = {test.device},
-                            .numbers = {{"times", times}},
-                            .words = {{"test", test.test}}});
+      if (times > most_times || times < 1.0 / most_times) {
+        findings.push_back(about_test(FindingKind::condition_test_unlike, test));
+        findings.back().numbers = {{"times", times}};
+      }
     }
   }
   for (auto const& row : result.levels) {
@@ -73,10 +79,10 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
                                     {"level", row.level},
                                     {"quantity", std::string(rules::name(row.quantity))}}});
   }
-  for (auto const& test : result.doubted)
-    findings.push_back({.kind = FindingKind::condition_test_doubt,
-                        .devices = {test.device},
-                        .words = {{"test", test.test}, {"doubt", wording::reasons({test.doubt})}}});
+  for (auto const& test : result.doubted) {
+    findings.push_back(about_test(FindingKind::condition_test_doubt, test));
+    findings.back().words.push_back({"doubt", wording::reasons({test.doubt})});
+  }
 }
 
 // One finding for each role of tests that show no effect.
@@ -129,10 +135,8 @@ void add_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
     has_rest |= test.rest_h.value_or(0.0) > 0.0;
     if (!test.rest_h && test.order > 1 && test.block == 1) ++without_rest;
     if (test.warming_h && !(test.conditioned_h.value_or(0.0) >= *test.warming_h)) {
-      Finding finding{.kind = FindingKind::chamber_too_short,
-                      .devices = {test.device},
-                      .numbers = {{"needed_h", *test.warming_h}},
-                      .words = {{"test", test.test}}};
+      auto finding = about_test(FindingKind::chamber_too_short, test);
+      finding.numbers = {{"needed_h", *test.warming_h}};
       if (test.conditioned_h)
         finding.numbers.push_back({"conditioned_h", *test.conditioned_h});
       else
@@ -229,10 +233,10 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     if (std::ranges::find(lacking, finding) == lacking.end()) lacking.push_back(std::move(finding));
   findings.erase(covered.begin(), covered.end());
   findings.insert(findings.end(), lacking.begin(), lacking.end());
-  for (auto const& test : result.refused)
-    findings.push_back({.kind = FindingKind::condition_test_refused,
-                        .devices = {test.device},
-                        .words = {{"test", test.test}, {"reason", test.reason}}});
+  for (auto const& test : result.refused) {
+    findings.push_back(about_test(FindingKind::condition_test_refused, test));
+    findings.back().words.push_back({"reason", test.reason});
+  }
   add_unused(result, findings);
   if (!result.drift_not_checked.empty())
     findings.push_back(

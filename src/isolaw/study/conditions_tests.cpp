@@ -82,7 +82,7 @@ class TestReader {
 
  private:
   void refuse(campaign::ObservedTest const& test, std::string why) {
-    out_.refused.push_back({.device = test.device, .test = test.test, .reason = std::move(why)});
+    out_.refused.push_back({.device = test.device, .test = test.test, .place = test.place, .reason = std::move(why)});
   }
 
   void read(std::span<campaign::ObservedTest const> of_device) {
@@ -90,7 +90,7 @@ class TestReader {
     campaign::ObservedTest const* aged = nullptr;  // the last one of an aged device
     for (auto const& test : of_device) {
       for (auto const& doubt : test.doubts)
-        out_.doubted.push_back({.device = test.device, .test = test.test, .doubt = doubt});
+        out_.doubted.push_back({.device = test.device, .test = test.test, .place = test.place, .doubt = doubt});
       auto why = aged != nullptr ? younger_than(*aged, test) : std::string();
       if (why.empty()) why = add_blocks(test, own);
       if (test.stated.aged) aged = &test;
@@ -258,6 +258,7 @@ class TestReader {
                             .test = test.test,
                             .file = test.file,
                             .sha256 = test.sha256,
+                            .place = test.place,
                             .of_device = test.of_device,
                             .temperature_of = test.stated.temperature_of,
                             .is_scaled = test.stated.is_scaled,
