@@ -231,7 +231,7 @@ class DeviceReader {
       for (auto const& option : compared_devices_table())
         table.json(option.option(), [&](Json const& value) { option.set(device.stated, value); });
     else
-      refuse_conditions(table, compared_devices_table());
+      refuse_conditions(table, source, compared_devices_table());
     auto const complaints_before = complaints_.size();
     auto only = test_in(table, defaults, has_tests(table));
     if (has_tests(table)) {
@@ -332,8 +332,8 @@ class DeviceReader {
       if (test.stated.scale && !test.stated.is_scaled)
         table.complain(source, "a scale, and the specimen is not scaled", "specimen = \"scaled\" with a scale");
     } else {
-      table.find("aged");
-      refuse_conditions(table, test_table());
+      if (source.contains("aged")) table.find("aged");
+      refuse_conditions(table, source, test_table());
     }
     if (test.files.empty()) table.complain(source, "a test without a file", "file = \"...\" or files = [...]");
     if (test.name.empty() && !test.files.empty()) test.name = name_of_file(test.files.front());
@@ -343,10 +343,11 @@ class DeviceReader {
 
   // Complains about the first key that is about conditions, once in a file. table.find() marks each such key as known,
   // so that table.refuse_unknown() does not complain about them.
-  void refuse_conditions(TomlTable& table, auto const& options) {
+  void refuse_conditions(TomlTable& table, toml::table const& source, auto const& options) {
     for (auto const& option : options) {
+      if (!source.contains(option.option())) continue;
       auto const* node = table.find(option.option());
-      if (node == nullptr || std::exchange(lacks_conditions_, true)) continue;
+      if (std::exchange(lacks_conditions_, true)) continue;
       table.complain(*node,
                      fmt::format("{} is about the conditions of tests, and the file has no table [conditions]",
                                  in_quotes(option.option())),
