@@ -82,8 +82,8 @@ void warn_about_magnitude(TestRecord& record) {
                                                                                      : "softer"}}});
 }
 
-// Warns of a motion that no rig of a laboratory makes, and of a horizontal force too large for the vertical load. The
-// fastest rigs reach 2 to 2.5 m/s; a wrong unit of length makes the motion ten times as fast or more.
+// Warns of a motion that hardly any rig of a laboratory makes, and of a horizontal force too large for the vertical
+// load. The limits leave room for fast rigs, because a wrong unit makes a motion ten times as large or more.
 void warn_about_rig(TestRecord& record, Properties const& properties) {
   constexpr double farthest_mm = 1300.0, fastest_mm_s = 3000.0, most_of_load = 2.0;
   double amplitude_mm = 0.0, speed_mm_s = 0.0;
