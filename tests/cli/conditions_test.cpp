@@ -154,6 +154,17 @@ TEST_F(Conditions, are_not_proposed_from_other_names) {
   EXPECT_FALSE(contains(read("ex/new.toml"), "conditions"));
 }
 
+// A reference of cycles 1 to 3 is their mean.
+TEST_F(Conditions, of_a_mean_of_cycles) {
+  auto text = read("ex/lot.toml");
+  auto const at = text.find("cycle = 3 }");
+  ASSERT_NE(at, std::string::npos);
+  write("ex/mean.toml", text.replace(at, 9, "cycle = \"1-3\""));
+  auto const j = Json::parse(isolaw({"conditions", "ex/mean.toml", "--json"}).out);
+  near(find(j["levels"], "K_eff", "scragging")["factor"]["lambda"], 1.154984254, 1e-8);
+  near(find(j["levels"], "K_eff", "cycles")["factor"]["lambda"], 0.819157114, 1e-8);
+}
+
 TEST_F(Conditions, are_written_as_tables_and_figures) {
   write("C/figures/mine.gp", "# not isolaw's\n");
   auto const o = isolaw({"conditions", "ex/lot.toml", "--out", "C"});

@@ -1,1 +1,1 @@
-isolaw_test(unit_conditions conditions_test.cpp conditions_plan_test.cpp)
+isolaw_test(unit_conditions conditions_test.cpp conditions_intervals_test.cpp conditions_plan_test.cpp)
