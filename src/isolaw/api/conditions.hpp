@@ -1,5 +1,5 @@
-// The tests that a study of conditions compares. They come from a lot file, from the same tables in a program, or from a
-// campaign.
+// The tests that a study of conditions compares. They come from a lot file, from the same tables in a program, or from
+// a campaign.
 #pragma once
 
 #include <filesystem>

@@ -759,8 +759,8 @@ std::string as_comment(std::string_view text) {
   return all;
 }
 
-// The records as tests of fewer devices under several conditions. A test that may be aged is a comment within this text,
-// because its name does not say for how long.
+// The records as tests of fewer devices under several conditions. A test that may be aged is a comment within this
+// text, because its name does not say for how long.
 std::string proposed_tables(Lot const& lot, std::filesystem::path const& directory, Json const& shared_reading,
                             LotFileRemarks const& remarks) {
   std::vector<std::string> devices;

@@ -29,7 +29,8 @@ struct DependenceRow {
 std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules,
                                             rules::Design const& design);
 
-// True if a limit of a verified rule set is not kept. `conditions`, `inspect` and `calibrate` take their exit code from it.
+// True if a limit of a verified rule set is not kept. `conditions`, `inspect` and `calibrate` take their exit code from
+// it.
 bool dependence_failed(ConditionsResult const& result);
 
 }  // namespace isolaw::study
