@@ -238,7 +238,8 @@ class DeviceReader {
       auto const* tests = table.find("test");
       if (!only.files.empty())
         table.complain(*tests, "a device with a file and with tests", "a file, or [[device.test]] tables with files");
-      for (auto const& node : *tests->as_array()) device.tests.push_back(named_test(*node.as_table(), only.read));
+      for (auto const& node : *tests->as_array())
+        device.tests.push_back(named_test(*node.as_table(), only.read, table.file()));
       refuse_same_names(table, *tests, device.tests);
     } else {
       if (only.files.empty())
@@ -313,8 +314,8 @@ class DeviceReader {
       }
   }
 
-  TestInput named_test(toml::table const& source, data::ReadOptions const& defaults) {
-    TomlTable table(source, file_, "[[device.test]]", complaints_);
+  TestInput named_test(toml::table const& source, data::ReadOptions const& defaults, std::string const& file) {
+    TomlTable table(source, file, "[[device.test]]", complaints_);
     auto test = test_in(table, defaults, false);
     // Tables of Python have no lines.
     if (auto const line = source.source().begin.line; line > 0)
