@@ -38,8 +38,8 @@ struct LawBounds {
   conditions::CycleCurve reference = {};
   std::vector<double> lower_kN = {}, upper_kN = {};
 };
-// Of each law in the order of the summary. A law has the parameters of the lot or, where there are none, those of the
-// best run on the typical device.
+// Returns an entry for each law that was fitted, in the order of the summary. A law has the parameters of the lot or,
+// where there are none, those of the best run on the typical device.
 std::vector<LawBounds> law_bounds(Summary const& summary);
 
 // Says what a bound does to K_eff and energy and to the parts of the force. `which` is "upper" or "lower".

@@ -7,7 +7,7 @@ import { DASH, THIN, count, fixed, isNumber, trimmed } from '../text.js';
 import { KN } from '../units.js';
 
 export const conditions = report.conditions ?? null;
-// What the program says of the conditions.
+// The sentences of the program about the conditions.
 export const findings = report.findings.warnings.filter(({ topic }) => topic === 'conditions');
 
 // The conditions that are a number.

@@ -9,7 +9,7 @@ import {
 
 const SHOWN = ['temperature', 'rate', 'load', 'ageing'];
 
-// What the caption explains besides the marks of every panel.
+// Returns the sentences of the caption about marks that only some panels have.
 function marksShown() {
   const quantities = chosenProperties(), levels = allLevels.filter(({ quantity }) => quantities.includes(quantity));
   const others = [...new Set(levels.map(({ factor }) => factor.status))].filter((status) => ['unpaired', 'scaled'].includes(status));
