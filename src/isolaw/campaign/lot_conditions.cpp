@@ -187,6 +187,12 @@ class ConditionsReader {
     });
     table.value<int>("cycles", "a whole number from 1",
                      [&](int value) { to.cycles = whole_of(value, {.least = 1, .most = 1000}); });
+    if (auto const* cycles = table.find("cycles"); to.cycles && *to.cycles < all.reference.last_cycle)
+      table.complain(*cycles,
+                     fmt::format("cycles is {}, and the last cycle of the reference is {}", *to.cycles,
+                                 all.reference.last_cycle),
+                     fmt::format("a whole number from {}: the last cycle of the longest motion", all.reference.last_cycle),
+                     "rest = \"full\", which counts the stiffer first cycles");
     to.aged = read_aged(table, file_, complaints_);
     take(table, "years", positive, to.years);
     take(table, "service-temperature-C", temperatures, to.service_temperature_C);

@@ -64,11 +64,12 @@ void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests 
 void require_rules(TomlTable& table, toml::node const& node, std::string const& name, std::filesystem::path const& file,
                    LotFileOptions const& options) {
   std::error_code unknown;
+  auto const near = nearest_word(name, options.built_in_rules, most_wrong_letters);
   if (!options.built_in_rules.empty() && !std::filesystem::exists(file, unknown))
     table.complain(
         node, fmt::format("rules: {} is neither a built-in rule set nor a file here", in_quotes(name)),
         fmt::format("{}, or a file in the folder of the lot file or below it", joined(options.built_in_rules)),
-        nearest_word(name, options.built_in_rules, most_wrong_letters));
+        near.empty() ? "isolaw rules lists the sets, isolaw rules template prints a file to start from" : near);
 }
 
 // The table [conditions] names a built-in rule set only.
