@@ -10,6 +10,7 @@ Units are kN, mm and s; a law's parameters have the law's own units (``isolaw.la
 function prints. Long calls release the interpreter's lock; Ctrl-C interrupts ``calibrate``.
 """
 
+import difflib as _difflib
 import functools as _functools
 import inspect as _inspect
 import json as _json
@@ -82,6 +83,11 @@ def _with_keywords(options, in_place=False):
 
         @_functools.wraps(function)
         def checked(*args, **kwargs):
+            for keyword in kwargs.keys() - signature.parameters.keys():
+                near = _difflib.get_close_matches(keyword, signature.parameters, n=1)
+                raise TypeError(
+                    f"{function.__qualname__}() has no keyword {keyword!r}" + (f"; try {near[0]!r}" if near else "")
+                )
             signature.bind(*args, **kwargs)
             return function(*args, **kwargs)
 

@@ -69,7 +69,13 @@ void propose_conditions(campaign::Lot const& lot, std::vector<RecognisedTest> te
     if (test.load_kN) at.load_kN = test.load_kN;
     if (test.is_aged) at.ageing = conditions::Ageing{};
   }
-  remarks.reference = text_of(reference_of(tests, proposed));
+  auto const& reference = reference_of(tests, proposed);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    auto const& at = tests[i].condition;
+    proposed[i].lacks_load = reference.condition.load_kN.value_or(0.0) > 0.0 && !at.load_kN;
+    proposed[i].is_near_reference = conditions::agree_in(conditions::Effect::temperature, at, reference.condition, {});
+  }
+  remarks.reference = text_of(reference);
   remarks.tests = std::move(proposed);
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/words.hpp"
 
 namespace isolaw::campaign {
@@ -142,9 +143,14 @@ class ConditionsReader {
       ends = {*one, *one};
     }
     bool const right = ends.size() == 2 && ends[0] <= ends[1] && limits.allow(ends[0]) && limits.allow(ends[1]);
-    if (!right)
-      return table.complain(*node, fmt::format("{} is not a range from low to high", key),
+    if (!right) {
+      std::ostringstream found;
+      found << toml::toml_formatter(*node);
+      return table.complain(*node,
+                            fmt::format("{} in design is {}, and that is no range from low to high", key,
+                                        printable(found.str())),
                             fmt::format("[low, high], each {}", limits.text()));
+    }
     to = {.low = ends[0], .high = ends[1]};
   }
 
@@ -188,11 +194,11 @@ class ConditionsReader {
     table.value<int>("cycles", "a whole number from 1",
                      [&](int value) { to.cycles = whole_of(value, {.least = 1, .most = 1000}); });
     if (auto const* cycles = table.find("cycles"); to.cycles && *to.cycles < all.reference.last_cycle)
-      table.complain(*cycles,
-                     fmt::format("cycles is {}, and the last cycle of the reference is {}", *to.cycles,
-                                 all.reference.last_cycle),
-                     fmt::format("a whole number from {}: the last cycle of the longest motion", all.reference.last_cycle),
-                     "rest = \"full\", which counts the stiffer first cycles");
+      table.complain(
+          *cycles,
+          fmt::format("cycles is {}, and the last cycle of the reference is {}", *to.cycles, all.reference.last_cycle),
+          fmt::format("a whole number from {}: the last cycle of the longest motion", all.reference.last_cycle),
+          "rest = \"full\", which counts the stiffer first cycles");
     to.aged = read_aged(table, file_, complaints_);
     take(table, "years", positive, to.years);
     take(table, "service-temperature-C", temperatures, to.service_temperature_C);

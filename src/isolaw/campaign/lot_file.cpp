@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -370,11 +371,19 @@ class DeviceReader {
       only.stated.order = only.stated.order.value_or(1);
     }
     if (is_sound) order_by_start(table, source, all);
-    std::set<int> orders;
-    for (auto const& test : all)
-      if (test.stated.order && !orders.insert(*test.stated.order).second)
-        table.complain(source, fmt::format("test '{}' has the order of another test", printable(test.name)),
+    std::map<int, TestInput const*> orders;
+    auto const named = [](TestInput const& test) {
+      return fmt::format("'{}'{}", printable(test.name), test.place.empty() ? "" : " (" + test.place + ")");
+    };
+    for (auto const& test : all) {
+      if (!test.stated.order) continue;
+      auto const [other, is_new] = orders.emplace(*test.stated.order, &test);
+      if (!is_new)
+        table.complain(source,
+                       fmt::format("test {} has the order of another test, {}: {}", named(test), named(*other->second),
+                                   *test.stated.order),
                        "order = 1, 2, ... as the device was tested");
+    }
     std::ranges::stable_sort(all, {}, [](TestInput const& test) { return test.stated.order.value_or(0); });
     std::vector<double> starts;
     for (auto const& test : all)
@@ -768,26 +777,36 @@ std::string proposed_tables(Lot const& lot, std::filesystem::path const& directo
   std::vector<std::string> devices;
   for (auto const& test : remarks.tests)
     if (std::ranges::find(devices, test.device) == devices.end()) devices.push_back(test.device);
-  auto text = fmt::format("[conditions]\nreference = {}\n", remarks.reference);
+  auto text = fmt::format(
+      "[conditions]\nreference = {}\n"
+      "# design = {{ temperature-C = [-15.0, 45.0], rest = \"full\" }}  # the building's conditions; without them no bounds\n",
+      remarks.reference);
+  // A device is usually tested at reference first, and aged last.
+  std::vector<std::size_t> order(remarks.tests.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+    return std::pair(remarks.tests[i].is_aged, !remarks.tests[i].is_near_reference);
+  });
   for (auto const& name : devices) {
     std::ostringstream head;
     head << toml::table{{"name", name}};
     text += fmt::format("\n[[device]]\n{}\n", head.str());
-    int order = 0;
-    for (bool const is_aged : {false, true})
-      for (std::size_t i = 0; i < remarks.tests.size(); ++i) {
-        auto const& proposed = remarks.tests[i];
-        if (proposed.device != name || proposed.is_aged != is_aged) continue;
-        toml::table table{{"name", lot.devices[i].name}, {"order", ++order}};
-        insert_test(table, lot.devices[i].tests.front(), directory, shared_reading);
-        if (proposed.temperature_C) table.insert("temperature-C", *proposed.temperature_C);
-        if (proposed.load_kN) table.insert("load-kN", *proposed.load_kN);
-        std::ostringstream test;
-        test << "\n[[device.test]]\n" << table << '\n';
-        if (!proposed.temperature_C) test << "# temperature-C = 0.0  # the name does not say it\n";
-        if (is_aged) test << "aged = { days = 0.0, at-C = 0.0 }  # the name does not say for how long\n";
-        text += is_aged ? as_comment(test.str()) : test.str();
-      }
+    int place = 0;
+    for (auto const i : order) {
+      auto const& proposed = remarks.tests[i];
+      if (proposed.device != name) continue;
+      toml::table table{{"name", lot.devices[i].name}, {"order", ++place}};
+      insert_test(table, lot.devices[i].tests.front(), directory, shared_reading);
+      if (proposed.temperature_C) table.insert("temperature-C", *proposed.temperature_C);
+      if (proposed.load_kN) table.insert("load-kN", *proposed.load_kN);
+      std::ostringstream test;
+      test << "\n[[device.test]]\n" << table << '\n';
+      if (!proposed.temperature_C) test << "# temperature-C = 0.0  # the name does not say it\n";
+      if (proposed.lacks_load) test << "# load-kN = 0.0  # the record has no channel for it\n";
+      if (place > 1) test << "# rest-h = 0.0  # hours since the test before\n";
+      if (proposed.is_aged) test << "aged = { days = 0.0, at-C = 0.0 }  # the name does not say for how long\n";
+      text += proposed.is_aged ? as_comment(test.str()) : test.str();
+    }
   }
   return text;
 }

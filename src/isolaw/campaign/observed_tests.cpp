@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <string>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
 #include "isolaw/base/toml_reader.hpp"
 #include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/prepare.hpp"
@@ -62,10 +64,26 @@ class Observer {
       std::optional<double> ended_h;  // when the test before ended
       for (auto const& test : device.history) all.tests.push_back(observe(device, test, ended_h));
     }
+    refuse_same_records(all.tests);
     return all;
   }
 
  private:
+  // Nobody knows which one of several tests a record belongs to, so none of them can use it.
+  static void refuse_same_records(std::vector<ObservedTest>& tests) {
+    std::map<std::string, std::vector<ObservedTest*>> of_record;  // by the record's SHA-256
+    for (auto& test : tests)
+      if (!test.sha256.empty()) of_record[test.sha256].push_back(&test);
+    for (auto const& [hash, same] : of_record)
+      for (auto* test : same) {
+        if (same.size() == 1) break;
+        auto const& other = *same[test == same.front() ? 1 : 0];
+        test->refusal = fmt::format("its record is also that of the test {} of {}; each test needs a record of its own",
+                                    printable(other.test), printable(other.device));
+        test->blocks.clear();
+      }
+  }
+
   ObservedTest observe(DeviceInput const& device, TestInput const& input, std::optional<double>& ended_h) {
     ObservedTest test{.device = device.name,
                       .test = input.name,
@@ -114,9 +132,7 @@ class Observer {
     test.farthest_mm = 0.0;
     for (double const d : record.disp_mm)
       test.farthest_mm = std::max(*test.farthest_mm, std::abs(d - properties.centre_mm));
-    if (!record.sha256.empty() && !hashes_.insert(record.sha256).second)
-      test.refusal = "the same record stands for another test of the lot too";
-    else if (!properties.refusal.empty())
+    if (!properties.refusal.empty())
       test.refusal = wording::reasons(properties.refusal);
     else if (properties.failure)
       test.refusal = wording::reasons({*properties.failure});
@@ -126,7 +142,6 @@ class Observer {
   }
 
   Lot const& lot_;
-  std::set<std::string> hashes_;  // of the records read
 };
 
 template <class Target>

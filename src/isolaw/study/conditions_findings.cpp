@@ -1,11 +1,16 @@
 #include "isolaw/study/conditions_findings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "isolaw/base/words.hpp"
+#include "isolaw/campaign/names_of_tests.hpp"
 #include "isolaw/num/statistics.hpp"
 #include "isolaw/study/conditions_results.hpp"
 #include "isolaw/wording/table.hpp"
@@ -66,6 +71,13 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
       }
     }
   }
+  for (auto const& test : result.tests) {
+    double const times = test.condition.load_kN.value_or(0.0) / result.reference.load_kN.value_or(1.0);
+    constexpr double most_times = 5.0;  // tons in place of kN give 9.8 times the load, N give 1000 times
+    if (!result.reference.load_kN || times <= 0.0 || (times < most_times && times > 1.0 / most_times)) continue;
+    findings.push_back(about_test(FindingKind::condition_load_unlike, test));
+    findings.back().numbers = {{"times", times}};
+  }
   for (auto const& row : result.levels) {
     if (row.quantity != rules::Quantity::K_eff && row.quantity != rules::Quantity::energy) continue;
     if (row.ratios.size() < 2) continue;
@@ -82,6 +94,96 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
   for (auto const& test : result.doubted) {
     findings.push_back(about_test(FindingKind::condition_test_doubt, test));
     findings.back().words.push_back({"doubt", wording::reasons({test.doubt})});
+  }
+}
+
+// Tests whose name, or whose record's name, states another temperature, load or ageing than the lot file.
+void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::vector<std::string> tests, files;
+  for (auto const& test : result.tests) {
+    tests.push_back(test.test);
+    files.push_back(std::filesystem::path(test.file).stem().string());
+  }
+  auto const by_test = campaign::propose_tests(tests), by_file = campaign::propose_tests(files);
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    auto const& test = result.tests[i];
+    if (test.block > 1) continue;
+    auto const& at = test.condition;
+    std::vector<std::string> named, stated;
+    auto const compare = [&](std::optional<double> in_name, std::optional<double> in_file, bool agree,
+                             std::string_view unit) {
+      if (!in_name || !in_file || agree) return;
+      named.push_back(fmt::format("{:g} {}", *in_name, unit));
+      stated.push_back(fmt::format("{:.4g} {}", *in_file, unit));
+    };
+    for (auto const* proposed : {&by_test[i], &by_file[i]}) {
+      if (!named.empty()) break;
+      auto const& [device, temperature_C, load_kN, is_aged] = *proposed;
+      compare(temperature_C, at.temperature_C,
+              std::abs(temperature_C.value_or(0.0) - at.temperature_C.value_or(0.0)) <= result.tolerance.temperature_C,
+              "C");
+      compare(load_kN, at.load_kN, conditions::agrees(load_kN, at.load_kN, result.tolerance.load_percent), "kN");
+      if (is_aged && !at.ageing) named.emplace_back("aged"), stated.emplace_back("no ageing");
+    }
+    if (named.empty()) continue;
+    findings.push_back(about_test(FindingKind::condition_name_differs, test));
+    findings.back().words.push_back({"named", joined(named)});
+    findings.back().words.push_back({"stated", joined(stated)});
+  }
+}
+
+// Temperatures that may be interchanged.
+void add_stiffer_when_warm(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::vector<std::pair<double, double>> factors{{result.stated.reference.temperature_C, 1.0}};
+  for (auto const& row : result.levels)
+    if (row.effect == Effect::temperature && row.quantity == rules::Quantity::K_eff &&
+        row.factor.status != Status::not_covered)
+      factors.emplace_back(row.factor.at, row.factor.lambda());
+  auto const [cold, warm] = std::ranges::minmax_element(factors);
+  constexpr double much = 1.02;  // devices differ so much without a cause
+  if (warm->second > much * cold->second)
+    findings.push_back(
+        {.kind = FindingKind::stiffer_when_warm,
+         .numbers = {
+             {"cold", cold->second}, {"cold_C", cold->first}, {"warm", warm->second}, {"warm_C", warm->first}}});
+}
+
+// Reference tests with more than one history of their reference cycle.
+void add_histories(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::map<std::string, std::string> histories;  // of the devices, each that of its first reference test
+  for (auto const& test : result.tests)
+    if (test.role == TestRole::reference && test.history)
+      histories.try_emplace(test.device, std::string(name(*test.history)));
+  std::map<std::string, std::vector<std::string>> devices;
+  for (auto const& [device, history] : histories) devices[history].push_back(device);
+  if (devices.size() < 2) return;
+  std::vector<std::string> named;
+  for (auto const& [history, of] : devices) named.push_back(fmt::format("{} on {}", history, joined(of)));
+  findings.push_back({.kind = FindingKind::histories_differ, .words = {{"named", joined(named)}}});
+}
+
+// Effects that tests show and the design does not ask for.
+void add_left_out(ConditionsResult const& result, std::vector<Finding>& findings) {
+  if (result.bounds.empty()) return;
+  std::map<Effect, LevelRow const*> largest;
+  for (auto const& row : result.levels) {
+    if (row.quantity != rules::Quantity::K_eff || row.factor.status == Status::not_covered) continue;
+    auto& so_far = largest[row.effect];
+    if (so_far == nullptr || std::abs(row.factor.ln) > std::abs(so_far->factor.ln)) so_far = &row;
+  }
+  for (auto const& [effect, row] : largest) {
+    constexpr double small = 0.02;
+    if (std::abs(row->factor.ln) < small ||
+        std::ranges::find(result.design, effect, &DesignRow::effect) != result.design.end())
+      continue;
+    auto const key = effect == Effect::temperature ? "temperature-C"
+                     : effect == Effect::rate      ? "frequency-Hz"
+                     : effect == Effect::load      ? "load-kN"
+                     : effect == Effect::ageing    ? "aged"
+                                                   : "rest";
+    findings.push_back({.kind = FindingKind::effect_left_out,
+                        .numbers = {{"factor", row->factor.lambda()}},
+                        .words = {{"effect", std::string(rules::name(effect))}, {"level", row->level}, {"key", key}}});
   }
 }
 
@@ -199,6 +301,8 @@ Finding judged(MeanProperties const& mean, std::string const& rules) {
 std::vector<Finding> conditions_findings(ConditionsResult const& result) {
   std::vector<Finding> findings;
   add_doubts(result, findings);
+  add_misnamed(result, findings);
+  add_stiffer_when_warm(result, findings);
   for (auto const& row : result.dependence) findings.push_back(judged(row, result.rules));
   if (result.mean_properties) findings.push_back(judged(*result.mean_properties, result.rules));
   for (auto const& row : result.bounds) {
@@ -237,6 +341,8 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     findings.push_back(about_test(FindingKind::condition_test_refused, test));
     findings.back().words.push_back({"reason", test.reason});
   }
+  add_left_out(result, findings);
+  add_histories(result, findings);
   add_unused(result, findings);
   if (!result.drift_not_checked.empty())
     findings.push_back(

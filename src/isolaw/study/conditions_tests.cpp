@@ -357,7 +357,10 @@ class TestReader {
       text += fmt::format(", {:.4g} {}", *at.strain_percent, stated_.reference.disp_mm ? "mm" : "%");
     if (at.ageing) text += fmt::format(", aged {:g} days", at.ageing->days);
     text += fmt::format(", {} cycles", nearest->block.cycles.size());
-    return text;
+    std::vector<std::string> differs;
+    for (auto const effect : nearest->differs) differs.emplace_back(rules::name(effect));
+    if (row.role == TestRole::other_strain || row.role == TestRole::cycle_missing) differs.emplace_back(name(row.role));
+    return text + fmt::format(" (it has: {})", joined(differs));
   }
 
   campaign::ObservedTests const& observed_;
