@@ -31,9 +31,6 @@ build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev 
   ninja-build nlohmann-json3-dev npm python3-dev python3-numpy python3-venv zlib1g-dev)
 test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-tk qemu-user slurm-client slurmctld slurmd tcl xz-utils)
 
-# nanobind binds the Python package to the library. The build alone needs it.
-nanobind="nanobind==3.1.0 --hash=sha256:96984dbe8154ffb86e653b1b60aaeed6985c710c5e75ad0279eb87943c66292d"
-
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
   local missing=()
@@ -54,13 +51,7 @@ setup() {
     echo "installing: plotly.js-basic-dist-min (npm, into node_modules/)" >&2
     step npm ci --omit=dev --no-audit --no-fund --loglevel=error
   fi
-  if [ "$(cat build/nanobind/installed.txt 2>/dev/null)" != "$nanobind" ]; then
-    echo "installing: ${nanobind% --*} (PyPI, into build/nanobind/)" >&2
-    step /usr/bin/python3 -m venv --clear build/nanobind
-    echo "$nanobind" > build/nanobind/needed.txt
-    step build/nanobind/bin/pip install --quiet --disable-pip-version-check -r build/nanobind/needed.txt
-    mv build/nanobind/needed.txt build/nanobind/installed.txt
-  fi
+  tools/pypi.sh build/nanobind nanobind
 }
 
 # Checks the format of every C++ file, or with --fix corrects it.

@@ -26,6 +26,7 @@
 #include "isolaw/api/building_work.hpp"
 #include "isolaw/api/conditions.hpp"
 #include "isolaw/api/isolaw.hpp"
+#include "isolaw/app/app.hpp"
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/lot_conditions.hpp"
@@ -1059,6 +1060,17 @@ void add_conditions(nb::module_& m) {
   m.def("conditions", &conditions_of, nb::arg("lot"), nb::arg("folder"), nb::arg("allow_outside"));
 }
 
+// Runs a command of the program, whose name is the first word. Returns its exit code.
+int command(std::vector<nb::bytes> const& words) {
+  std::vector<std::string> kept;
+  for (auto const& word : words) kept.emplace_back(word.c_str(), word.size());
+  std::vector<char*> pointers;
+  for (auto& word : kept) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  nb::gil_scoped_release const released;
+  return app::run(static_cast<int>(kept.size()), pointers.data());
+}
+
 }  // namespace
 }  // namespace isolaw::python
 
@@ -1077,4 +1089,5 @@ NB_MODULE(_core, m) {
   add_calibration(m);
   add_buildings(m);
   add_conditions(m);
+  m.def("command", &command, nb::arg("words"));
 }

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Makes FOLDER a virtual environment of PYTHON (default /usr/bin/python3) with packages of PyPI at exact versions.
+#   tools/pypi.sh FOLDER PATTERN [PYTHON]    installs the packages of pypi.txt whose line begins with PATTERN
+set -euo pipefail
+needed=$(grep "^$2" "$(dirname "${BASH_SOURCE[0]}")/pypi.txt")
+python=${3:-/usr/bin/python3}
+[ "$(cat "$1/installed.txt" 2>/dev/null)" = "$needed" ] && exit
+echo "installing: $(echo "$needed" | sed 's/[ ;].*//' | paste -sd ' ') (PyPI, into $1)" >&2
+"$python" -m venv --clear "$1"
+echo "$needed" > "$1/needed.txt"
+"$1/bin/pip" install --quiet --disable-pip-version-check -r "$1/needed.txt"
+mv "$1/needed.txt" "$1/installed.txt"
