@@ -146,10 +146,9 @@ class ConditionsReader {
     if (!right) {
       std::ostringstream found;
       found << toml::toml_formatter(*node);
-      return table.complain(*node,
-                            fmt::format("{} in design is {}, and that is no range from low to high", key,
-                                        printable(found.str())),
-                            fmt::format("[low, high], each {}", limits.text()));
+      return table.complain(
+          *node, fmt::format("{} in design is {}, and that is no range from low to high", key, printable(found.str())),
+          fmt::format("[low, high], each {}", limits.text()));
     }
     to = {.low = ends[0], .high = ends[1]};
   }

@@ -118,12 +118,13 @@ void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings
     };
     for (auto const* proposed : {&by_test[i], &by_file[i]}) {
       if (!named.empty()) break;
-      auto const& [device, temperature_C, load_kN, is_aged] = *proposed;
+      auto const& temperature_C = proposed->temperature_C;
+      auto const& load_kN = proposed->load_kN;
       compare(temperature_C, at.temperature_C,
               std::abs(temperature_C.value_or(0.0) - at.temperature_C.value_or(0.0)) <= result.tolerance.temperature_C,
               "C");
       compare(load_kN, at.load_kN, conditions::agrees(load_kN, at.load_kN, result.tolerance.load_percent), "kN");
-      if (is_aged && !at.ageing) named.emplace_back("aged"), stated.emplace_back("no ageing");
+      if (proposed->is_aged && !at.ageing) named.emplace_back("aged"), stated.emplace_back("no ageing");
     }
     if (named.empty()) continue;
     findings.push_back(about_test(FindingKind::condition_name_differs, test));
