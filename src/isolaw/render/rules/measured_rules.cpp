@@ -19,7 +19,7 @@ using conditions::Factor;
 using conditions::Status;
 
 template <class... Args>
-void add(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
+void add_text(std::string& text, fmt::format_string<Args...> format, Args&&... args) {
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
@@ -88,7 +88,7 @@ void add_tests_behind(std::string& text, study::ConditionsResult const& result, 
   for (auto const& test : result.tests) {
     if (!is_behind(result, effect, test) || std::ranges::find(done, test.sha256) != done.end()) continue;
     done.push_back(test.sha256);
-    add(text, "#   {}, {}: {}\n", printable(test.device), printable(test.test), test.sha256.substr(0, short_hash));
+    add_text(text, "#   {}, {}: {}\n", printable(test.device), printable(test.test), test.sha256.substr(0, short_hash));
   }
 }
 
@@ -101,29 +101,30 @@ std::string measured_rules(study::ConditionsResult const& result, std::string_vi
       "# Factors on properties of devices, measured by isolaw {}: value under the design conditions over value at\n"
       "# reference. They hold for devices of the type that was tested.\n# Lot: {}\n# Reference: {:g} C",
       version(), printable(result.title), reference.temperature_C);
-  if (at.frequency_Hz) add(text, ", {:.6g} Hz", *at.frequency_Hz);
-  if (at.load_kN) add(text, ", {:.6g} kN", *at.load_kN);
+  if (at.frequency_Hz) add_text(text, ", {:.6g} Hz", *at.frequency_Hz);
+  if (at.load_kN) add_text(text, ", {:.6g} kN", *at.load_kN);
   if (at.strain_percent)
-    add(text, ", {} {:.6g} {}", reference.disp_mm ? "amplitude" : "strain", *at.strain_percent,
-        reference.disp_mm ? "mm" : "%");
+    add_text(text, ", {} {:.6g} {}", reference.disp_mm ? "amplitude" : "strain", *at.strain_percent,
+             reference.disp_mm ? "mm" : "%");
   bool const one = reference.first_cycle == reference.last_cycle;
-  add(text,
+  add_text(
+      text,
       "\n\nid = \"{}\"\ntitle = \"Measured factors\"\nedition = \"isolaw {}\"\nsource = \"the tests that the comments name\"\n"
       "verified_by = \"\"                    # nobody has compared this file with the tests\n\n"
       "[formulas]\nstiffness = \"peak_to_peak\"\ndamping = \"peak_to_peak\"\n\n[cycles]\n",
       id_of(name), version());
   if (one)
-    add(text, "one = {}\n", reference.first_cycle);
+    add_text(text, "one = {}\n", reference.first_cycle);
   else
-    add(text, "mean_of = [{}, {}]\n", reference.first_cycle, reference.last_cycle);
+    add_text(text, "mean_of = [{}, {}]\n", reference.first_cycle, reference.last_cycle);
   // The form "asce" takes its numbers from tables of a rule set that are not about effects.
   if (auto const& how = result.combined; how.form != rules::Form::asce) {
-    add(text, "\n[combination]\nform = \"{}\"\n", rules::name(how.form));
+    add_text(text, "\n[combination]\nform = \"{}\"\n", rules::name(how.form));
     if (how.form == rules::Form::sum)
-      add(text, "margin = {:.9g}\n", how.margin);
+      add_text(text, "margin = {:.9g}\n", how.margin);
     else
-      add(text, "adjust = {:.9g}\n", how.adjust);
-    add(text, "clause = \"as {}\"\n", how.rules.empty() ? "isolaw's own rule" : "the rule set " + how.rules);
+      add_text(text, "adjust = {:.9g}\n", how.adjust);
+    add_text(text, "clause = \"as {}\"\n", how.rules.empty() ? "isolaw's own rule" : "the rule set " + how.rules);
   }
   for (auto const effect : rules::effects()) {
     std::vector<study::DesignRow const*> rows;
@@ -137,18 +138,18 @@ std::string measured_rules(study::ConditionsResult const& result, std::string_vi
         left_out.emplace_back(rules::name(row.quantity));
     }
     if (!left_out.empty())
-      add(text, "\n# {} {}: no test covers the factors of {}.\n", rules::name(effect), design_of(result, effect),
-          joined(left_out));
+      add_text(text, "\n# {} {}: no test covers the factors of {}.\n", rules::name(effect), design_of(result, effect),
+               joined(left_out));
     if (rows.empty()) continue;
-    add(text, "\n# {} {}. Device, test, and the first digits of the record's SHA-256:\n", rules::name(effect),
-        design_of(result, effect));
+    add_text(text, "\n# {} {}. Device, test, and the first digits of the record's SHA-256:\n", rules::name(effect),
+             design_of(result, effect));
     add_tests_behind(text, result, effect);
     for (auto const* row : rows)
-      add(text,
-          "[[effect]]\nname = \"{}\"\nquantity = \"{}\"\ndefault_max = {:.9g}\ndefault_min = {:.9g}\n"
-          "clause = \"measured; largest: {}, smallest: {}\"\n\n",
-          rules::name(effect), rules::name(row->quantity), row->max.lambda(), row->min.lambda(), status_of(row->max),
-          status_of(row->min));
+      add_text(text,
+               "[[effect]]\nname = \"{}\"\nquantity = \"{}\"\ndefault_max = {:.9g}\ndefault_min = {:.9g}\n"
+               "clause = \"measured; largest: {}, smallest: {}\"\n\n",
+               rules::name(effect), rules::name(row->quantity), row->max.lambda(), row->min.lambda(),
+               status_of(row->max), status_of(row->min));
     text.pop_back();
   }
   return text;
