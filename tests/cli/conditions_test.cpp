@@ -72,6 +72,8 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
   near(find(j["levels"], "K_eff", "cycles")["factor"]["lambda"], 0.917871090, stiffness);
   near(find(j["design"], "K_eff", "temperature")["max"]["lambda"], 1.269113038, stiffness);
   near(find(j["design"], "K_eff", "temperature")["min"]["lambda"], 0.848178179, stiffness);
+  for (auto const& row : j["dependence"])
+    if (row["load_variation"] == true) near(row["devices"][0]["ratio"], 1.12574803, stiffness);
   auto const bounds = find(j["bounds"], "K_eff", "");
   near(bounds["max"]["factor"], 1.869155861, stiffness);
   EXPECT_EQ(bounds["max"]["status"], "interpolated");
@@ -570,8 +572,8 @@ TEST_F(Conditions, question_statements_that_contradict_names_or_rubber) {
   EXPECT_TRUE(contains(swapped.out, "K_eff rises with the temperature: its factor is")) << swapped;
   auto const load = with("load-kN = 2000", "load-kN = 204");
   EXPECT_EQ(load.code, 2) << load;  // no test agrees with the reference any more
-  auto const channel = with("name = \"P2\"\n", "name = \"P2\"\nload-factor = 0.102\n");
-  EXPECT_TRUE(contains(channel.out, "of P2 (changed.toml:40) is 0.102 times that of the reference")) << channel;
+  auto const channel = with("name = \"P2\"\n", "name = \"P2\"\nchannel-scale = { load = 0.102 }\n");
+  EXPECT_TRUE(contains(channel.out, "The vertical load of 20C of P2 (changed.toml:53) is 0.102 times that of the reference")) << channel;
 }
 
 // The tests show what a new device does, and a design without `rest` leaves it out of the bounds.
@@ -588,7 +590,7 @@ TEST_F(Conditions, name_the_effects_that_the_design_leaves_out) {
 TEST_F(Conditions, refuse_design_cycles_before_the_reference_cycle) {
   auto const o = with("cycles = 10", "cycles = 1");
   EXPECT_EQ(o.code, 2) << o;
-  EXPECT_TRUE(contains(o.err, "changed.toml:12")) << o;
+  EXPECT_TRUE(contains(o.err, "changed.toml:13: ")) << o;
   EXPECT_TRUE(contains(o.err, "cycles is 1, and the last cycle of the reference is 3")) << o;
 }
 
