@@ -573,7 +573,9 @@ TEST_F(Conditions, question_statements_that_contradict_names_or_rubber) {
   auto const load = with("load-kN = 2000", "load-kN = 204");
   EXPECT_EQ(load.code, 2) << load;  // no test agrees with the reference any more
   auto const channel = with("name = \"P2\"\n", "name = \"P2\"\nchannel-scale = { load = 0.102 }\n");
-  EXPECT_TRUE(contains(channel.out, "The vertical load of 20C of P2 (changed.toml:53) is 0.102 times that of the reference")) << channel;
+  EXPECT_TRUE(
+      contains(channel.out, "The vertical load of 20C of P2 (changed.toml:53) is 0.102 times that of the reference"))
+      << channel;
 }
 
 // The tests show what a new device does, and a design without `rest` leaves it out of the bounds.
