@@ -14,6 +14,7 @@
 #include "isolaw/campaign/lot_file.hpp"
 #include "isolaw/campaign/prepare.hpp"
 #include "isolaw/data/properties/properties.hpp"
+#include "isolaw/data/reading.hpp"
 #include "isolaw/wording/finding_json.hpp"
 #include "isolaw/wording/table.hpp"
 
@@ -62,7 +63,10 @@ class Observer {
     ObservedTests all{.stated = *lot_.conditions};
     for (auto const& device : lot_.devices) {
       std::optional<double> ended_h;  // when the test before ended
-      for (auto const& test : device.history) all.tests.push_back(observe(device, test, ended_h));
+      for (auto const& test : device.history) {
+        index_ = all.tests.size();
+        all.tests.push_back(observe(device, test, ended_h));
+      }
     }
     refuse_same_records(all.tests);
     return all;
@@ -70,18 +74,25 @@ class Observer {
 
  private:
   // Nobody knows which one of several tests a record belongs to, so none of them can use it.
-  static void refuse_same_records(std::vector<ObservedTest>& tests) {
-    std::map<std::string, std::vector<ObservedTest*>> of_record;  // by the record's SHA-256
-    for (auto& test : tests)
-      if (!test.sha256.empty()) of_record[test.sha256].push_back(&test);
-    for (auto const& [hash, same] : of_record)
-      for (auto* test : same) {
+  void refuse_same_records(std::vector<ObservedTest>& tests) const {
+    for (auto const& [record, same] : of_record_)
+      for (auto const index : same) {
         if (same.size() == 1) break;
-        auto const& other = *same[test == same.front() ? 1 : 0];
-        test->refusal = fmt::format("its record is also that of the test {} of {}; each test needs a record of its own",
-                                    printable(other.test), printable(other.device));
-        test->blocks.clear();
+        auto const& other = tests[index == same.front() ? same[1] : same.front()];
+        tests[index].refusal =
+            fmt::format("its record is also that of the test {} of {}; each test needs a record of its own",
+                        printable(other.test), printable(other.device));
+        tests[index].blocks.clear();
       }
+  }
+
+  // A record, as the hash of its file and the options that choose a part of the file.
+  static std::string identity(data::TestRecord const& record, data::ReadOptions const& read) {
+    auto parts = Json{record.sha256};
+    for (auto const& option : data::reading_table())
+      for (std::string_view const chooses : {"columns", "sheet", "test", "rows", "from", "to"})
+        if (option.option() == chooses) parts.push_back(option.get(read));
+    return parts.dump();
   }
 
   ObservedTest observe(DeviceInput const& device, TestInput const& input, std::optional<double>& ended_h) {
@@ -102,6 +113,7 @@ class Observer {
       auto const duration_s = record.time_s.empty() ? 0.0 : record.time_s.back() - record.time_s.front();
       constexpr double seconds_per_h = 3600.0;
       if (started) ended_h = *started + duration_s / seconds_per_h;
+      if (!record.sha256.empty()) of_record_[identity(record, input.read)].push_back(index_);
       examine(record, test);
     } catch (Error const& error) {
       test.refusal = with_shown_files(to_string(error.complaints().front()), device.directory);
@@ -142,6 +154,8 @@ class Observer {
   }
 
   Lot const& lot_;
+  std::size_t index_ = 0;                                      // of the test that is read
+  std::map<std::string, std::vector<std::size_t>> of_record_;  // the tests by identity()
 };
 
 template <class Target>
