@@ -588,6 +588,19 @@ TEST_F(Conditions, name_the_effects_that_the_design_leaves_out) {
       << o;
 }
 
+// Two reference tests of P4 that differ by 1 % give its rate an interval, which is that of this device alone.
+TEST_F(Conditions, say_that_an_interval_is_that_of_one_device) {
+  constexpr std::string_view said =
+      "A single device shows the effect of rate. The interval of the bounds contains only";
+  auto text = only_rate(read("ex/lot.toml"));
+  write("ex/changed.toml", text);
+  EXPECT_FALSE(contains(isolaw({"conditions", "ex/changed.toml"}).out, said));
+  std::string const again = "file = \"P4-again.csv\"\n";
+  write("ex/changed.toml", text.replace(text.find(again), again.size(), again + "force-factor = 1.01\n"));
+  auto const o = isolaw({"conditions", "ex/changed.toml"});
+  EXPECT_TRUE(contains(o.out, said)) << o;
+}
+
 // Before the reference cycle the cycles are those of scragging, which would count twice.
 TEST_F(Conditions, refuse_design_cycles_before_the_reference_cycle) {
   auto const o = with("cycles = 10", "cycles = 1");

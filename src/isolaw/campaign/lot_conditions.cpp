@@ -142,12 +142,14 @@ class ConditionsReader {
     } else if (auto const one = node->value<double>()) {
       ends = {*one, *one};
     }
-    bool const right = ends.size() == 2 && ends[0] <= ends[1] && limits.allow(ends[0]) && limits.allow(ends[1]);
-    if (!right) {
+    bool const is_allowed = std::ranges::all_of(ends, [&](double end) { return limits.allow(end); });
+    if (ends.size() != 2 || ends[0] > ends[1] || !is_allowed) {
       std::ostringstream found;
       found << toml::toml_formatter(*node);
       return table.complain(
-          *node, fmt::format("{} in design is {}, and that is no range from low to high", key, printable(found.str())),
+          *node,
+          fmt::format("{} in design is {}, and that {}", key, printable(found.str()),
+                      is_allowed ? "is no range from low to high" : "has a value that is not allowed"),
           fmt::format("[low, high], each {}", limits.text()));
     }
     to = {.low = ends[0], .high = ends[1]};
@@ -197,7 +199,7 @@ class ConditionsReader {
           *cycles,
           fmt::format("cycles is {}, and the last cycle of the reference is {}", *to.cycles, all.reference.last_cycle),
           fmt::format("a whole number from {}: the last cycle of the longest motion", all.reference.last_cycle),
-          "rest = \"full\", which counts the stiffer first cycles");
+          "rest = \"full\", which counts the stiffer first cycles, or an earlier reference cycle");
     to.aged = read_aged(table, file_, complaints_);
     take(table, "years", positive, to.years);
     take(table, "service-temperature-C", temperatures, to.service_temperature_C);

@@ -204,7 +204,7 @@ void add_unused(ConditionsResult const& result, std::vector<Finding>& findings) 
   }
 }
 
-Finding not_covered(Effect effect, conditions::Factor const& factor) {
+Finding not_covered(ConditionsResult const& result, Effect effect, conditions::Factor const& factor) {
   Finding finding{.kind = FindingKind::effect_not_covered,
                   .words = {{"effect", std::string(rules::name(effect))},
                             {"lack", std::string(factor.lack ? name(*factor.lack) : "")}}};
@@ -212,7 +212,27 @@ Finding not_covered(Effect effect, conditions::Factor const& factor) {
     finding.numbers.push_back({"at", factor.at});
     finding.words.push_back({"unit", std::string(unit_of(effect))});
   }
+  if (factor.lack == conditions::Lack::no_level) {
+    std::vector<std::string> tested;
+    for (auto const& row : result.levels)
+      if (row.effect == effect && row.quantity == rules::Quantity::K_eff) tested.push_back(row.level);
+    if (!tested.empty()) finding.words.push_back({"tested", joined(tested)});
+  }
   return finding;
+}
+
+// Effects that only one device shows, and whose interval is that of this device alone.
+void add_intervals_of_one(ConditionsResult const& result, std::vector<Finding>& findings) {
+  std::vector<Effect> alone;
+  for (auto const& row : result.design)
+    for (auto const* factor : {&row.max, &row.min})
+      if (factor->devices == 1 && factor->se && factor->status != Status::assumed &&
+          std::ranges::find(alone, row.effect) == alone.end())
+        alone.push_back(row.effect);
+  bool const is_used = std::ranges::any_of(
+      result.bounds, [](BoundRow const& row) { return row.max.interval.has_value() || row.min.interval.has_value(); });
+  if (is_used && !alone.empty())
+    findings.push_back({.kind = FindingKind::interval_of_one_device, .words = {{"effects", names_of(alone)}}});
 }
 
 // Names each end of the design range that is not covered.
@@ -223,10 +243,10 @@ void add_not_covered(ConditionsResult const& result, DesignRow const& row, condi
     if (end.quantity == row.quantity && end.effect == row.effect && end.factor.status == Status::not_covered) {
       auto at_end = end.factor;
       at_end.at = end.at;
-      findings.push_back(not_covered(row.effect, at_end));
+      findings.push_back(not_covered(result, row.effect, at_end));
       has_ends = true;
     }
-  if (!has_ends) findings.push_back(not_covered(row.effect, factor));
+  if (!has_ends) findings.push_back(not_covered(result, row.effect, factor));
 }
 
 void add_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
@@ -342,6 +362,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     findings.push_back(about_test(FindingKind::condition_test_refused, test));
     findings.back().words.push_back({"reason", test.reason});
   }
+  add_intervals_of_one(result, findings);
   add_left_out(result, findings);
   add_histories(result, findings);
   add_unused(result, findings);

@@ -360,7 +360,7 @@ class TestReader {
     std::vector<std::string> differs;
     for (auto const effect : nearest->differs) differs.emplace_back(rules::name(effect));
     if (row.role == TestRole::other_strain || row.role == TestRole::cycle_missing) differs.emplace_back(name(row.role));
-    return text + fmt::format(" (it has: {})", joined(differs));
+    return text + fmt::format(" (it does not agree in: {})", joined(differs));
   }
 
   campaign::ObservedTests const& observed_;
