@@ -127,6 +127,11 @@ TEST_F(Conditions, are_proposed_by_init_from_the_names) {
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.err, "new.toml ends with a proposal, as comments to be checked")) << o;
   auto const written = read("ex/new.toml");
+  // The test at reference comes first, and lines that a person must fill in are there.
+  EXPECT_TRUE(contains(written, "# name = 'P2-20C'\n# order = 1\n")) << written;
+  EXPECT_TRUE(contains(written, "# name = 'P2--20C'\n# order = 2\n")) << written;
+  EXPECT_TRUE(contains(written, "\n# # rest-h = 0.0"));
+  EXPECT_TRUE(contains(written, "\n# # design = { "));
   ASSERT_EQ(isolaw({"inspect", "ex/new.toml"}).code, 0);
   auto const first = written.find("\n[[device]]"), proposal = written.find("# [conditions]");
   ASSERT_LT(first, proposal) << written;
@@ -586,6 +591,31 @@ TEST_F(Conditions, name_the_effects_that_the_design_leaves_out) {
                        "The tests show an effect of scragging: K_eff has the factor 1.294 at cycle 1, new. The "
                        "design states no rest, so the bounds leave it out."))
       << o;
+}
+
+// P2 was cold before its reference test, so its first cycle at reference is not that of a new device.
+TEST_F(Conditions, name_devices_with_other_histories) {
+  EXPECT_FALSE(contains(isolaw({"conditions", "ex/lot.toml"}).out, "has not the same history"));
+  auto text = read("ex/lot.toml");
+  auto const put = [&](std::string const& part, std::string const& by, std::size_t from = 0) {
+    auto const at = text.find(part, from);
+    ASSERT_NE(at, std::string::npos) << part;
+    text.replace(at, part.size(), by);
+  };
+  put("cycle = 3", "cycle = 1");
+  auto const device = text.find("name = \"P2\"");
+  put("order = 1\n", "order = x\n", device);
+  put("order = 2\n", "order = 1\n", device);
+  put("order = x\n", "order = 2\nrest-h = 24\n", device);
+  write("ex/changed.toml", text);
+  auto const o = isolaw({"conditions", "ex/changed.toml"});
+  EXPECT_TRUE(contains(o.out, "history on all devices: first after rest on P2, virgin on P1")) << o;
+}
+
+TEST_F(Conditions, name_the_ageing_that_was_tested) {
+  auto const o = with("aged = { days = 14, at-C = 70 } }", "aged = { days = 28, at-C = 70 } }");
+  EXPECT_TRUE(contains(o.out, "The effect of ageing is NOT COVERED")) << o;
+  EXPECT_TRUE(contains(o.out, "; tested: 14 days at 70 C.")) << o;
 }
 
 // Two reference tests of P4 that differ by 1 % give its rate an interval, which is that of this device alone.
