@@ -1,5 +1,5 @@
 // Defines parts of C++20 that the program uses and that libc++ 13 of emscripten lacks. The compiler option -include
-// puts this file before every source of the page. The range algorithms call the algorithms for iterators. The views
+// puts this file before every source of the page. The range algorithms call the algorithms for iterators. Most views
 // compute all elements at once instead of one by one; no code of the program depends on the difference. With libc++ 16
 // everything but std::from_chars can go, and with libc++ 20 (emscripten 4) the whole file.
 #pragma once
@@ -293,6 +293,19 @@ inline constexpr struct swap_ranges_of {
     for (auto a = ranges::begin(r); a != ranges::end(r) && b != ranges::end(s); ++a, ++b) std::iter_swap(a, b);
   }
 } swap_ranges{};
+inline constexpr struct unique_of {
+  template <forward_range R>
+  constexpr auto operator()(R&& r) const {
+    return subrange(std::unique(ranges::begin(r), ranges::end(r)), ranges::end(r));
+  }
+} unique{};
+inline constexpr struct stable_partition_of {
+  template <bidirectional_range R, class F>
+  constexpr auto operator()(R&& r, F f) const {
+    auto const at = std::stable_partition(ranges::begin(r), ranges::end(r), [&](auto&& v) -> bool { return invoke(f, v); });
+    return subrange(at, ranges::end(r));
+  }
+} stable_partition{};
 inline constexpr struct nth_element_of {
   template <random_access_range R, class C = less, class P = identity>
   constexpr void operator()(R&& r, iterator_t<R> at, C c = {}, P p = {}) const {
@@ -368,6 +381,47 @@ struct Transform {
     return made;
   }
 };
+// The elements that the function accepts. Of the views of this file it alone computes one element at a time, so that
+// large elements are not copied.
+template <class Iterator, class F>
+struct Filtered {
+  struct iterator {
+    using iterator_category = forward_iterator_tag;
+    using value_type = iter_value_t<Iterator>;
+    using difference_type = ptrdiff_t;
+    using reference = iter_reference_t<Iterator>;
+    using pointer = void;
+    Iterator at{}, last{};
+    F function{};
+    constexpr reference operator*() const { return *at; }
+    constexpr iterator& operator++() {
+      ++at;
+      return skip();
+    }
+    constexpr iterator operator++(int) {
+      auto const before = *this;
+      ++*this;
+      return before;
+    }
+    constexpr bool operator==(iterator const& other) const { return at == other.at; }
+    constexpr iterator& skip() {
+      while (at != last && !invoke(function, *at)) ++at;
+      return *this;
+    }
+  };
+  Iterator first, last;
+  F function;
+  constexpr iterator begin() const { return iterator{first, last, function}.skip(); }
+  constexpr iterator end() const { return {last, last, function}; }
+};
+template <class F>
+struct Filter {
+  F function;
+  template <forward_range R>
+  friend constexpr auto operator|(R&& r, Filter const& f) {
+    return Filtered<iterator_t<R>, F>{ranges::begin(r), ranges::end(r), f.function};
+  }
+};
 struct Take {
   size_t count;
   template <forward_range R>
@@ -410,6 +464,10 @@ namespace page = ranges::page;
 template <class F>
 constexpr page::Transform<F> transform(F function) {
   return {std::move(function)};
+}
+template <class F>
+constexpr page::Filter<F> filter(F function) {
+  return {function};
 }
 constexpr page::Take take(size_t count) {
   return {count};

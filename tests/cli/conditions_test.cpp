@@ -188,7 +188,7 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   };
   auto const factors = lines("C/tables/conditions.csv");
   EXPECT_TRUE(has(factors, "property,effect,level,at,unit,aged [d],at [C],factor [-],status,devices")) << factors[0];
-  EXPECT_TRUE(has(factors, "K_eff,temperature,'-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
+  EXPECT_TRUE(has(factors, "K_eff,temperature,-20 C,-20,C,,,1.31344,shown,3,0,0,1.29189,1.33534,1.2707,1.35761,"));
   EXPECT_TRUE(has(factors, "K_eff,ageing,14 days at 70 C,,,14,70,1.07339,shown,1,"));
   EXPECT_TRUE(has(factors, "K_eff,temperature,smallest over the design,,,,,0.848178,extrapolated,3,0.0018003,"));
   EXPECT_TRUE(has(factors, "K_eff,all together,largest over the design,,,,,1.86916,interpolated,"));
@@ -576,12 +576,23 @@ TEST_F(Conditions, question_statements_that_contradict_names_or_rubber) {
   EXPECT_TRUE(contains(swapped.out, "The test -20C of P1")) << swapped;
   EXPECT_TRUE(contains(swapped.out, "has a name that says -20 C, and the lot file states 40 C")) << swapped;
   EXPECT_TRUE(contains(swapped.out, "K_eff rises with the temperature: its factor is")) << swapped;
+  EXPECT_TRUE(contains(swapped.out, "The bounds rest on tests with a doubt: temperature (P1 -20C, P1 40C, P2 -20C"))
+      << swapped;
   auto const load = with("load-kN = 2000", "load-kN = 204");
   EXPECT_EQ(load.code, 2) << load;  // no test agrees with the reference any more
   auto const channel = with("name = \"P2\"\n", "name = \"P2\"\nchannel-scale = { load = 0.102 }\n");
   EXPECT_TRUE(
       contains(channel.out, "The vertical load of 20C of P2 (changed.toml:53) is 0.102 times that of the reference"))
       << channel;
+}
+
+TEST_F(Conditions, question_missing_and_misplaced_tests) {
+  auto const gap = with("order = 4\ntemperature-C = 40", "order = 5\ntemperature-C = 40");
+  EXPECT_TRUE(contains(gap.out, "The last test of P1 has the order 5, and the lot file has 4 tests of it.")) << gap;
+  EXPECT_FALSE(contains(gap.out, "The bounds rest on")) << gap;
+  auto const virgin = with("name = \"0C\"", "name = \"0C virgin\"");
+  EXPECT_TRUE(contains(virgin.out, "has a name that says virgin, and the lot file states tests before it")) << virgin;
+  EXPECT_TRUE(contains(virgin.out, "The bounds rest on tests with a doubt: temperature (P1 0C virgin).")) << virgin;
 }
 
 // The tests show what a new device does, and a design without `rest` leaves it out of the bounds.
@@ -689,7 +700,7 @@ TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
 TEST_F(Conditions, of_several_compounds_ask_which_is_meant) {
   auto const unclear = with("name = \"P1\"\n", "name = \"P1\"\ncompound = \"B\"\n");
   EXPECT_EQ(unclear.code, 2) << unclear;
-  EXPECT_TRUE(contains(unclear.err, "devices with compound B, none")) << unclear;
+  EXPECT_TRUE(contains(unclear.err, "devices with compound B (as P1), none (as P2)")) << unclear;
   write("ex/lot.toml", read("ex/changed.toml"));
   auto const o = with("[conditions]\n", "[conditions]\ncompound = \"B\"\n", {"--json"});
   ASSERT_LE(o.code, 1) << o;

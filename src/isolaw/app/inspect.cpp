@@ -221,13 +221,16 @@ void review_lot_size(campaign::Lot& lot, InitArguments const& arguments) {
 
 void tell_of_files_outside(std::filesystem::path const& folder, campaign::Lot const& lot,
                            std::filesystem::path const& out) {
-  auto const tell_if_outside = [&](std::filesystem::path const& file) {
-    if (leads_outside(file, folder))
-      say("{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(file),
-          shown(out));
+  std::vector<std::filesystem::path> outside;
+  auto const note_if_outside = [&](std::filesystem::path const& file) {
+    if (leads_outside(file, folder)) outside.push_back(file);
   };
-  if (lot.rules_are_file) tell_if_outside(lot.acceptance.rules_file);
-  for (auto const& device : lot.devices) std::ranges::for_each(campaign::files_of(device), tell_if_outside);
+  if (lot.rules_are_file) note_if_outside(lot.acceptance.rules_file);
+  for (auto const& device : lot.devices) std::ranges::for_each(campaign::files_of(device), note_if_outside);
+  if (outside.empty()) return;
+  auto const others = outside.size() > 1 ? fmt::format(" and {} more", outside.size() - 1) : std::string();
+  say("{}{}: not in the folder of {} or below it: isolaw calibrate will need --allow-outside\n", shown(outside.front()),
+      others, shown(out));
 }
 
 }  // namespace
@@ -262,7 +265,11 @@ int init(InitArguments const& arguments) {
   for (auto const& [file, reason] : remarks.left_out) inputs.push_back(file);
   write_output(out, campaign::lot_file_text(lot, folder, remarks), inputs);
   tell_of_files_outside(folder, lot, out);
-  fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(out), shown(out));
+  if (remarks.tests.empty())
+    fmt::print("\nwritten: {}; next: isolaw calibrate {}\n", shown(out), shown(out));
+  else
+    fmt::print("\nwritten: {}; next: check the proposal at its end, then isolaw conditions {}\n", shown(out),
+               shown(out));
   return remarks.left_out.empty() ? exit_done : exit_with_refusals;
 }
 

@@ -24,7 +24,7 @@ enum class FindingKind {
   integration_not_finite, laws_disagree, prediction_good, prediction_fair, prediction_larger_swings,
   prediction_unknown, verdict_without_corrections_same, conditions_differ,
   // [conditions] The effects of temperature, rate, load, ageing and history (study/conditions_findings.hpp).
-  conditions_not_compared, condition_test_refused, condition_test_unlike, condition_test_doubt, tests_show_no_effect, devices_disagree, condition_load_unlike, condition_name_differs, stiffer_when_warm, histories_differ, interval_of_one_device, effect_left_out, effect_not_covered, effect_assumed, dependence_not_kept, dependence_judged, mean_properties_judged, design_bound, chamber_too_short,
+  conditions_not_compared, condition_test_refused, condition_test_unlike, condition_test_doubt, tests_show_no_effect, devices_disagree, condition_load_unlike, condition_name_differs, stiffer_when_warm, order_lacks_tests, bounds_rest_on_doubts, histories_differ, interval_of_one_device, effect_left_out, effect_not_covered, effect_assumed, dependence_not_kept, dependence_judged, mean_properties_judged, design_bound, chamber_too_short,
   line_not_checked, drift_not_checked, rest_not_stated, short_rest, ageing_stands_for, conditions_stated,
   // [answers]
   law_recommended, law_errors, no_law_recommended, law_shown_up_to, why_next, why_better_refused, none_identified, none_describes,

@@ -569,7 +569,8 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
     root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", bearing_info.most));
   if (file.plan_mm && places_are_known && plan.left_m < plan.right_m && plan.front_m < plan.back_m) {
     auto const [left, right, front, back] = *file.plan_mm;
-    auto const stands = [&](std::string const& what, Point const& at) {
+    auto const stands = [&, left = left, right = right, front = front, back = back](std::string const& what,
+                                                                                    Point const& at) {
       bool const inside = at.x_mm >= left && at.x_mm <= right && at.y_mm >= front && at.y_mm <= back;
       if (!inside)
         root.complain(

@@ -38,7 +38,7 @@ std::vector<Finding> motion_doubts(Motion const& motion) {
   for (auto const& [axis, ground] : {std::pair{"x", &motion.x_mm_s2}, {"y", &motion.y_mm_s2}}) {
     auto const found = of(*ground, motion.step_s);
     if (found.peak_mm_s2 == 0.0) continue;
-    auto const doubt = [&](FindingKind kind, std::vector<FindingNumber> numbers) {
+    auto const doubt = [&, axis = axis](FindingKind kind, std::vector<FindingNumber> numbers) {
       doubts.push_back(
           {.kind = kind, .numbers = std::move(numbers), .words = {{"motion", motion.name}, {"axis", axis}}});
     };

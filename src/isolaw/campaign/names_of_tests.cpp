@@ -66,8 +66,7 @@ struct ConditionsInName {
   std::size_t from = std::string_view::npos;  // where the first condition begins
 };
 
-std::size_t place_of_aged(std::string_view name) {
-  constexpr std::string_view word = "aged";
+std::size_t place_of(std::string_view word, std::string_view name) {
   auto const plain = lower(name);
   for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at + 1)) {
     auto const end = at + word.size();
@@ -82,8 +81,9 @@ ConditionsInName conditions_in(std::string_view name, bool dash_separates) {
   constexpr std::array<std::string_view, 2> before_frequency{"", "f"};
   constexpr std::array<std::string_view, 4> before_load{"", "n", "p", "v"};
   ConditionsInName found;
-  auto const aged = place_of_aged(name);
+  auto const aged = place_of("aged", name);
   found.test.is_aged = aged != std::string_view::npos;
+  found.test.is_virgin = place_of("virgin", name) != std::string_view::npos;
   found.from = aged;
   int temperatures = 0;
   for (std::size_t i = 0; i < name.size(); ++i) {

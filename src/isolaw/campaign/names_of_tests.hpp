@@ -12,7 +12,7 @@ namespace isolaw::campaign {
 struct ProposedTest {
   std::string device;  // the name up to the first condition in it; the whole name if it has none
   std::optional<double> temperature_C, load_kN;
-  bool is_aged = false;
+  bool is_aged = false, is_virgin = false;
   bool lacks_load = false;         // other tests have a load, and neither the name nor the record says that of this one
   bool is_near_reference = false;  // its temperature is that of the reference
 };

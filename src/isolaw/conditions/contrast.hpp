@@ -104,6 +104,7 @@ class Response {
 
   Effect effect() const { return effect_; }
   std::vector<Level> const& levels() const { return levels_; }  // by rising condition, with that of the reference
+  std::vector<Level const*> paired_levels() const;  // levels() at which a device with a reference test was tested
   // The largest distance of a level from the lines that leave it out, in ln, as a mean over the devices that were tested
   // there and on both sides. Empty without such devices: nobody knows then how straight the response is.
   std::optional<double> line_error() const { return line_error_; }
@@ -150,7 +151,6 @@ class Response {
   std::optional<Line> line_of(std::string_view device, double condition, Level const* left_out) const;
   Level const* level_at(double condition, bool only_paired) const;
   Factor at(double condition, bool only_paired) const;
-  std::vector<Level const*> paired_levels() const;
 
   Effect effect_;
   Tolerance tolerance_;

@@ -32,8 +32,7 @@ std::string peaks(Subject const& subject, LawCheck const& check) {
 std::string law_in_python(Subject const& subject, UnitSystem const& units, std::string_view prefix) {
   auto const check = law_check(subject, units);
   std::string capitals(prefix);
-  std::ranges::transform(capitals, capitals.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   auto text = capitals + "PARAMETERS = {\n";
   for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
     auto const& p = subject.law->parameters[i];

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "isolaw/conditions/curves.hpp"
@@ -200,10 +199,10 @@ class Builder {
                    .parameter = std::move(parameter),
                    .value = value,
                    .unit = std::move(unit)};
-      auto fitted = response.levels() | std::views::filter([](auto const& level) { return !level.unpaired; });
+      auto const fitted = response.paired_levels();
       constexpr int steps = 24;
       for (int i = 0; i <= steps; ++i) {
-        row.at.push_back(std::lerp(fitted.front().at, fitted.back().at, static_cast<double>(i) / steps));
+        row.at.push_back(std::lerp(fitted.front()->at, fitted.back()->at, static_cast<double>(i) / steps));
         row.lambda.push_back(lambda_at(row.at.back()));
       }
       out_.curves.push_back(std::move(row));

@@ -71,6 +71,11 @@ struct DoubtedTest {  // a test whose record is read with a doubt
   Finding doubt;
 };
 
+struct LacksTests {  // a device whose orders leave numbers out, so that some of its tests are not in the lot file
+  std::string device;
+  int tests = 0, last_order = 0;
+};
+
 struct LevelRow {  // a level of an effect that was tested
   rules::Quantity quantity;
   conditions::Effect effect;
@@ -161,6 +166,7 @@ struct ConditionsResult {
   std::vector<ConditionsTest> tests;
   std::vector<RefusedTest> refused;
   std::vector<DoubtedTest> doubted;
+  std::vector<LacksTests> lacks_tests;
   std::vector<LevelRow> levels;
   std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
   std::vector<EndRow> ends;

@@ -41,11 +41,11 @@ conditions::DesignConditions asked(ConditionsResult const& result, Effect effect
   if (effect != Effect::ageing) {
     if (range) conditions.ends = {range->low, range->high};
   } else if (design.aged) {
-    conditions.ageing = {.test = {.days = design.aged->days, .at_C = design.aged->at_C}};
+    conditions.ageing = conditions::AskedAgeing{.test = {.days = design.aged->days, .at_C = design.aged->at_C}};
   } else if (design.years && result.ageing_test) {
-    conditions.ageing = {.test = *result.ageing_test,
-                         .years = *design.years,
-                         .test_stands_for_years = result.ageing_stands_for_years.value_or(0.0)};
+    conditions.ageing = conditions::AskedAgeing{.test = *result.ageing_test,
+                                                .years = *design.years,
+                                                .test_stands_for_years = result.ageing_stands_for_years.value_or(0.0)};
   }
   return conditions;
 }

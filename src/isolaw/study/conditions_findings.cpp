@@ -124,6 +124,8 @@ void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings
               std::abs(temperature_C.value_or(0.0) - at.temperature_C.value_or(0.0)) <= result.tolerance.temperature_C,
               "C");
       compare(load_kN, at.load_kN, conditions::agrees(load_kN, at.load_kN, result.tolerance.load_percent), "kN");
+      if (proposed->is_virgin && !test.cycles.empty() && test.cycles.front().history != conditions::History::virgin)
+        named.emplace_back("virgin"), stated.emplace_back("tests before it");
       if (proposed->is_aged && !at.ageing) named.emplace_back("aged"), stated.emplace_back("no ageing");
     }
     if (named.empty()) continue;
@@ -147,6 +149,42 @@ void add_stiffer_when_warm(ConditionsResult const& result, std::vector<Finding>&
         {.kind = FindingKind::stiffer_when_warm,
          .numbers = {
              {"cold", cold->second}, {"cold_C", cold->first}, {"warm", warm->second}, {"warm_C", warm->first}}});
+}
+
+void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
+  for (auto const& [device, tests, last_order] : result.lacks_tests)
+    findings.push_back(
+        {.kind = FindingKind::order_lacks_tests,
+         .devices = {device},
+         .numbers = {{"last_order", static_cast<double>(last_order)}, {"tests", static_cast<double>(tests)}}});
+}
+
+// Names the effects of the design, and the reference, that rest on a test of which one of the findings doubts something.
+void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
+  if (result.bounds.empty()) return;
+  auto const is_doubt = [](Finding const& finding) {
+    using enum FindingKind;
+    return finding.kind == condition_test_unlike || finding.kind == condition_load_unlike ||
+           finding.kind == condition_name_differs || finding.kind == condition_test_doubt;
+  };
+  std::map<std::string, std::vector<std::string>> tests;  // of each effect
+  for (auto const& test : result.tests) {
+    bool const is_used = test.role == TestRole::reference ||
+                         (test.role == TestRole::effect &&
+                          std::ranges::find(result.design, *test.effect, &DesignRow::effect) != result.design.end());
+    auto const of_test = about_test(FindingKind::condition_test_doubt, test);
+    bool const is_doubted = std::ranges::any_of(findings, [&](Finding const& finding) {
+      return is_doubt(finding) && finding.devices == of_test.devices && finding.words.front() == of_test.words.front();
+    });
+    if (!is_used || !is_doubted) continue;
+    auto& named = tests[std::string(test.effect ? rules::name(*test.effect) : "reference")];
+    auto text = test.device + " " + test.test;
+    if (std::ranges::find(named, text) == named.end()) named.push_back(std::move(text));
+  }
+  std::vector<std::string> named;
+  for (auto const& [effect, of_effect] : tests) named.push_back(fmt::format("{} ({})", effect, joined(of_effect)));
+  if (!named.empty())
+    findings.push_back({.kind = FindingKind::bounds_rest_on_doubts, .words = {{"named", joined(named)}}});
 }
 
 // Reference tests with more than one history of their reference cycle.
@@ -324,6 +362,8 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
   add_doubts(result, findings);
   add_misnamed(result, findings);
   add_stiffer_when_warm(result, findings);
+  add_lacking_tests(result, findings);
+  add_rests_on_doubts(result, findings);
   for (auto const& row : result.dependence) findings.push_back(judged(row, result.rules));
   if (result.mean_properties) findings.push_back(judged(*result.mean_properties, result.rules));
   for (auto const& row : result.bounds) {

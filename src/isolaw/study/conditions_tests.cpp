@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
+#include <utility>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/runs.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -54,12 +58,8 @@ class TestReader {
   }
 
   std::vector<Observed> operator()() {
-    auto const& tests = observed_.tests;
-    for (auto first = tests.begin(); first != tests.end();) {
-      auto const end = std::find_if(first, tests.end(), [&](auto const& test) { return test.device != first->device; });
-      read({first, end});
-      first = end;
-    }
+    each_run(std::span(std::as_const(observed_.tests)), &campaign::ObservedTest::device,
+             [&](auto of_device) { read(of_device); });
     if (out_.tests.empty())
       throw Error({.where = "conditions",
                    .found = "no test can be used" + (out_.refused.empty() ? "" : ": " + out_.refused.front().reason),
@@ -73,7 +73,7 @@ class TestReader {
     if (!reference_.strain_percent) out_.reference.strain_percent = first.strain_percent;
     for (auto& seen : all_) judge(seen);
     if (std::ranges::none_of(all_, [](Observed const& seen) { return seen.usable && seen.differs.empty(); }))
-      throw Error({.where = "conditions",
+      throw Error({.where = "reference in [conditions]",
                    .found = "no test agrees with the reference in everything" + nearest_text(),
                    .allowed = "a reference under which some devices were tested",
                    .advice = "isolaw inspect FILE, which prints frequency, amplitude, load and cycles of a test"});
@@ -88,6 +88,10 @@ class TestReader {
   void read(std::span<campaign::ObservedTest const> of_device) {
     std::vector<Observed> own;
     campaign::ObservedTest const* aged = nullptr;  // the last one of an aged device
+    if (*of_device.back().stated.order > static_cast<int>(of_device.size()))
+      out_.lacks_tests.push_back({.device = of_device.back().device,
+                                  .tests = static_cast<int>(of_device.size()),
+                                  .last_order = *of_device.back().stated.order});
     for (auto const& test : of_device) {
       for (auto const& doubt : test.doubts)
         out_.doubted.push_back({.device = test.device, .test = test.test, .place = test.place, .doubt = doubt});
@@ -161,15 +165,16 @@ class TestReader {
   void require_one_kind() const {
     for (auto const& option : campaign::compared_devices_table()) {
       if (!option.get(stated_.compared).is_null()) continue;
-      std::vector<std::string> kinds;
+      std::map<std::string, std::string> kinds;  // each with the first device of it
       for (auto const& test : out_.tests) {
         auto const kind = option.get(test.of_device);
-        auto text = kind.is_null() ? std::string("none") : kind.get<std::string>();
-        if (std::ranges::find(kinds, text) == kinds.end()) kinds.push_back(std::move(text));
+        kinds.try_emplace(kind.is_null() ? "none" : kind.get<std::string>(), test.device);
       }
+      std::vector<std::string> named;
+      for (auto const& [kind, device] : kinds) named.push_back(fmt::format("{} (as {})", kind, device));
       if (kinds.size() > 1)
         throw Error({.where = "[conditions]",
-                     .found = fmt::format("devices with {} {}", option.option(), printable(joined(kinds))),
+                     .found = fmt::format("devices with {} {}", option.option(), printable(joined(named))),
                      .allowed = fmt::format("devices of one {0}, or {0} in [conditions] to name those meant",
                                             option.option())});
     }
@@ -349,8 +354,8 @@ class TestReader {
     if (nearest == nullptr) return "; no device has the compound and the size that [conditions] names";
     auto const& row = out_.tests[*nearest->row];
     auto const& at = row.condition;
-    auto text = fmt::format("; the nearest is {} of {}: {:g} C", printable(row.test), printable(row.device),
-                            at.temperature_C.value_or(0.0));
+    auto text = fmt::format("; the nearest is {} of {}{}: {:g} C", printable(row.test), printable(row.device),
+                            row.place.empty() ? "" : " (" + printable(row.place) + ")", at.temperature_C.value_or(0.0));
     if (at.frequency_Hz) text += fmt::format(", {:.4g} Hz", *at.frequency_Hz);
     if (at.load_kN) text += fmt::format(", {:.4g} kN", *at.load_kN);
     if (at.strain_percent)

@@ -390,7 +390,8 @@ Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
 
 // The swings that belong to no full cycle, in groups between which full cycles lie. See the head of cycles.hpp.
 std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<CycleCut const> full) {
-  auto const& [x, turns] = std::tie(motion.x, motion.turns);
+  auto const& x = motion.x;
+  auto const& turns = motion.turns;
   std::vector<std::vector<Shape>> groups;
   bool joins = false;
   for (std::size_t k = 0; k + 1 < turns.size(); ++k) {

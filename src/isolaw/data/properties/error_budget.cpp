@@ -574,7 +574,7 @@ double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz) {
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth) {
   if (!view.half_cycles) return Assessment(view, properties).of_all(smooth);
   auto full = properties;
-  for (auto& block : full.blocks) std::erase_if(block.cycles, &Cycle::half);
+  for (auto& block : full.blocks) std::erase_if(block.cycles, [](Cycle const& cycle) { return cycle.half; });
   std::erase_if(full.blocks, [](Block const& block) { return block.cycles.empty(); });
   if (full.reported && full.reported->half) full.reported.reset();
   return Assessment(view, full).of_all(smooth);

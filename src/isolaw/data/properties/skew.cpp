@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
+#include "isolaw/base/runs.hpp"
 #include "isolaw/data/channels/record.hpp"
 #include "isolaw/num/statistics.hpp"
 
@@ -186,11 +189,9 @@ struct Sample {
 // Fits a line to the delays of the reversals in one block. Its rise over the block is the growth of the delay.
 void add_growth(Skew& skew, std::vector<Sample> samples, int block) {
   std::erase_if(samples, [&](Sample const& each) { return each.block != block; });
-  for (auto from = samples.begin(); from != samples.end();) {
-    auto const to = std::find_if(from, samples.end(), [&](Sample const& each) { return each.cycle != from->cycle; });
-    skew.of_cycles.push_back({from->cycle, num::median_over(std::span(from, to), &Sample::late)});
-    from = to;
-  }
+  each_run(std::span(std::as_const(samples)), &Sample::cycle, [&](std::span<Sample const> of_cycle) {
+    skew.of_cycles.push_back({of_cycle.front().cycle, num::median_over(of_cycle, &Sample::late)});
+  });
   if (samples.size() < 3) return;
   auto const count = static_cast<double>(samples.size());
   double at = 0.0, late = 0.0, squares = 0.0, product = 0.0, left = 0.0;

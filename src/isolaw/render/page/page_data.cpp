@@ -99,7 +99,7 @@ void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t mo
     std::vector<std::size_t> gaps;
     for (std::size_t k = 0; k < drawn.size(); ++k)
       if (std::isnan(found->values[drawn[k]])) gaps.push_back(k);
-    out.key("gaps").array(gaps, [&](std::size_t k) { out.value(k); });
+    out.key("gaps").array(gaps, [&](std::size_t k) { out.value(static_cast<double>(k)); });
   });
 }
 

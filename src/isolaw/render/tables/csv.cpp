@@ -1,5 +1,7 @@
 #include "isolaw/render/tables/csv.hpp"
 
+#include <algorithm>
+
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/wording/words.hpp"
@@ -34,7 +36,11 @@ std::string csv_cell(std::string_view text) {
   std::string cell;
   bool const starts_formula =
       text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-  if (starts_formula && !number_in<double>(text)) cell += '\'';
+  // A number alone or with a unit, such as "-20 C", is no formula.
+  auto const unit = text.substr(std::min(text.find(' '), text.size()));
+  bool const is_measure = number_in<double>(text.substr(0, text.size() - unit.size())).has_value() &&
+                          std::ranges::all_of(unit, [](char c) { return c == ' ' || is_letter(c); });
+  if (starts_formula && !is_measure) cell += '\'';
   cell += text;
   if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
   std::string quoted = "\"";

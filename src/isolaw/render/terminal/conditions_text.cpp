@@ -6,9 +6,11 @@
 #include <iterator>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/runs.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/study/conditions_findings.hpp"
 #include "isolaw/wording/table.hpp"
@@ -244,14 +246,9 @@ void add_at_reference(std::string& text, study::ConditionsResult const& result) 
   text += rows.empty() ? "\nThe acceptance tests of all devices were made under reference conditions.\n"
                        : "\nAcceptance tests under other conditions: a value at reference is the measured one divided "
                          "by the factors\n";
-  auto const same_test = [](study::AtReferenceRow const& a, study::AtReferenceRow const& b) {
-    return a.device == b.device && a.block == b.block;
-  };
-  for (auto first = rows.begin(); first != rows.end();) {
-    auto const end = std::find_if_not(first, rows.end(), [&](auto const& row) { return same_test(*first, row); });
-    add_values_of_test(text, {first, end});
-    first = end;
-  }
+  each_run(
+      std::span(rows), [](study::AtReferenceRow const& row) { return std::tie(row.device, row.block); },
+      [&](auto of_test) { add_values_of_test(text, of_test); });
 }
 
 void add_plan(std::string& text, study::ConditionsResult const& result) {
