@@ -159,7 +159,7 @@ void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& fin
          .numbers = {{"last_order", static_cast<double>(last_order)}, {"tests", static_cast<double>(tests)}}});
 }
 
-// Names the effects of the design, and the reference, that rest on a test of which one of the findings doubts something.
+// Names the effects of the design, and the reference, if one of the findings doubts a test that they rest on.
 void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   if (result.bounds.empty()) return;
   auto const is_doubt = [](Finding const& finding) {
