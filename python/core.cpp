@@ -388,6 +388,17 @@ class Model {
     return result.array;
   }
 
+  nb::object residual(nb::object const& parameters) const {
+    auto residuals = model_.force_kN(parameters_of(law(), parameters, Together::left));
+    auto const spreads_kN = model_.spreads_kN();
+    auto const weights = model_.residual_weights();
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      residuals[i] = weights[i] > 0.0
+                         ? std::sqrt(weights[i]) * (residuals[i] - record_->force_kN[i]) / spreads_kN[i]
+                         : 0.0;
+    return array_of(std::move(residuals));
+  }
+
  private:
   std::shared_ptr<data::FitRecord const> record_;
   fit::LawOnRecord model_;
@@ -919,6 +930,7 @@ void add_laws(nb::module_& m) {
                    [](nb::handle_t<Model> self) { return view(nb::cast<Model&>(self).record().time_s, self); })
       .def("objective", &Model::objective, nb::arg("parameters").none())
       .def("objectives", &Model::objectives, nb::arg("population").none(), nb::arg("out").none())
+      .def("residual", &Model::residual, nb::arg("parameters").none())
       .def("force", &Model::force, nb::arg("parameters").none(), nb::arg("out").none());
 }
 

@@ -28,24 +28,13 @@ def fitted(laws, runs, generations, show):
     )  # fmt: skip
 
 
-def draw(rows, file):
-    """Draws one point for each law, filled where no other law dominates it."""
+def draw(campaign, file):
     try:
         import matplotlib
     except ImportError:
         return False
     matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, axes = pyplot.subplots(figsize=(6, 4.5), layout="constrained")
-    for row in rows:
-        if row["robustness"] is None:  # undefined, for example if the mean of a parameter is zero
-            continue
-        axes.plot(row["robustness"], row["accuracy"], "o", color="C0", fillstyle="full" if row["on_front"] else "none")
-        axes.annotate(row["law"], (row["robustness"], row["accuracy"]), xytext=(5, 5), textcoords="offset points")
-    axes.margins(0.15)  # room for the names
-    axes.set(xlabel="beta, Eq. (31): smaller is more robust", ylabel="mean objective, Eq. (27): smaller is more accurate")
-    figure.savefig(file, dpi=150)
+    campaign.plot_front().figure.savefig(file, dpi=150)
     return True
 
 
@@ -61,7 +50,8 @@ def main():
         told = f"\r{done} of {total} runs, {share:.0%}, {left_s:.0f} s left "
         print(told, end="" if done < total else "\n", file=sys.stderr, flush=True)
 
-    rows = fitted(asked.laws, asked.runs, asked.generations, show).front()
+    campaign = fitted(asked.laws, asked.runs, asked.generations, show)
+    rows = campaign.front()
     print(f"{'law':<12}{'accuracy':>12}{'robustness':>12}  front")
     for row in sorted(rows, key=lambda row: row["accuracy"]):
         robustness = "-" if row["robustness"] is None else f"{row['robustness']:.4f}"
@@ -71,7 +61,7 @@ def main():
         table = csv.DictWriter(file, rows[0].keys())
         table.writeheader()
         table.writerows(rows)
-    drawn = draw(rows, asked.out / "front.png")
+    drawn = draw(campaign, asked.out / "front.png")
     print(f"written: {asked.out}/front.csv" + (" and front.png" if drawn else " (front.png needs python3-matplotlib)"))
 
 

@@ -7,9 +7,11 @@
 
 Units are kN, mm and s; a law's parameters have the law's own units (``isolaw.laws()``). Wrong input raises
 ``isolaw.Error``. Arrays of records and results are read-only views of the library's memory, without a copy. No
-function prints. Long calls release the interpreter's lock; Ctrl-C interrupts ``calibrate``.
+function prints, unless ``progress=True`` asks for it. Long calls release the interpreter's lock; Ctrl-C interrupts
+``calibrate``. Records, campaigns and fits show themselves in notebooks; their plots need Matplotlib, tables pandas.
 """
 
+import contextlib as _contextlib
 import difflib as _difflib
 import functools as _functools
 import inspect as _inspect
@@ -20,7 +22,7 @@ from collections.abc import Mapping as _Mapping
 
 import numpy as _np
 
-from . import _core
+from . import _core, _show
 from ._error import Error
 from ._core import Record, __version__
 
@@ -29,6 +31,8 @@ __all__ = [
     "Campaign",
     "Conditions",
     "Error",
+    "Fit",
+    "LawFits",
     "Model",
     "Record",
     "Test",
@@ -52,7 +56,52 @@ __all__ = [
     "settings",
 ]
 
+
+
+def _record_rows(self):
+    rows = [("samples", len(self))]
+    if self.time_s is not None:
+        rows.append(("duration, s", float(self.time_s[-1] - self.time_s[0])))
+    channels = (("displacement, mm", self.disp_mm), ("force, kN", self.force_kN), ("vertical load, kN", self.load_kN))
+    return rows + [
+        (title, f"{values.min():.4g} to {values.max():.4g}") for title, values in channels if values is not None
+    ]
+
+
+def _record_repr(self):
+    facts = ", ".join(f"{name} {value:.6g}" if isinstance(value, float) else f"{name} {value}" for name, value in _record_rows(self))
+    return f"<isolaw.Record {self.name}: {facts}>"
+
+
+def _record_html(self):
+    if self.force_kN is not None:
+        picture = _show.loop_picture(self.disp_mm, self.force_kN)
+    else:
+        time_s = _np.arange(len(self)) if self.time_s is None else self.time_s
+        picture = _show.time_picture(time_s, self.disp_mm)
+    return _show.page(self.name, _record_rows(self), picture)
+
+
+def _record_to_frame(self):
+    """The samples as a pandas DataFrame: columns time_s, disp_mm, force_kN and load_kN, as far as the record has them."""
+    channels = {name: getattr(self, name) for name in ("time_s", "disp_mm", "force_kN", "load_kN")}
+    return _show.frame({name: values for name, values in channels.items() if values is not None})
+
+
+def _record_plot(self, ax=None):
+    """Draws force over displacement with Matplotlib, or a motion over time. Returns the axes; ax: draws into these."""
+    if self.force_kN is not None:
+        return _show.draw_loop(ax, self.disp_mm, [("", self.force_kN)])
+    ax = _show.axes(ax)
+    ax.plot(_np.arange(len(self)) if self.time_s is None else self.time_s, self.disp_mm, linewidth=1.0)
+    ax.set_xlabel("Sample" if self.time_s is None else "Time, s")
+    ax.set_ylabel("Displacement, mm")
+    return ax
+
+
 Record.__module__ = "isolaw"
+Record.__repr__, Record._repr_html_ = _record_repr, _record_html
+Record.plot, Record.to_frame = _record_plot, _record_to_frame
 
 _OPTIONS = _json.loads(_core.options_json())
 
@@ -249,7 +298,20 @@ class Model:
     def __init__(self, law, record, *, refinement=1, **how):
         self._core = _core.Model(law, record, _all_samples(how), refinement)
         self._law = law
-        self._names = [p["name"] for p in laws()[law]["parameters"]]
+        self._box = box(law, record)
+        self._names = list(self._box)
+        self._is_free = _np.array([entry["free"] for entry in self._box.values()])
+
+    def __repr__(self):
+        return f"<isolaw.Model of {self._law}: parameters {', '.join(self._names)}; {len(self.disp_mm)} samples>"
+
+    def _whole(self, parameters):
+        """Adds the values of the fixed parameters if only the free ones are given."""
+        if self._is_free.all() or isinstance(parameters, _Mapping) or _np.shape(parameters) != (self._is_free.sum(),):
+            return parameters
+        whole = _np.array([_np.nan if entry["free"] else entry["value"] for entry in self._box.values()])
+        whole[self._is_free] = parameters
+        return whole
 
     @property
     def law(self):
@@ -260,6 +322,23 @@ class Model:
     def parameter_names(self):
         """Names of the parameters in the law's order, which is also the order of a population's columns."""
         return list(self._names)
+
+    @property
+    def free_names(self):
+        """Names of the parameters that an optimiser may change, in the law's order; the others have usual values.
+
+        objective, residual and force also take values of the free parameters alone.
+        """
+        return [name for name, is_free in zip(self._names, self._is_free) if is_free]
+
+    @property
+    def bounds(self):
+        """Lower and upper limits of the free parameters, as SciPy takes them: two arrays of shape (free,).
+
+        They are those of the search box, as box() gives it.
+        """
+        free = [entry for entry in self._box.values() if entry["free"]]
+        return _np.array([entry["lower"] for entry in free]), _np.array([entry["upper"] for entry in free])
 
     @property
     def time_s(self):
@@ -283,7 +362,18 @@ class Model:
         measured force; infinity if a force is not finite. Computed by scalar code, like every number of a report.
         Raises Error as force does.
         """
-        return self._core.objective(parameters)
+        return self._core.objective(self._whole(parameters))
+
+    __call__ = objective
+
+    def residual(self, parameters):
+        """Deviations for least squares, shape (samples,): for SciPy's least_squares, lmfit and others; no unit.
+
+        Computed - measured force, divided by the standard deviation of the measured force and times the square root of
+        the sample's weight. The sum of the squares is the weighted mean of the squared deviations. Samples that the
+        objective does not count are 0; others are not finite if the law gives no force. Raises Error as force does.
+        """
+        return self._core.residual(self._whole(parameters))
 
     def objectives(self, population, out=None):
         """Objectives of many candidates at once, from the vector kernels: a float64 array of shape (candidates,).
@@ -297,7 +387,7 @@ class Model:
 
     def force(self, parameters, out=None):
         """Computed force in kN at the samples of the cleaned record, shape (samples,). Raises Error as force does."""
-        return self._core.force(parameters, out)
+        return self._core.force(self._whole(parameters), out)
 
 
 def objective(law, parameters, record, **how):
@@ -310,15 +400,161 @@ def objectives(law, population, record, **how):
     return Model(law, record, **how).objectives(population)
 
 
-class Campaign:
-    """Laws fitted to the devices of a lot, as calibrate, merge and load return them.
+class Fit:
+    """A law fitted to a device: ``campaign["bouc-wen"]["D06"]``.
 
-    ``summary`` is the content of summary.json (docs/summary-json.md). Arrays are read-only views, except those of runs.
+    ``results`` is the device's entry in summary.json; the properties below are the ones that most people need.
+    """
+
+    def __init__(self, campaign, law, results):
+        self._campaign = campaign
+        self._law = law
+        self._results = results
+
+    def __repr__(self):
+        head = f"<isolaw.Fit of {self._law} to {self.device}: "
+        if self.objective is None:
+            return head + self._results["message"] + ">"
+        values = ", ".join(f"{name} = {value:.4g}" for name, value in self.parameters.items())
+        return head + f"objective {self.objective:.4g}; {values}>"
+
+    def _repr_html_(self):
+        rows = [("objective", self.objective), *self.parameters.items()]
+        record = self._campaign.fit_record(self.device)
+        picture = _show.loop_picture(record["disp_mm"], record["force_kN"], self.force_kN)
+        return _show.page(f"{self._law} fitted to {self.device}: measured, and computed in red", rows, picture)
+
+    @property
+    def law(self):
+        """Id of the law."""
+        return self._law
+
+    @property
+    def device(self):
+        """Name of the device."""
+        return self._results["name"]
+
+    @property
+    def results(self):
+        """The dict of the fit in summary.json (docs/summary-json.md)."""
+        return self._results
+
+    @property
+    def objective(self):
+        """The least objective over the runs, Eq. (27) of Cucuzza et al. 2025; no unit. None if no run has one."""
+        return self._results["objective"]["best"]
+
+    @property
+    def parameters(self):
+        """Parameters of the best run: a dict in the law's units. Raises Error if there are none."""
+        return self._campaign.parameters(self._law, self.device)
+
+    @property
+    def runs(self):
+        """Every run, as Campaign.runs returns it."""
+        return self._campaign.runs(self._law, self.device)
+
+    @property
+    def force_kN(self):
+        """Force in kN of the best run at the samples of the cleaned record, shape (samples,): a read-only view."""
+        return self._campaign.force(self._law, self.device)
+
+    def plot(self, ax=None):
+        """Draws the measured and the computed loop with Matplotlib. Returns the axes; ax: draws into these."""
+        record = self._campaign.fit_record(self.device)
+        labelled = [(f"{self.device}, measured", record["force_kN"]), (self._law, self.force_kN)]
+        return _show.draw_loop(ax, record["disp_mm"], labelled)
+
+
+class LawFits(_Mapping):
+    """The fits of a law, a Fit by name of device: ``campaign["bouc-wen"]``. Devices that were refused are not in it.
+
+    ``results`` is the law's entry in summary.json.
+    """
+
+    def __init__(self, campaign, results):
+        self._results = results
+        fits = (Fit(campaign, results["id"], of_device) for of_device in results["devices"])
+        self._fits = {fit.device: fit for fit in fits}
+
+    def __getitem__(self, device):
+        if device not in self._fits:
+            raise KeyError(f"{device}; allowed: {', '.join(self._fits)}")
+        return self._fits[device]
+
+    def __iter__(self):
+        return iter(self._fits)
+
+    def __len__(self):
+        return len(self._fits)
+
+    def __repr__(self):
+        return f"<isolaw.LawFits of {self.law} to {', '.join(self._fits)}>"
+
+    @property
+    def law(self):
+        """Id of the law."""
+        return self._results["id"]
+
+    @property
+    def results(self):
+        """The dict of the law in summary.json (docs/summary-json.md)."""
+        return self._results
+
+    def to_frame(self):
+        """A pandas DataFrame with a row for each device: its objective, and the parameters of the best run."""
+        rows = [
+            {"device": fit.device, "objective": fit.objective, **(fit.parameters if fit.objective is not None else {})}
+            for fit in self._fits.values()
+        ]
+        return _show.frame(rows, index="device")
+
+
+class Campaign(_Mapping):
+    """Laws fitted to the devices of a lot, as calibrate, merge and load return them: LawFits by id of the law.
+
+    ``campaign["bouc-wen"]["D06"]`` is the Fit of a law to a device. ``summary`` is the content of summary.json
+    (docs/summary-json.md). Arrays are read-only views, except those of runs.
     """
 
     def __init__(self, core):
         self._core = core
         self._summary = None
+        self._fits = None
+
+    def _by_law(self):
+        if self._fits is None:
+            self._fits = {law["id"]: LawFits(self, law) for law in self.summary["laws"]}
+        return self._fits
+
+    def __getitem__(self, law):
+        if law not in self._by_law():
+            raise KeyError(f"{law}; allowed: {', '.join(self._fits)}")
+        return self._fits[law]
+
+    def __iter__(self):
+        return iter(self._by_law())
+
+    def __len__(self):
+        return len(self._by_law())
+
+    __hash__ = object.__hash__
+
+    def __eq__(self, other):
+        return isinstance(other, Campaign) and self.summary == other.summary
+
+    def _rows(self):
+        best = {law: fits.results["objective"]["best"] for law, fits in self.items()}
+        return [(law, "no fit" if value is None else f"{value:.4g}") for law, value in best.items()]
+
+    def __repr__(self):
+        state = "" if self.complete else ", not complete"
+        objectives = ", ".join(f"{law} {value}" for law, value in self._rows())
+        return f"<isolaw.Campaign of {len(self.devices)} devices{state}; least objectives: {objectives}>"
+
+    def _repr_html_(self):
+        title = f"{self.summary['title'] or 'Campaign'}: least objective of each law, {len(self.devices)} devices"
+        return _show.page(title, self._rows())
 
     @property
     def summary(self):
@@ -326,6 +562,40 @@ class Campaign:
         if self._summary is None:
             self._summary = _json.loads(self._core._summary_json())
         return self._summary
+
+    @property
+    def findings(self):
+        """Warnings, doubts and notes: a list of dicts with kind, severity, sentence, law, devices and more."""
+        return self.summary["warnings"]
+
+    def to_frame(self):
+        """A pandas DataFrame with a row for each law: least and mean objective, beta, and whether it is on the front."""
+        rows = [
+            {"law": law, **fits.results["objective"], "beta": fits.results["beta"], "on_front": fits.results["on_front"]}
+            for law, fits in self.items()
+        ]
+        return _show.frame(rows, index="law")
+
+    def plot_loop(self, law, device, ax=None):
+        """Draws the measured loop of a device and that of a law with Matplotlib. Returns the axes."""
+        return self[law][device].plot(ax)
+
+    def plot_front(self, kind="runs", ax=None):
+        """Draws accuracy against robustness with Matplotlib: a point for each law, filled if it is on the front.
+
+        kind: as in front(). Returns the axes; ax: draws into these.
+        """
+        ax = _show.axes(ax)
+        for row in self.front(kind):
+            if row["accuracy"] is None or row["robustness"] is None:
+                continue
+            at = row["robustness"], row["accuracy"]
+            ax.plot(*at, "o", color="C0", fillstyle="full" if row["on_front"] else "none")
+            ax.annotate(row["law"], at, xytext=(5, 5), textcoords="offset points")
+        ax.margins(0.15)  # room for the names
+        robustness = "Objective on devices that were left out" if kind == "loo" else "Robustness index beta, Eq. (31)"
+        ax.set(xlabel=robustness, ylabel="Mean objective, Eq. (27)" if kind == "runs" else "Objective of the best fits")
+        return ax
 
     @property
     def complete(self):
@@ -396,8 +666,23 @@ class Campaign:
         self._core.write(_os.fspath(directory))
 
 
+@_contextlib.contextmanager
+def _reporting(progress):
+    """Gives what the compiled part calls: for True a bar, None for None, and else `progress`."""
+    if progress is not True:
+        yield progress or None
+        return
+    bar = _show.Bar()
+    try:
+        yield lambda done, total, analysis=False, best=None, share=None: bar(done / total if share is None else share)
+    finally:
+        bar.close()
+
+
 def _adapted(progress):
     """Wraps `progress`: the wrapper takes every argument and passes on those that `progress` accepts."""
+    if progress is None:
+        return None
     try:
         takes = list(_inspect.signature(progress).parameters.values())
     except (TypeError, ValueError):  # a built-in function may have no signature
@@ -443,8 +728,8 @@ def calibrate(
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for store and reports, where
     the same call continues an interrupted campaign; fresh starts over in it. title: the lot's title.
     part: ``(3, 40)`` computes only the third of 40 equal shares of the runs, into ``out``; merge joins all shares.
-    progress: a function that is called as progress(done, total, analysis, best) in the calling thread, for runs and
-    then for analyses; best is a dict by law of the least objective so far. If the function takes keywords ``share`` or
+    progress: True shows a bar (with tqdm where it is installed, else a line on standard error). A function is called as
+    progress(done, total, analysis, best) in the calling thread, for runs and then for analyses; best is a dict by law of the least objective so far. If the function takes keywords ``share`` or
     ``left_s``, it also gets the share of all work that is done and the seconds left. An exception that it raises ends
     the search and is raised here.
 
@@ -460,8 +745,11 @@ def calibrate(
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
-    report = None if progress is None else _adapted(progress)
-    return Campaign(_core.calibrate(devices, given, tests, jobs, out, bool(fresh), title, part and _part(part), report))
+    with _reporting(progress) as told:
+        core = _core.calibrate(
+            devices, given, tests, jobs, out, bool(fresh), title, part and _part(part), _adapted(told)
+        )
+    return Campaign(core)
 
 
 def _part(part):
@@ -483,8 +771,9 @@ def merge(out, parts, *, jobs=0, fresh=False, progress=None):
     It also raises Error if runs are missing, with their number for each part, after it has copied the other runs.
     """
     parts = [parts] if isinstance(parts, (str, _os.PathLike)) else list(parts)
-    report = None if progress is None else _adapted(progress)
-    return Campaign(_core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, bool(fresh), report))
+    with _reporting(progress) as told:
+        core = _core.merge(_os.fspath(out), [_os.fspath(one) for one in parts], jobs, bool(fresh), _adapted(told))
+    return Campaign(core)
 
 
 def load(directory):
@@ -614,8 +903,8 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     in m/s2[, along y]). motion_dt and motion_unit state the step in s and the unit of acceleration of motions whose
     files do not. laws, draws, seed, lower, upper and the other keys of ``[building]`` replace those of the file.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
-    same call continues an interrupted study; fresh starts over in it. progress: called as progress(done, total) with
-    numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
+    same call continues an interrupted study; fresh starts over in it. progress: True, or a function that is called as progress(done, total)
+    with numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
 
     Returns a Building. Ctrl-C ends the study with KeyboardInterrupt and keeps finished runs in ``out``. Raises Error
     with everything that is wrong in the building.
@@ -625,7 +914,9 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     if isinstance(motions, (str, _os.PathLike)):
         motions = [motions]
     motions_given = [_motion_input(motion) for motion in motions or ()]
-    return Building(_core.building(file, source, motions_given, given, jobs, out, bool(fresh), progress))
+    with _reporting(progress) as told:
+        core = _core.building(file, source, motions_given, given, jobs, out, bool(fresh), told)
+    return Building(core)
 
 
 class Conditions:

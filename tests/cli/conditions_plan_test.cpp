@@ -47,6 +47,14 @@ class ConditionsPlan : public InFreshDirectory {
 };
 using Texts = std::vector<std::string>;
 
+// A later test of a device that was stretched too far has another history than its earlier tests.
+TEST_F(ConditionsPlan, leaves_out_a_device_that_was_stretched_farther) {
+  auto const last = "order = 4\ntemperature-C = 40\n";
+  auto const plan = json_of({with(last, fmt::format("{}channel-scale = {{ disp = 1.5 }}\n", last))})["plan"];
+  EXPECT_FALSE(plan.empty());
+  for (auto const& text : texts(plan)) EXPECT_FALSE(text.starts_with("P1 ")) << text;
+}
+
 // P4 was aged, so it cannot be tested at other frequencies any more.
 TEST_F(ConditionsPlan, of_the_example_has_twelve_tests) {
   auto const plan = json_of({"ex/lot.toml"})["plan"];

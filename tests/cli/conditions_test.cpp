@@ -209,6 +209,37 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   EXPECT_TRUE(contains(read("C/figures/front.gp"), "of a campaign"));
 }
 
+// Bounds that are interpolated have the drift and the error of the line in their interval, in every output.
+TEST_F(Conditions, have_one_interval_of_a_bound_in_all_outputs) {
+  auto text = read("ex/lot.toml");
+  auto const begin = text.find("design = { temperature-C");
+  write("ex/changed.toml",
+        text.replace(begin, text.find('\n', begin) - begin, "design = { temperature-C = [-15, 45] }"));
+  auto const o = isolaw({"conditions", "ex/changed.toml", "--out", "C"});
+  ASSERT_LE(o.code, 1) << o;
+  auto const bound = Json::parse(read("C/conditions.json"))["bounds"][0];
+  double const factor = bound["max"]["factor"], low = bound["max"]["interval"][0], high = bound["max"]["interval"][1];
+  EXPECT_LT(low, factor);
+  EXPECT_TRUE(contains(read("C/tables/conditions.csv"),
+                       fmt::format("K_eff,all together,largest over the design,,,,,{:.6g},interpolated,,,,{:.6g},{:.6g},",
+                                   factor, low, high)));
+  EXPECT_TRUE(contains(read("C/tables/conditions.tex"),
+                       fmt::format(" & all together & {:.3f} ({:.3f} to {:.3f}) & interpolated & ", factor, low, high)));
+  EXPECT_TRUE(contains(o.out, fmt::format("upper  {:.3f} ({:.3f} to {:.3f}, 95 %), interpolated", factor, low, high)));
+  double const value = bound["value_at_reference"];
+  EXPECT_EQ(bound["devices"], 5);
+  EXPECT_TRUE(contains(o.out, fmt::format("at reference {:.4g} kN/mm, mean of 5 devices: {:.4g} to {:.4g} kN/mm", value,
+                                          value * bound["min"]["factor"].get<double>(), value * factor)))
+      << o;
+}
+
+TEST_F(Conditions, show_the_part_of_an_effect_that_tests_cover) {
+  auto const o = with("temperature-C = [-15, 45]", "temperature-C = [-35, 45]", {"--out", "C"});
+  EXPECT_TRUE(contains(o.out, "upper  at least ")) << o;
+  EXPECT_TRUE(contains(o.out, "temperature   >1.313  NOT COVERED")) << o;
+  EXPECT_TRUE(contains(read("C/tables/conditions.tex"), " & all together & at least "));
+}
+
 TEST_F(Conditions, as_text_begin_with_the_bounds) {
   auto const o = isolaw({"conditions", "ex/lot.toml", "--details"});
   ASSERT_LE(o.code, 1) << o;

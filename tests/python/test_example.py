@@ -1,6 +1,7 @@
 """The examples of the documentation run."""
 
 import csv
+import importlib.util
 import pathlib
 import re
 import subprocess
@@ -28,6 +29,15 @@ class Examples(unittest.TestCase):
             self.assertGreater(float(row["robustness"]), 0.0)
             self.assertIn(row["law"], process.stdout)
         self.assertTrue(any(row["on_front"] == "True" for row in rows))
+
+    @unittest.skipIf(importlib.util.find_spec("scipy") is None, "not installed: scipy")
+    def test_least_squares_of_scipy(self):
+        process = subprocess.run(
+            [sys.executable, SOURCE / "examples/python/least_squares.py"], capture_output=True, text=True, timeout=300
+        )
+        self.assertEqual(process.returncode, 0, process.stderr)
+        scipy, own = map(float, re.findall("[0-9.]+(?= with)", process.stdout))
+        self.assertLess(scipy, 2.0 * own)  # squares and absolute values have different best fits
 
     def test_a_building_on_the_example_lot(self):
         with tempfile.TemporaryDirectory() as folder:

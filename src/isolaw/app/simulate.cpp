@@ -83,7 +83,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
                  .allowed = "with --from DIR: other parameters are taken without it"});
   if (a.bound && (!a.from || !a.set.empty()))
     throw Error({.where = "--bound",
-                 .found = a.from ? "is given with --set" : "is given alone",
+                 .found = a.from ? "is given with --set" : "is given without --from",
                  .allowed = "with --from DIR and without --set"});
   if (a.from.has_value() != a.device.has_value())
     throw Error({.where = a.from ? "--from" : "--device",

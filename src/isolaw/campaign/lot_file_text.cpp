@@ -222,7 +222,8 @@ std::string lot_file_text(Lot const& written, std::filesystem::path const& direc
   if (!remarks.tests.empty())
     out << "\n# The names of these records look like conditions of tests. If each [[device]] below is one device, delete\n"
            "# the [[device]] tables above, take the first \"# \" away from every line below, and check all values and the\n"
-           "# order of the tests. docs/conditions.md explains them. Then: isolaw conditions\n#\n"
+           "# order of the tests. Lines that then still begin with \"# \", such as that of an ageing, need a value of yours.\n"
+           "# docs/conditions.md explains them. Then: isolaw conditions\n#\n"
         << as_comment(proposed_tables(lot, directory, shared, remarks));
   return out.str();
 }

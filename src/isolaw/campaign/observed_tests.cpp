@@ -80,7 +80,7 @@ class Observer {
         if (same.size() == 1) break;
         auto const& other = tests[index == same.front() ? same[1] : same.front()];
         tests[index].refusal =
-            fmt::format("its record is also that of the test {} of {}; each test needs a record of its own",
+            fmt::format("the record of this test is also that of the test {} of {}; each test needs a record of its own, and a lot file names each record once",
                         printable(other.test), printable(other.device));
         tests[index].blocks.clear();
       }

@@ -187,7 +187,20 @@ class Builder {
     asked = bounds_.completed(std::move(asked), quantity, strength_share());
     out_.design.insert(out_.design.end(), asked.begin(), asked.end());
     if (!asked.empty() && std::ranges::find(combined, quantity) != std::end(combined))
-      out_.bounds.push_back(bounds_.bound(quantity, asked));
+      out_.bounds.push_back(bounds_.bound(quantity, asked)), add_value_at_reference(out_.bounds.back());
+  }
+
+  void add_value_at_reference(BoundRow& row) const {
+    std::map<std::string, std::vector<double>> lns;  // of each device
+    auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
+    bool const scaled = only_scaled(is_reference);
+    for (auto const& seen : all_)
+      if (is_reference(seen) && seen.is_scaled == scaled)
+        if (auto const ln = ln_at_reference(seen.block, row.quantity, stated_)) lns[seen.block.device].push_back(*ln);
+    std::vector<double> of_devices;
+    for (auto const& [device, values] : lns) of_devices.push_back(num::moments(values).mean);
+    if (of_devices.empty()) return;
+    row.value_at_reference = std::exp(num::moments(of_devices).mean), row.devices = static_cast<int>(of_devices.size());
   }
 
   void add_curves(Quantity quantity, conditions::Response const& response) {

@@ -122,6 +122,10 @@ struct DesignRow {  // the largest and the smallest factor of an effect in the d
 struct BoundRow {  // all effects together
   rules::Quantity quantity;
   conditions::Combined max, min;
+  // The value that the factors multiply: the mean over the devices of their reference tests, in logarithms, in the
+  // quantity's unit, and the number of these devices.
+  double value_at_reference = 0.0;
+  int devices = 0;
 };
 
 struct HowCombined {  // how the factors of all effects make a bound

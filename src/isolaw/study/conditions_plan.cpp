@@ -25,7 +25,8 @@ class Planner {
       if (auto const why = add_ends(effect); why && is_asked(effect)) all.unplanned.push_back({effect, *why});
     std::vector<conditions::Candidate> candidates;
     for (auto const& device : result_.devices)
-      if (device.is_compared && !device.is_scaled)
+      // A test of a device that was stretched too far cannot be compared with its earlier tests.
+      if (device.is_compared && !device.is_scaled && history_of_next(device) != History::disturbed)
         candidates.push_back({.device = device.name,
                               .has_reference = has_reference(device),
                               .was_new = was_new(device),

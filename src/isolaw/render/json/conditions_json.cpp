@@ -129,7 +129,8 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
                   how.clause, "verified", how.verified);
   });
   out.key("bounds").objects(result.bounds, [&](study::BoundRow const& row) {
-    write_members(out, "quantity", row.quantity);
+    write_members(out, "quantity", row.quantity, "unit", rules::unit(row.quantity), "value_at_reference",
+                  row.value_at_reference, "devices", row.devices);
     write_combined(out.key("max"), row.max);
     write_combined(out.key("min"), row.min);
   });

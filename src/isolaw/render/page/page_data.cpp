@@ -430,8 +430,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   out.key("endings").array(
       result_units, [&](auto const& stored) { out.begin_array().value(stored.ending).value(stored.unit).end_array(); });
   // The keys of numbers whose unit another member of the same object names. The first four are keys inside curves and
-  // histograms.
-  std::set<std::string_view> own{"o", "s", "from", "width"};
+  // histograms, the fifth is that of bounds over the design conditions.
+  std::set<std::string_view> own{"o", "s", "from", "width", "value_at_reference"};
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)
       if (row.unit == study::own_unit) own.insert(row.key);

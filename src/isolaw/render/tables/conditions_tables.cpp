@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "isolaw/base/symbol.hpp"
@@ -15,25 +15,26 @@ namespace {
 
 constexpr std::string_view all_effects = "all together";
 
-// The combined factor as one factor, without a number of devices.
-conditions::Factor as_factor(conditions::Combined const& all) {
-  conditions::Factor factor{.ln = std::log(all.factor), .status = all.status};
-  if (all.interval) factor.se = all.se, factor.df = all.df;
-  return factor;
-}
-
 // The columns of a test that an observation shows beside the values of its cycle.
 constexpr auto of_test = columns(study::conditions_test_results,
                                  {"device", "test", "order", "block", "temperature_C", "frequency_Hz", "load_kN",
                                   "strain_percent", "aged_days", "aged_at_C", "rest_h", "role", "effect"});
 
-std::string latex_factor(conditions::Factor const& factor) {
+std::string latex_cells(double factor, std::optional<conditions::Interval> const& interval, std::string_view status) {
+  auto const low = interval ? fmt::format("{:.3f}", interval->low) : "",
+             high = interval ? fmt::format("{:.3f}", interval->high) : "";
+  return fmt::format("{:.3f}{} & {}", factor, low == high ? "" : fmt::format(" ({} to {})", low, high), status);
+}
+
+std::string latex_cells(conditions::Factor const& factor) {
   if (factor.status == conditions::Status::not_covered) return "-- & NOT COVERED";
-  auto const found = interval(factor, conditions::About::mean);
-  auto const low = found ? fmt::format("{:.3f}", found->low) : "",
-             high = found ? fmt::format("{:.3f}", found->high) : "";
-  return fmt::format("{:.3f}{} & {}", factor.lambda(), low == high ? "" : fmt::format(" ({} to {})", low, high),
-                     study::status_word(factor));
+  return latex_cells(factor.lambda(), interval(factor, conditions::About::mean), study::status_word(factor));
+}
+
+// `at_end` stands before a factor that can be farther from 1: "at least" or "at most".
+std::string latex_cells(conditions::Combined const& all, std::string_view at_end) {
+  if (!all.complete()) return fmt::format("{} {:.3f} & NOT COVERED", at_end, all.factor);
+  return latex_cells(all.factor, all.interval, name(all.status));
 }
 
 // A property's symbol, such as K_eff, or its name.
@@ -70,9 +71,16 @@ std::string conditions_csv(ConditionsResult const& result, UnitSystem const& uni
     design_row(row.quantity, name(row.effect), largest, row.max);
     design_row(row.quantity, name(row.effect), smallest, row.min);
   }
+  // A bound has a factor, a status and the interval of the mean, and none of the other columns.
+  auto const bound_row = [&](rules::Quantity quantity, std::string_view side, conditions::Combined const& all) {
+    table.add(quantity, all_effects, side).empty(of_level.size() - 3);
+    table.add(all.complete() ? std::optional(all.factor) : std::nullopt, name(all.status)).empty(3);
+    table.add(all.interval ? study::Ends{all.interval->low, all.interval->high} : study::Ends{});
+    table.add(study::Ends{}, study::Ends{}, study::Ends{}).empty(1).end_row();
+  };
   for (auto const& row : result.bounds) {
-    design_row(row.quantity, all_effects, largest, as_factor(row.max));
-    design_row(row.quantity, all_effects, smallest, as_factor(row.min));
+    bound_row(row.quantity, largest, row.max);
+    bound_row(row.quantity, smallest, row.min);
   }
   return table.take();
 }
@@ -94,16 +102,16 @@ std::string conditions_tex(ConditionsResult const& result, UnitSystem const&) {
   text += "% Needs in the preamble: \\usepackage{booktabs}\n";
   text += "\\begin{tabular}{@{}llrlrl@{}}\n\\toprule\n";
   text += "Property & Effect & Largest & & Smallest & \\\\\n";
-  auto const row = [&](std::string_view property, std::string_view effect, conditions::Factor const& max,
-                       conditions::Factor const& min) {
-    text += fmt::format("{} & {} & {} & {} \\\\\n", property, effect, latex_factor(max), latex_factor(min));
+  auto const row = [&](std::string_view property, std::string_view effect, std::string_view max, std::string_view min) {
+    text += fmt::format("{} & {} & {} & {} \\\\\n", property, effect, max, min);
   };
   for (auto const& bound : result.bounds) {
     text += "\\midrule\n";
     auto property = latex_property(bound.quantity);
     for (auto const& of : result.design)
-      if (of.quantity == bound.quantity) row(std::exchange(property, ""), name(of.effect), of.max, of.min);
-    row("", all_effects, as_factor(bound.max), as_factor(bound.min));
+      if (of.quantity == bound.quantity)
+        row(std::exchange(property, ""), name(of.effect), latex_cells(of.max), latex_cells(of.min));
+    row("", all_effects, latex_cells(bound.max, "at least"), latex_cells(bound.min, "at most"));
   }
   return text + "\\bottomrule\n\\end{tabular}\n";
 }

@@ -26,8 +26,10 @@ void append(std::string& text, fmt::format_string<Args...> format, Args&&... arg
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
+// Of an effect that is not covered the part that tests show stands in the bounds, so it is shown too.
 std::string factor_text(Factor const& factor) {
-  return factor.status == Status::not_covered ? "-" : fmt::format("{:.3f}", factor.lambda());
+  if (factor.status != Status::not_covered) return fmt::format("{:.3f}", factor.lambda());
+  return factor.ln == 0.0 ? "-" : fmt::format("{}{:.3f}", factor.ln > 0.0 ? ">" : "<", factor.lambda());
 }
 
 std::string interval_text(std::optional<conditions::Interval> const& interval) {
@@ -89,6 +91,18 @@ std::string combination_text(study::ConditionsResult const& result) {
   return text;
 }
 
+// The bounds in the property's unit.
+void add_values(std::string& text, study::BoundRow const& row) {
+  if (row.devices == 0) return;
+  auto const unit = rules::unit(row.quantity);
+  append(text, "  at reference {:.4g} {}, mean of {}", row.value_at_reference, unit,
+         counted(static_cast<std::size_t>(row.devices), "device"));
+  if (row.min.complete() && row.max.complete())
+    append(text, ": {:.4g} to {:.4g} {}", row.min.factor * row.value_at_reference,
+           row.max.factor * row.value_at_reference, unit);
+  text += '\n';
+}
+
 void add_bounds(std::string& text, study::ConditionsResult const& result, bool details) {
   if (result.bounds.empty()) {
     text +=
@@ -105,6 +119,7 @@ void add_bounds(std::string& text, study::ConditionsResult const& result, bool d
         if (std::ranges::find(alone, effect) == alone.end()) alone.push_back(std::move(effect));
     append(text, "\n{}\n  upper  {}\n  lower  {}\n", rules::name(row.quantity), bound_text(row.max, "at least"),
            bound_text(row.min, "at most"));
+    add_values(text, row);
     if (is_short(row.quantity) && !details) continue;
     append(text, "    {:<12} {:>7}  {:<28} {:>8}\n", "effect", "largest", "", "smallest");
     for (auto const& of : result.design)

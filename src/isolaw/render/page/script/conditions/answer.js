@@ -1,6 +1,6 @@
 import { element, shortList } from '../dom.js';
 import { tableOf } from '../tables.js';
-import { DASH, THIN, count, enumerate, isNumber, sentence, shareText, trimmed } from '../text.js';
+import { DASH, THIN, count, enumerate, isNumber, sentence, shareText, trimmed, unitText, withUnit } from '../text.js';
 import { KN, MM } from '../units.js';
 import { obstacle } from './bound_laws.js';
 import { agedText, conditions, cyclesText, factorText, findings, intervalText, restText, statusWord, toneOf } from './data.js';
@@ -66,8 +66,9 @@ const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
 // A bound of which an effect is missing can only be farther from 1.
 const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 
-function headline({ quantity, max, min }) {
-  return quantity + ' goes from ' + boundText('min', min) + ' to ' + boundText('max', max) + ' times its value at reference.';
+function headline({ quantity, unit, devices, value_at_reference: value, max, min }) {
+  const times = ' goes from ' + boundText('min', min) + ' to ' + boundText('max', max) + ' times its value at reference';
+  return quantity + times + (devices > 0 ? ', ' + withUnit(value, unitText(unit)) : '') + '.';
 }
 
 function boundsTable(bounds) {
