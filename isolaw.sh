@@ -15,6 +15,7 @@
 #   ./isolaw.sh lint         format, clang-tidy, and eslint for JavaScript
 #   ./isolaw.sh compilers    compare results across compilers and processors: prints the largest differences
 #   ./isolaw.sh page         build the program as one HTML file, build/page/isolaw.html, and test it; see docs/page.md
+#   ./isolaw.sh wheel [PYTHON]  make the Python package as a wheel that runs on other Linux machines, and test it
 #   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md and the keywords of the Python stub
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -27,7 +28,7 @@ step() { printf '+ %s\n' "$*" >&2; "$@"; }
 as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
-  libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libxlsxwriter-dev
+  libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libbearssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm python3-dev python3-numpy python3-venv zlib1g-dev)
 test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-matplotlib python3-pandas python3-scipy python3-tk qemu-user slurm-client slurmctld slurmd tcl xz-utils)
 
@@ -156,7 +157,7 @@ case "${1:-help}" in
     step tools/compilers.sh
     ;;
   page)
-    # tools/page_libraries.sh needs dpkg-dev to unpack the sources of libraries and tcl to build SQLite.
+    # tools/library_sources.sh needs dpkg-dev to unpack the sources of libraries and tcl to build SQLite.
     setup chromium dpkg-dev emscripten firefox-esr tcl
     [ -e node_modules/axe-core/axe.min.js ] || step npm ci --no-audit --no-fund --loglevel=error
     step cmake --preset page
@@ -167,15 +168,20 @@ case "${1:-help}" in
     step cmake --build --preset release --target isolaw_cli
     step ctest --test-dir build/page --output-on-failure "${@:2}"
     ;;
+  wheel)
+    setup dpkg-dev git tcl
+    build --target isolaw_cli
+    step tools/wheel.sh "build/$preset/cli/isolaw" "${@:2}"
+    ;;
   docs)
     setup
     build --target isolaw_cli
     step tools/reference.sh "build/$preset/cli/isolaw" .
     echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi" >&2
     ;;
-  help | -h | --help) sed -n '2,17s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, docs" >&2
     exit 2
     ;;
 esac

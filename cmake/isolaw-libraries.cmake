@@ -1,7 +1,7 @@
 # Makes targets for libraries that have no CMake package. The installed package includes this file too, so that the
 # libraries are searched on the machine that uses isolaw. CMake's own module for HDF5 would require a C compiler in
 # every project that uses isolaw.
-foreach(names "hdf5;hdf5_serial" "hdf5_hl;hdf5_serial_hl" minizip)
+foreach(names "hdf5;hdf5_serial" "hdf5_hl;hdf5_serial_hl" minizip bearssl)
   list(GET names 0 library)
   if(NOT TARGET isolaw::${library})
     list(REVERSE names)  # prefers hdf5_serial, since hdf5 may be built for MPI
@@ -10,4 +10,4 @@ foreach(names "hdf5;hdf5_serial" "hdf5_hl;hdf5_serial_hl" minizip)
     set_target_properties(isolaw::${library} PROPERTIES IMPORTED_LOCATION "${ISOLAW_${library}}")
   endif()
 endforeach()
-set(ISOLAW_WITHOUT_PACKAGE isolaw::hdf5_hl isolaw::hdf5 isolaw::minizip)
+set(ISOLAW_WITHOUT_PACKAGE isolaw::hdf5_hl isolaw::hdf5 isolaw::minizip isolaw::bearssl)

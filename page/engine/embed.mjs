@@ -18,7 +18,7 @@ const versions = new Map(
     .split('\n')
     .map((line) => line.split(' ')),
 );
-const called = { 'libboost1.74-dev': 'Boost', 'libcli11-dev': 'CLI11', 'libeigen3-dev': 'Eigen', 'libfmt-dev': '{fmt}', 'librandom123-dev': 'Random123', 'libtomlplusplus-dev': 'toml++', 'nlohmann-json3-dev': 'JSON for Modern C++', emscripten: 'Emscripten (musl, libc++)', expat: 'Expat', nettle: 'Nettle', sqlite3: 'SQLite' };
+const called = { bearssl: 'BearSSL', 'libboost1.74-dev': 'Boost', 'libcli11-dev': 'CLI11', 'libeigen3-dev': 'Eigen', 'libfmt-dev': '{fmt}', 'librandom123-dev': 'Random123', 'libtomlplusplus-dev': 'toml++', 'nlohmann-json3-dev': 'JSON for Modern C++', emscripten: 'Emscripten (musl, libc++)', expat: 'Expat', sqlite3: 'SQLite' };
 const packages = readdirSync(join(options.libraries, 'licences'));
 const licences = packages.map((name) => {
   const text = readFileSync(join(options.libraries, 'licences', name), 'utf8');

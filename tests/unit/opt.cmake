@@ -1,3 +1,4 @@
-isolaw_test(unit_num base_unit_system_test.cpp base_work_ahead_test.cpp num_random_test.cpp num_row_kernels_test.cpp num_statistics_test.cpp)
+isolaw_test(unit_num base_hash_test.cpp base_unit_system_test.cpp base_work_ahead_test.cpp num_random_test.cpp num_row_kernels_test.cpp
+  num_statistics_test.cpp)
 isolaw_test(unit_opt opt_genetic_operators_test.cpp opt_genetic_test.cpp opt_multistart_test.cpp opt_pareto_test.cpp)
 isolaw_test(unit_lot lot_robustness_test.cpp lot_outliers_test.cpp lot_population_test.cpp)
