@@ -1,12 +1,12 @@
 # Writes the C++ source OUTPUT, which defines isolaw::app::source_commit: the commit of the sources in ROOT, for example
-# "8394911", or "8394911, modified" if a file under version control was changed since. In an archive of the sources,
-# `git archive` has written the commit into cmake/COMMIT. If neither that file nor ROOT/.git gives a commit, the text is
-# "unknown commit". An unchanged OUTPUT is not written again, so that nothing is compiled again.
+# "commit 8394911", or "commit 8394911, modified" if a file under version control was changed since. In an archive of
+# the sources, `git archive` has written the commit into cmake/COMMIT. If neither that file nor ROOT/.git gives a commit,
+# the text is "unknown commit". An unchanged OUTPUT is not written again, so that nothing is compiled again.
 # cmake -DROOT=... -DOUTPUT=... -P commit.cmake
 set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)
 if(packed MATCHES "^[0-9a-f]+$")
-  set(commit ${packed})
+  set(commit "commit ${packed}")
 # Without .git in ROOT, git would find a repository around an unpacked archive and give its commit.
 elseif(EXISTS ${ROOT}/.git)
   find_program(git git)
@@ -16,7 +16,7 @@ elseif(EXISTS ${ROOT}/.git)
     execute_process(COMMAND ${git} --no-optional-locks -C ${ROOT} status --porcelain --untracked-files=no
                     OUTPUT_VARIABLE changes ERROR_QUIET)
     if(NOT failed)
-      set(commit ${head})
+      set(commit "commit ${head}")
       if(changes)
         string(APPEND commit ", modified")
       endif()

@@ -9,8 +9,8 @@ namespace isolaw::app {
 // usable device, 3 for an internal error.
 int run(int argc, char** argv);
 
-// The text of `isolaw --version`, with the facts that a fault report needs: "isolaw 0.2.0 (8394911)", "g++ 12.2.0,
-// avx512", "build 0123456789ab". The last hash is of the sources.
+// The text of `isolaw --version`, with the facts that a fault report needs: "isolaw 0.2.0 (commit 8394911)",
+// "g++ 12.2.0, avx512", "build 0123456789ab". The last hash is of the sources.
 std::string version_text();
 
 }  // namespace isolaw::app
