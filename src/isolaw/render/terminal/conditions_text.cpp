@@ -91,15 +91,20 @@ std::string combination_text(study::ConditionsResult const& result) {
   return text;
 }
 
+std::string value_text(double value) {
+  constexpr double large = 1000.0;
+  return value < large ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
 // The bounds in the property's unit.
 void add_values(std::string& text, study::BoundRow const& row) {
   if (row.devices == 0) return;
   auto const unit = rules::unit(row.quantity);
-  append(text, "  at reference {:.4g} {}, mean of {}", row.value_at_reference, unit,
+  append(text, "  at reference {} {}, mean of {}", value_text(row.value_at_reference), unit,
          counted(static_cast<std::size_t>(row.devices), "device"));
   if (row.min.complete() && row.max.complete())
-    append(text, ": {:.4g} to {:.4g} {}", row.min.factor * row.value_at_reference,
-           row.max.factor * row.value_at_reference, unit);
+    append(text, ": {} to {} {}", value_text(row.min.factor * row.value_at_reference),
+           value_text(row.max.factor * row.value_at_reference), unit);
   text += '\n';
 }
 
@@ -170,11 +175,6 @@ std::string condition_text(conditions::Condition const& at) {
   if (at.load_kN) append(text, ", {:.5g} kN", *at.load_kN);
   if (at.ageing) append(text, ", aged {}", ageing_text(at.ageing));
   return text;
-}
-
-std::string value_text(double value) {
-  constexpr double large = 1000.0;
-  return value < large ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
 }
 
 // Why there is no value at reference, or no interval of it.
