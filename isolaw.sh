@@ -16,6 +16,7 @@
 #   ./isolaw.sh compilers    compare results across compilers and processors: prints the largest differences
 #   ./isolaw.sh page         build the program as one HTML file, build/page/isolaw.html, and test it; see docs/page.md
 #   ./isolaw.sh wheel [PYTHON]  make the Python package as a wheel that runs on other Linux machines, and test it
+#   ./isolaw.sh deb          make a Debian package of the command, and test it in a new Debian (as root)
 #   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md and the keywords of the Python stub
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -173,15 +174,19 @@ case "${1:-help}" in
     build --target isolaw_cli
     step tools/wheel.sh "build/$preset/cli/isolaw" "${@:2}"
     ;;
+  deb)
+    setup binutils debootstrap dpkg-dev help2man lintian tcl
+    step tools/deb.sh "${@:2}"
+    ;;
   docs)
     setup
     build --target isolaw_cli
     step tools/reference.sh "build/$preset/cli/isolaw" .
     echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi" >&2
     ;;
-  help | -h | --help) sed -n '2,18s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,20s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, docs" >&2
     exit 2
     ;;
 esac

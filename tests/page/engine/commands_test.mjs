@@ -40,7 +40,7 @@ test('the version, with the build that computes; the compiler differs', async ()
 
 test('what the page knows of settings is so', async () => {
   const help = (await engine.run({ argv: ['calibrate', '--help'] })).stdout;
-  assert.match(help, new RegExp(`--runs INT .*\\(default ${usualRuns('best')}; ga: ${usualRuns('ga')}\\)`));
+  assert.match(help, new RegExp(`--runs INT .*\\(default ${usualRuns('best')}; with --method ga ${usualRuns('ga')}\\)`));
   const ofGa = [...help.matchAll(/--([\w-]+) \w+\s+with --method ga: /g)].map(([, name]) => name);
   assert.deepEqual(ofGa.sort(), [...OF_GA].sort());
 });
