@@ -15,12 +15,13 @@ complete="${names[*]} $(cat "$script" "$list" | sha256sum)"
 [ "$(cat "$folder/complete" 2>/dev/null)" = "$complete" ] && exit
 
 # apt gets a list of package sources of its own, so that the machine's list stays as it is. It names the servers of the
-# machine's list.
+# machine's list, that of the release first, because the server of security updates may no longer have what its list
+# names, and apt takes the first one that lists a version.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
 apt-get indextargets --format 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $(REPO_URI) $(RELEASE) main' \
-  'Created-By: Packages' 'Component: main' | grep -E " $VERSION_CODENAME(-security|-updates)? main\$" | sort -u > "$apt/sources.list" ||
+  'Created-By: Packages' 'Component: main' | grep -E " $VERSION_CODENAME(-security|-updates)? main\$" | sort -u -k4,4 > "$apt/sources.list" ||
   { echo "tools/library_sources.sh: apt knows no server of Debian $VERSION_CODENAME" >&2; exit 1; }
 options=(-qq -o "Dir::Etc::sourcelist=$apt/sources.list" -o Dir::Etc::sourceparts=- -o "Dir::State::lists=$apt/lists"
   -o "Dir::Cache::srcpkgcache=$apt/srcpkgcache.bin" -o "Dir::Cache::pkgcache=$apt/pkgcache.bin" -o APT::Sandbox::User=root)
@@ -33,12 +34,13 @@ for name in "${names[@]}"; do
   read -r upstream hash < <(sed -n "s/^$name  *//p" "$list") || { packages+=("$name"); continue; }
   # The server may no longer have a version that Debian's list names, so the loop tries all versions, newest first.
   fetched=
+  echo "apt knows no version $upstream" >"$folder/apt.log"
   for version in $(apt-cache "${options[@]}" showsrc "$name" | sed -n 's/^Version: //p' | sort -rVu); do
     plain=${version#*:}
     [ "${plain%-*}" = "$upstream" ] || continue
-    apt-get "${options[@]}" source --only-source --download-only "$name=$version" >/dev/null 2>&1 && fetched=$plain && break
+    apt-get "${options[@]}" source --only-source --download-only "$name=$version" >"$folder/apt.log" 2>&1 && fetched=$plain && break
   done
-  [ -n "$fetched" ] || { echo "tools/library_sources.sh: no source package of $name $upstream could be fetched" >&2; exit 1; }
+  [ -n "$fetched" ] || { echo "tools/library_sources.sh: no source package of $name $upstream could be fetched:" >&2; cat "$folder/apt.log" >&2; exit 1; }
   archive=$(ls "${name}_$upstream".orig.tar.?z*)
   echo "$hash  $archive" | sha256sum --check --quiet
   rm -rf "${folder:?}/$name"
