@@ -1,5 +1,6 @@
 """Makes records of devices with constant stiffness and friction under a sine, as arrays and files; runs the program."""
 
+import importlib.util
 import os
 import pathlib
 import subprocess
@@ -10,6 +11,11 @@ import numpy as np
 
 SOURCE = pathlib.Path(os.environ["ISOLAW_SOURCE_DIR"])
 BINARY = os.environ["ISOLAW_BINARY"]
+
+
+def needs(package):
+    """Skips a test if a package that isolaw does not need itself is not installed."""
+    return unittest.skipIf(importlib.util.find_spec(package) is None, f"not installed: {package}")
 
 
 def arrays(strength_kN=20.0, cycles=3, per_cycle=200):

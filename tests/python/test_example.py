@@ -1,7 +1,6 @@
 """The examples of the documentation run."""
 
 import csv
-import importlib.util
 import pathlib
 import re
 import subprocess
@@ -9,7 +8,7 @@ import sys
 import tempfile
 import unittest
 
-from devices import BINARY, SOURCE
+from devices import BINARY, SOURCE, needs
 
 
 class Examples(unittest.TestCase):
@@ -30,7 +29,7 @@ class Examples(unittest.TestCase):
             self.assertIn(row["law"], process.stdout)
         self.assertTrue(any(row["on_front"] == "True" for row in rows))
 
-    @unittest.skipIf(importlib.util.find_spec("scipy") is None, "not installed: scipy")
+    @needs("scipy")
     def test_least_squares_of_scipy(self):
         process = subprocess.run(
             [sys.executable, SOURCE / "examples/python/least_squares.py"], capture_output=True, text=True, timeout=300
@@ -51,6 +50,7 @@ class Examples(unittest.TestCase):
         self.assertRegex(process.stdout, verdict)
         self.assertEqual(process.stdout.count("a bearing moves"), 7)
 
+    @needs("matplotlib")
     def test_the_page_of_the_documentation(self):
         blocks = re.findall(r"```python\n(.*?)```", (SOURCE / "docs/python.md").read_text(), re.S)
         self.assertGreater(len(blocks), 0)

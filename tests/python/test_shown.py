@@ -1,7 +1,6 @@
 """How records, campaigns and fits look, and how SciPy takes a model."""
 
 import contextlib
-import importlib.util
 import io
 import sys
 import unittest
@@ -11,12 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 import isolaw
-from devices import InFolder, arrays, files_in
-
-
-def needs(*packages):
-    absent = [name for name in packages if importlib.util.find_spec(name) is None]
-    return unittest.skipIf(absent, f"not installed: {', '.join(absent)}")
+from devices import InFolder, arrays, files_in, needs
 
 
 def parsed(html):
