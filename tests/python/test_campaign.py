@@ -9,7 +9,7 @@ import numpy as np
 import isolaw
 from devices import InFolder, arrays, files_in, program, write_csv
 
-LAWS = ["bilinear", "bouc-wen"]
+LAWS = ["bilinear", "menegotto-pinto"]
 
 
 class Campaigns(InFolder):
@@ -205,11 +205,11 @@ class Campaigns(InFolder):
         def note(done, total, analysis, best):
             seen.append((done, total, analysis, dict(best), threading.get_ident()))
 
-        isolaw.calibrate(self.files, "bouc-wen", runs=4, analysis=False, progress=note, jobs=2)
+        isolaw.calibrate(self.files, "menegotto-pinto", runs=4, analysis=False, progress=note, jobs=2)
         self.assertGreater(len(seen), 0)
         self.assertEqual({one[4] for one in seen}, {threading.get_ident()})
         self.assertEqual([one[0] for one in seen], sorted(one[0] for one in seen))
-        self.assertTrue(all(one[1] == 8 and "bouc-wen" in one[3] for one in seen))
+        self.assertTrue(all(one[1] == 8 and "menegotto-pinto" in one[3] for one in seen))
 
         shares = []
 

@@ -71,14 +71,14 @@ class Interrupt(unittest.TestCase):
 
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaises(Stopped):
-                isolaw.calibrate(record, "bouc-wen", out=folder, progress=some, **how)
+                isolaw.calibrate(record, "menegotto-pinto", out=folder, progress=some, **how)
             kept = isolaw.load(folder)
-            there = len(kept.runs("bouc-wen", "record")["number"])
+            there = len(kept.runs("menegotto-pinto", "record")["number"])
             self.assertFalse(kept.complete)
             self.assertGreaterEqual(there, 2)
-            campaign = isolaw.calibrate(record, "bouc-wen", out=folder, **how)
+            campaign = isolaw.calibrate(record, "menegotto-pinto", out=folder, **how)
         self.assertTrue(campaign.complete)
-        self.assertEqual(campaign.summary, isolaw.calibrate(record, "bouc-wen", **how).summary)
+        self.assertEqual(campaign.summary, isolaw.calibrate(record, "menegotto-pinto", **how).summary)
 
 
 if __name__ == "__main__":
