@@ -393,9 +393,8 @@ class Model {
     auto const spreads_kN = model_.spreads_kN();
     auto const weights = model_.residual_weights();
     for (std::size_t i = 0; i < residuals.size(); ++i)
-      residuals[i] = weights[i] > 0.0
-                         ? std::sqrt(weights[i]) * (residuals[i] - record_->force_kN[i]) / spreads_kN[i]
-                         : 0.0;
+      residuals[i] =
+          weights[i] > 0.0 ? std::sqrt(weights[i]) * (residuals[i] - record_->force_kN[i]) / spreads_kN[i] : 0.0;
     return array_of(std::move(residuals));
   }
 

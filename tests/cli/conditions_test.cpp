@@ -220,11 +220,13 @@ TEST_F(Conditions, have_one_interval_of_a_bound_in_all_outputs) {
   auto const bound = Json::parse(read("C/conditions.json"))["bounds"][0];
   double const factor = bound["max"]["factor"], low = bound["max"]["interval"][0], high = bound["max"]["interval"][1];
   EXPECT_LT(low, factor);
-  EXPECT_TRUE(contains(read("C/tables/conditions.csv"),
-                       fmt::format("K_eff,all together,largest over the design,,,,,{:.6g},interpolated,,,,{:.6g},{:.6g},",
-                                   factor, low, high)));
-  EXPECT_TRUE(contains(read("C/tables/conditions.tex"),
-                       fmt::format(" & all together & {:.3f} ({:.3f} to {:.3f}) & interpolated & ", factor, low, high)));
+  EXPECT_TRUE(
+      contains(read("C/tables/conditions.csv"),
+               fmt::format("K_eff,all together,largest over the design,,,,,{:.6g},interpolated,,,,{:.6g},{:.6g},",
+                           factor, low, high)));
+  EXPECT_TRUE(
+      contains(read("C/tables/conditions.tex"),
+               fmt::format(" & all together & {:.3f} ({:.3f} to {:.3f}) & interpolated & ", factor, low, high)));
   EXPECT_TRUE(contains(o.out, fmt::format("upper  {:.3f} ({:.3f} to {:.3f}, 95 %), interpolated", factor, low, high)));
   double const value = bound["value_at_reference"];
   EXPECT_EQ(bound["devices"], 5);
@@ -367,9 +369,9 @@ TEST_F(Conditions, of_refused_tests_count_as_history) {
   auto const twice = with("file = \"P2-20C.csv\"", "file = \"P1-20C.csv\"");
   EXPECT_EQ(twice.code, 1) << twice;
   for (auto const* refused :
-       {"warning: The test 20C of P2 (changed.toml:52) is not used: its record is also that of the "
-        "test 20C of P1",
-        "is not used: its record is also that of the test 20C of P2"})
+       {"warning: The test 20C of P2 (changed.toml:52) is not used: the record of this test is also "
+        "that of the test 20C of P1",
+        "is not used: the record of this test is also that of the test 20C of P2"})
     EXPECT_TRUE(contains(twice.out, refused)) << twice;
 }
 

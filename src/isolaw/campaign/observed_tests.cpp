@@ -79,9 +79,9 @@ class Observer {
       for (auto const index : same) {
         if (same.size() == 1) break;
         auto const& other = tests[index == same.front() ? same[1] : same.front()];
-        tests[index].refusal =
-            fmt::format("the record of this test is also that of the test {} of {}; each test needs a record of its own, and a lot file names each record once",
-                        printable(other.test), printable(other.device));
+        tests[index].refusal = fmt::format(
+            "the record of this test is also that of the test {} of {}; each test needs a record of its own, and a lot file names each record once",
+            printable(other.test), printable(other.device));
         tests[index].blocks.clear();
       }
   }

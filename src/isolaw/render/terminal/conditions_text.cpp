@@ -26,7 +26,7 @@ void append(std::string& text, fmt::format_string<Args...> format, Args&&... arg
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
-// Of an effect that is not covered the part that tests show stands in the bounds, so it is shown too.
+// If an effect is not covered, the part of it that tests show is in the bounds all the same, so it is shown too.
 std::string factor_text(Factor const& factor) {
   if (factor.status != Status::not_covered) return fmt::format("{:.3f}", factor.lambda());
   return factor.ln == 0.0 ? "-" : fmt::format("{}{:.3f}", factor.ln > 0.0 ? ">" : "<", factor.lambda());
