@@ -218,7 +218,8 @@ TEST_F(Conditions, have_one_interval_of_a_bound_in_all_outputs) {
   auto const o = isolaw({"conditions", "ex/changed.toml", "--out", "C"});
   ASSERT_LE(o.code, 1) << o;
   auto const bound = Json::parse(read("C/conditions.json"))["bounds"][0];
-  double const factor = bound["max"]["factor"], low = bound["max"]["interval"][0], high = bound["max"]["interval"][1];
+  double const factor = bound["max"]["factor"], low = bound["max"]["interval"]["low"],
+               high = bound["max"]["interval"]["high"];
   EXPECT_LT(low, factor);
   EXPECT_TRUE(
       contains(read("C/tables/conditions.csv"),
