@@ -103,6 +103,19 @@ Record.__module__ = "isolaw"
 Record.__repr__, Record._repr_html_ = _record_repr, _record_html
 Record.plot, Record.to_frame = _record_plot, _record_to_frame
 
+
+class _Unchanging:
+    """What nothing can change is its own copy, also for copy.deepcopy."""
+
+    def __copy__(self):
+        return self
+
+    def __deepcopy__(self, memo):
+        return self
+
+
+Record.__copy__, Record.__deepcopy__ = _Unchanging.__copy__, _Unchanging.__deepcopy__
+
 _OPTIONS = _json.loads(_core.options_json())
 
 
@@ -282,7 +295,7 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
     return _core.force(law, parameters, motion, how, refinement, out)
 
 
-class Model:
+class Model(_Unchanging):
     """A law on a record, with the same objective as in calibrate, for your own optimisers and studies.
 
     law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
@@ -510,7 +523,7 @@ class LawFits(_Mapping):
         return _show.frame(rows, index="device")
 
 
-class Campaign(_Mapping):
+class Campaign(_Unchanging, _Mapping):
     """Laws fitted to the devices of a lot, as calibrate, merge and load return them: LawFits by id of the law.
 
     ``campaign["bouc-wen"]["D06"]`` is the Fit of a law to a device. ``summary`` is the content of summary.json
@@ -784,7 +797,7 @@ def load(directory):
     return Campaign(_core.load(_os.fspath(directory)))
 
 
-class Building:
+class Building(_Unchanging):
     """A building on bearings drawn from a lot, after its analyses; building() returns it.
 
     ``results`` is the content of building.json (docs/building-json.md). Arrays over the draws are NaN if a run gave
@@ -919,7 +932,7 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     return Building(core)
 
 
-class Conditions:
+class Conditions(_Unchanging):
     """How properties change with temperature, rate, load, ageing and history; conditions() returns it.
 
     ``results`` is the content of conditions.json (docs/conditions.md). print() shows what the command prints.

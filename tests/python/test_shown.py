@@ -1,6 +1,7 @@
 """How records, campaigns and fits look, and how SciPy takes a model."""
 
 import contextlib
+import copy
 import io
 import sys
 import unittest
@@ -37,6 +38,11 @@ class Shown(InFolder):
         motion = isolaw.motion(x, t)
         self.assertIn("Time, s", motion._repr_html_())
         self.assertNotIn("force", repr(motion))
+
+    def test_copies_are_the_thing_itself(self):
+        for thing in (self.campaign, self.campaign.record("a"), isolaw.Model("bilinear", self.campaign.record("a"))):
+            self.assertIs(copy.deepcopy({"one": thing})["one"], thing)
+            self.assertIs(copy.copy(thing), thing)
 
     def test_a_campaign_holds_fits_by_law_and_device(self):
         campaign = self.campaign
