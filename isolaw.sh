@@ -31,7 +31,7 @@ as_root() { if [ "$(id -u)" -eq 0 ]; then step "$@"; else step sudo "$@"; fi; }
 build_packages=(ca-certificates cmake g++ gnuplot-nox libboost-dev libcli11-dev libeigen3-dev libexpat1-dev libfmt-dev libgtest-dev libhdf5-dev
   libmatio-dev libminizip-dev librandom123-dev libsqlite3-dev libbearssl-dev libtomlplusplus-dev libxlsxwriter-dev
   ninja-build nlohmann-json3-dev npm python3-dev python3-numpy python3-venv zlib1g-dev)
-test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-matplotlib python3-pandas python3-scipy python3-tk qemu-user slurm-client slurmctld slurmd tcl xz-utils)
+test_packages=(chromium g++-aarch64-linux-gnu gfortran make munge parallel python3-distributed python3-lmfit python3-matplotlib python3-pandas python3-scipy python3-tk qemu-user slurm-client slurmctld slurmd tcl xz-utils)
 
 install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }

@@ -1,7 +1,6 @@
 # Installs isolaw with an exported package, so that another project can call find_package(isolaw).
 include(CMakePackageConfigHelpers)
-install(TARGETS isolaw EXPORT isolaw-targets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS isolaw EXPORT isolaw-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 
 # Returns the public headers: api/isolaw.hpp and every header of isolaw that it includes directly or indirectly.
 function(isolaw_public_headers result)

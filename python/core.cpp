@@ -23,6 +23,7 @@
 
 #include <fmt/format.h>
 
+#include "core.hpp"
 #include "isolaw/api/building_work.hpp"
 #include "isolaw/api/conditions.hpp"
 #include "isolaw/api/isolaw.hpp"
@@ -33,6 +34,7 @@
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/laws/plane/in_plane.hpp"
+#include "isolaw/programs/model.hpp"
 #include "isolaw/programs/subject.hpp"
 #include "isolaw/render/json/building_json.hpp"
 #include "isolaw/render/json/conditions_json.hpp"
@@ -41,14 +43,11 @@
 #include "isolaw/study/conditions.hpp"
 #include "isolaw/wording/table.hpp"
 
-namespace nb = nanobind;
-
 namespace isolaw::python {
 namespace {
 
 // An array of doubles in C order, which nobody writes.
 using Rows = nb::ndarray<double const, nb::c_contig, nb::device::cpu>;
-using Contents = campaign::Contents;
 
 std::string text_of(nb::handle value) {
   nb::str const text(value);
@@ -70,21 +69,6 @@ nb::object view(std::vector<double> const& values, nb::handle owner) {
 
 nb::object view_or_none(std::vector<double> const& values, nb::handle owner) {
   return values.empty() ? nb::object(nb::none()) : view(values, owner);
-}
-
-// Returns an array of this shape that owns `values`.
-template <class Number>
-nb::object array_of(std::vector<Number> values, std::vector<std::size_t> const& shape) {
-  auto kept = std::make_unique<std::vector<Number>>(std::move(values));
-  auto* const data = kept->data();
-  nb::capsule const owner(kept.get(), [](void* all) noexcept { delete static_cast<std::vector<Number>*>(all); });
-  kept.release();
-  return nb::ndarray<nb::numpy, Number>(data, shape.size(), shape.data(), owner).cast();
-}
-
-nb::object array_of(std::vector<double> values) {
-  auto const size = values.size();
-  return array_of(std::move(values), {size});
 }
 
 // Reads numbers that the caller gives. An array of doubles in C order is not copied. NumPy converts all else.
@@ -111,12 +95,6 @@ std::vector<double> channel_of(nb::handle given, char const* what) {
   return given.is_none() ? std::vector<double>() : values_of(rows_of(given, what), what);
 }
 
-struct Record {
-  std::string name;
-  data::TestRecord raw;
-  data::TestRecord uncorrected = {};  // the record without the user's corrections; empty without any, or if unknown
-};
-
 // Reads a list of records that the caller gives. They live as long as the list.
 std::vector<Record const*> records_of(nb::list const& given) {
   std::vector<Record const*> records;
@@ -128,6 +106,8 @@ std::vector<Record const*> records_of(nb::list const& given) {
   }
   return records;
 }
+
+}  // namespace
 
 Json json_of(nb::handle value) {
   if (value.is_none()) return {};
@@ -151,16 +131,7 @@ Json json_of(nb::handle value) {
   return array;
 }
 
-// Returns the values that the caller gave for the settings in `rows`. A keyword with the value None counts as not
-// given.
-template <class Rows>
-Values given_of(Rows const& rows, nb::dict const& given) {
-  Values values;
-  for (auto const& row : rows)
-    if (nb::str const keyword(row.python().c_str()); given.contains(keyword))
-      if (auto value = json_of(given[keyword]); !value.is_null()) values.emplace(row.key, std::move(value));
-  return values;
-}
+namespace {
 
 campaign::Settings settings_of(nb::dict const& given) {
   campaign::Settings settings;
@@ -403,44 +374,6 @@ class Model {
   fit::LawOnRecord model_;
 };
 
-struct Campaign {
-  Contents contents;
-  study::Summary summary;
-
-  explicit Campaign(Contents given) : contents(std::move(given)), summary(study::build_summary(contents)) {}
-
-  study::DeviceFit const& fit(std::string const& law, std::string const& device) const {
-    auto const of_law = std::ranges::find(summary.laws, law, &study::LawResult::id);
-    if (of_law == summary.laws.end())
-      throw Error({.where = "law '" + law + "'",
-                   .found = "not in this campaign",
-                   .allowed = names(summary.laws, &study::LawResult::id)});
-    auto const of_device = std::ranges::find(of_law->devices, device, &study::DeviceFit::device);
-    if (of_device == of_law->devices.end())
-      throw Error({.where = "device '" + device + "'",
-                   .found = "not in this campaign",
-                   .allowed = names(summary.devices, &study::DeviceResult::name)});
-    return *of_device;
-  }
-
-  template <class Items, class Name>
-  static std::string names(Items const& items, Name name) {
-    std::string text;
-    for (auto const& item : items) text += (text.empty() ? "" : ", ") + item.*name;
-    return text;
-  }
-
-  std::size_t device(std::string const& name) const {
-    auto const found = std::ranges::find(contents.devices, name, &campaign::Device::name);
-    if (found == contents.devices.end())
-      throw Error({.where = "device '" + name + "'",
-                   .found = "not in this campaign",
-                   .allowed = names(contents.devices, &campaign::Device::name)});
-    return static_cast<std::size_t>(found - contents.devices.begin());
-  }
-};
-using CampaignPtr = std::shared_ptr<Campaign>;
-
 nb::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
   campaign.fit(law, device);
   auto const index = campaign.device(device);
@@ -539,10 +472,9 @@ CampaignPtr worked(campaign::RunOptions run, nb::object const& progress,
   return std::make_shared<Campaign>(std::move(contents));
 }
 
-CampaignPtr calibrated(nb::list const& records, nb::dict const& given, nb::dict const& vertical,
-                       CalibrateOptions options, nb::object const& progress) {
-  auto const settings = settings_of(given);
-  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
+}  // namespace
+
+std::vector<campaign::NamedRecord> named_records(nb::list const& records, nb::dict const& vertical) {
   std::vector<campaign::NamedRecord> named;
   for (auto const* record : records_of(records)) {
     named.push_back({.name = record->name, .record = record->raw, .uncorrected = record->uncorrected});
@@ -567,6 +499,16 @@ CampaignPtr calibrated(nb::list const& records, nb::dict const& given, nb::dict 
                    .advice = fmt::format("vertical={{'{}': FILE}}", named.empty() ? "D1" : named.front().name)});
     found->vertical = vertical_input(test, "vertical of " + in_quotes(name));
   }
+  return named;
+}
+
+namespace {
+
+CampaignPtr calibrated(nb::list const& records, nb::dict const& given, nb::dict const& vertical,
+                       CalibrateOptions options, nb::object const& progress) {
+  auto const settings = settings_of(given);
+  lay_over(campaign::acceptance_table(), given_of(campaign::acceptance_table(), given), options.acceptance);
+  auto named = named_records(records, vertical);
   return worked(options.run, progress, [&](campaign::RunOptions const& run) {
     options.run = run;
     return calibrate(std::move(named), settings, options);
@@ -885,6 +827,8 @@ void add_tables(nb::module_& m) {
     return Json{{"settings", described(campaign::setting_table())},
                 {"reading", described(data::reading_table())},
                 {"acceptance", described(campaign::acceptance_table())},
+                {"model", described(programs::model_table())},
+                {"motion", described(building::stated_table())},
                 {"test", described(campaign::test_table())},
                 {"building", std::move(of_building)}}
         .dump();
@@ -1100,5 +1044,7 @@ NB_MODULE(_core, m) {
   add_calibration(m);
   add_buildings(m);
   add_conditions(m);
+  add_states(m);
+  add_commands(m);
   m.def("command", &command, nb::arg("words"));
 }

@@ -18,6 +18,7 @@ import inspect as _inspect
 import json as _json
 import operator as _operator
 import os as _os
+import warnings as _warnings
 from collections.abc import Mapping as _Mapping
 
 import numpy as _np
@@ -31,6 +32,7 @@ __all__ = [
     "Campaign",
     "Conditions",
     "Error",
+    "Export",
     "Fit",
     "LawFits",
     "Model",
@@ -40,8 +42,11 @@ __all__ = [
     "box",
     "building",
     "calibrate",
+    "check",
     "conditions",
+    "example",
     "force",
+    "inspect",
     "laws",
     "load",
     "merge",
@@ -52,10 +57,10 @@ __all__ = [
     "read_motion",
     "read_record",
     "record",
+    "rules",
     "same_device",
     "settings",
 ]
-
 
 
 def _record_rows(self):
@@ -99,7 +104,18 @@ def _record_plot(self, ax=None):
     return ax
 
 
+def _record_eq(self, other):
+    if not isinstance(other, Record):
+        return NotImplemented
+    return self is other or self.__getstate__() == other.__getstate__()
+
+
+def _record_hash(self):
+    return hash((self.name, self.file, len(self)))
+
+
 Record.__module__ = "isolaw"
+Record.__eq__, Record.__hash__ = _record_eq, _record_hash
 Record.__repr__, Record._repr_html_ = _record_repr, _record_html
 Record.plot, Record.to_frame = _record_plot, _record_to_frame
 
@@ -157,6 +173,13 @@ def _with_keywords(options, in_place=False):
         return checked
 
     return decorate
+
+
+_EXPORT_OPTIONS = {
+    name: option
+    for name, option in (_OPTIONS["acceptance"] | _OPTIONS["motion"] | _OPTIONS["model"]).items()
+    if name not in ("report_units", "letterhead")  # for reports
+}
 
 
 def _settings(*names):
@@ -310,6 +333,7 @@ class Model(_Unchanging):
     )
     def __init__(self, law, record, *, refinement=1, **how):
         self._core = _core.Model(law, record, _all_samples(how), refinement)
+        self._given = law, record, {"refinement": refinement, **how}
         self._law = law
         self._box = box(law, record)
         self._names = list(self._box)
@@ -317,6 +341,16 @@ class Model(_Unchanging):
 
     def __repr__(self):
         return f"<isolaw.Model of {self._law}: parameters {', '.join(self._names)}; {len(self.disp_mm)} samples>"
+
+    def __reduce__(self):
+        law, record, how = self._given
+        return _functools.partial(Model, **how), (law, record)
+
+    def __eq__(self, other):
+        return isinstance(other, Model) and self._given == other._given
+
+    def __hash__(self):
+        return hash(self._given[:2])
 
     def _whole(self, parameters):
         """Adds the values of the fixed parameters if only the free ones are given."""
@@ -463,9 +497,44 @@ class Fit:
         return self._campaign.parameters(self._law, self.device)
 
     @property
+    def statistics(self):
+        """What is known of each parameter: a dict by name of dicts, as in summary.json.
+
+        Each has unit, best, mean and std over the runs and, with analysis, identifiability, linear_interval,
+        bootstrap_interval and more.
+        """
+        return self._results["parameters"]
+
+    @property
+    def intervals(self):
+        """Confidence intervals of the parameters, in the law's units: a dict by name of (lower, upper).
+
+        They come from the bootstrap, or without one from linearisation; their level is ``results["intervals"]["level"]``.
+        None stands for a parameter that has no interval: it is fixed, or there is no analysis.
+        """
+
+        def interval(one):
+            found = (one.get(kind) or (None, None) for kind in ("bootstrap_interval", "linear_interval"))
+            return next((tuple(ends) for ends in found if None not in ends), None)
+
+        return {name: interval(one) for name, one in self.statistics.items()}
+
+    @property
     def runs(self):
         """Every run, as Campaign.runs returns it."""
         return self._campaign.runs(self._law, self.device)
+
+    def to_frame(self):
+        """A pandas DataFrame with a row for each parameter: unit, best, mean, std, lower and upper end of its interval,
+        and identifiability."""
+        rows = []
+        for name, one in self.statistics.items():
+            lower, upper = self.intervals[name] or (None, None)
+            facts = {key: one.get(key) for key in ("unit", "best", "mean", "std")}
+            rows.append(
+                {"parameter": name, **facts, "lower": lower, "upper": upper, "identifiability": one.get("identifiability")}
+            )
+        return _show.frame(rows, index="parameter")
 
     @property
     def force_kN(self):
@@ -514,6 +583,11 @@ class LawFits(_Mapping):
         """The dict of the law in summary.json (docs/summary-json.md)."""
         return self._results
 
+    @property
+    def statistics(self):
+        """The scatter of each parameter over the devices: a dict as in summary.json. None without analysis."""
+        return self._results["population"]
+
     def to_frame(self):
         """A pandas DataFrame with a row for each device: its objective, and the parameters of the best run."""
         rows = [
@@ -551,10 +625,14 @@ class Campaign(_Unchanging, _Mapping):
     def __len__(self):
         return len(self._by_law())
 
-    __hash__ = object.__hash__
-
     def __eq__(self, other):
         return isinstance(other, Campaign) and self.summary == other.summary
+
+    def __hash__(self):
+        return hash((tuple(self.laws), tuple(self.devices)))
+
+    def __reduce__(self):
+        return _campaign_of, (_core.campaign_state(self._core),)
 
     def _rows(self):
         best = {law: fits.results["objective"]["best"] for law, fits in self.items()}
@@ -629,6 +707,10 @@ class Campaign(_Unchanging, _Mapping):
         """The raw Record of a device. Raises Error for an unknown device, and with the reason for a refused one."""
         return self._core.record(device)
 
+    def properties(self, device):
+        """Stiffness, damping and more of a device, cycle by cycle: a dict, as properties() returns it."""
+        return properties(self.record(device))
+
     def fit_record(self, device):
         """The cleaned, thinned record of the fit: a dict of views time_s, disp_mm and force_kN of shape (samples,)."""
         return {name: self._core.fit_channel(device, name) for name in ("time_s", "disp_mm", "force_kN")}
@@ -674,9 +756,88 @@ class Campaign(_Unchanging, _Mapping):
             rows.append({"law": law["id"], "accuracy": accuracy, "robustness": robustness, "on_front": on_front})
         return rows
 
+    @_with_keywords(_EXPORT_OPTIONS, in_place=True)
+    def export(
+        self, law, device="lot", *, to, out=None, units=None, name=None, motions=(), seed=None, anyway=False, **given
+    ):
+        """Exports a fitted law for an analysis program, as ``isolaw export`` does. Returns an Export.
+
+        device: a name, or "lot" for the law that was fitted to all devices together. to: the program, such as
+        "opensees", "cpp", "abaqus" or "json"; Error names them all. units: "kN-mm", "N-m" or "kip-in", by default those
+        of the reports. name: the name of what the file defines. motions: ground motions, as files, under which a
+        re-fitted material is compared with the law; motion_dt and motion_unit state the step in s and the unit of
+        acceleration of motions whose files do not. out: a new file for the text. anyway: exports also a law that is not
+        fit for use. rules, design, lot_size and the keywords that begin with alike: as in calibrate; they decide the
+        bounds. layout, mass, gyration, axial, ground_motion, scale, draws and others are for the targets that write a
+        whole building (docs/export.md); seed is the seed of the draws.
+
+        Raises Error for what is unknown or does not go with the target, and for a law that is not fit for use.
+        """
+        if isinstance(motions, (str, _os.PathLike)):
+            motions = [motions]
+        given = _paths_as_text(given) | {"units": units, "name": name, "seed": seed}
+        text, doubts = _core.export(self._core, law, device, to, [_os.fspath(m) for m in motions], given, bool(anyway))
+        exported = Export(text, doubts)
+        if out is not None:
+            exported.write(out)
+        return exported
+
+    def sample(self, law, count=100, *, seed=None):
+        """Draws devices from the lot's population, as ``isolaw sample`` does.
+
+        Returns a dict by parameter of arrays of shape (count,), in the law's units; ``pandas.DataFrame(...)`` makes a
+        table of it. Device i depends only on the seed, the law and i. seed: by default the campaign's. Raises Error if
+        the law has no population, for example without analysis or for a single device.
+        """
+        names, values, remarks = _core.sample(self._core, law, count, {"seed": seed})
+        _warn(remarks)
+        return dict(zip(names, values.T))
+
     def write(self, directory):
         """Writes summary.json, the tables and report.html into a directory. Raises Error if this fails."""
         self._core.write(_os.fspath(directory))
+
+
+def _campaign_of(state):
+    return Campaign(_core.campaign_of(state))
+
+
+class Export:
+    """A law that was exported for an analysis program; Campaign.export() returns it."""
+
+    def __init__(self, text, warnings):
+        self._text = text
+        self._warnings = warnings
+
+    def __str__(self):
+        return self._text
+
+    def __repr__(self):
+        return f"<isolaw.Export of {self._text.count(chr(10))} lines; warnings: {len(self._warnings)}>"
+
+    @property
+    def text(self):
+        """The text of the file."""
+        return self._text
+
+    @property
+    def warnings(self):
+        """Sentences about the law and its use that its user has to read: a list of texts."""
+        return list(self._warnings)
+
+    def write(self, file):
+        """Writes the text into a file, which is replaced if it is there. Raises Error if it is a campaign's store."""
+        _core.write_output(_os.fspath(file), self._text)
+
+
+def _warn(sentences, frames=3):
+    """Warns the user's code, which is so many frames above this function."""
+    for sentence in sentences:
+        _warnings.warn(sentence, stacklevel=frames)
+
+
+def _paths_as_text(given):
+    return {key: _os.fspath(value) if isinstance(value, _os.PathLike) else value for key, value in given.items()}
 
 
 @_contextlib.contextmanager
@@ -749,20 +910,25 @@ def calibrate(
     Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt and keeps finished runs in ``out``. An unusable
     device is refused in the summary; the others are fitted. Raises Error for wrong input, and if no device is usable.
     """
-    records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
-    for one in records:
-        if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
-            raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
-    devices = [one if isinstance(one, Record) else read_record(one) for one in records]
+    devices = _records(records)
     given = _all_samples(given) | {"laws": laws if isinstance(laws, str) else list(laws)}
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
+    _warn(_core.remarks_on_design(given), frames=4)
     with _reporting(progress) as told:
         core = _core.calibrate(
             devices, given, tests, jobs, out, bool(fresh), title, part and _part(part), _adapted(told)
         )
     return Campaign(core)
+
+
+def _records(records):
+    records = [records] if isinstance(records, (Record, str, _os.PathLike)) else list(records)
+    for one in records:
+        if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
+            raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
+    return [one if isinstance(one, Record) else read_record(one) for one in records]
 
 
 def _part(part):
@@ -930,6 +1096,63 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     with _reporting(progress) as told:
         core = _core.building(file, source, motions_given, given, jobs, out, bool(fresh), told)
     return Building(core)
+
+
+@_with_keywords(_OPTIONS["acceptance"], in_place=True)
+def inspect(lot, *, vertical=None, folder=".", allow_outside=False, **given):
+    """Shows the tests of a lot and their verdicts before any law is fitted, as ``isolaw inspect`` does.
+
+    lot: a lot file, its tables as a dict, or records as calibrate() takes them. rules, design, lot_size and the other
+    keywords replace what a lot file says; settings are as in calibrate. vertical: compression tests of records, as in
+    calibrate. folder: where the files are that a dict names. allow_outside: also reads files that are not in this
+    folder, or in that of the lot file, or below it.
+
+    Returns the dict of inspection.json (docs/inspection-json.md). Several devices are in its ``devices``; a single one
+    is the dict itself. ``assessment`` has the verdict on the lot. A device that cannot be used says why. Raises Error
+    for wrong input.
+    """
+    if isinstance(lot, (str, _os.PathLike)) and _os.fspath(lot).endswith(".toml"):
+        lot = _os.fspath(lot)
+    elif isinstance(lot, _Mapping):
+        lot = dict(lot)
+    else:
+        lot = _records(lot)
+    if vertical and not isinstance(lot, list):
+        raise Error("vertical: is given with a lot file; allowed: with records; try: the key vertical of the lot file")
+    tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
+    text, remarks = _core.inspect(lot, _os.fspath(folder), bool(allow_outside), _paths_as_text(given), tests)
+    _warn(remarks, frames=4)
+    return _json.loads(text)
+
+
+def rules(name=None):
+    """The built-in rule sets: a list of dicts with id, title, edition, source and verified_by.
+
+    name: returns the text of this set, of a rule file, which is checked, or of "template", which is a commented file to
+    write the contract's own rules from. Raises Error for an unknown name and for a faulty file.
+    """
+    return _json.loads(_core.rule_sets_json()) if name is None else _core.rule_text(_os.fspath(name))
+
+
+def check(directory):
+    """Checks that a directory of results is intact and computes its numbers again, as ``isolaw check`` does.
+
+    Returns a dict: sound, campaign and building; the last two are None if the directory holds none. Each is a dict with
+    sound, faults (a list of sentences), runs and expected_runs; that of a campaign also has devices, analyses,
+    largest_difference (relative, between stored and recomputed objectives), differences (of values that another build
+    computed), missing (what an incomplete campaign lacks), and how many reports beside it were compared. Raises Error
+    if the directory holds neither.
+    """
+    return _core.check(_os.fspath(directory))
+
+
+def example(directory, kind="lot"):
+    """Writes a built-in example into a directory, as ``isolaw example`` does: files with computed records.
+
+    kind: "lot", ten records in ten file formats; "tests", three amplitudes with faults; "conditions", tests at several
+    temperatures, rates and loads; "building", a building file with motions. Raises Error rather than replace a file.
+    """
+    _core.example(_os.fspath(directory), kind)
 
 
 class Conditions(_Unchanging):

@@ -1,6 +1,6 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, TypedDict
+from typing import Any, Literal, TypedDict, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,6 +34,8 @@ class Record:
     def warnings(self) -> list[str]: ...
     def to_frame(self) -> Any: ...
     def plot(self, ax: Any = None) -> Any: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
     def __len__(self) -> int: ...
 
 def read_record(
@@ -173,7 +175,12 @@ class Fit:
     @property
     def parameters(self) -> dict[str, float]: ...
     @property
+    def statistics(self) -> dict[str, dict[str, Any]]: ...
+    @property
+    def intervals(self) -> dict[str, tuple[float, float] | None]: ...
+    @property
     def runs(self) -> dict[str, Any]: ...
+    def to_frame(self) -> Any: ...
     @property
     def force_kN(self) -> _Floats: ...
     def plot(self, ax: Any = None) -> Any: ...
@@ -186,7 +193,17 @@ class LawFits(Mapping[str, Fit]):
     def law(self) -> str: ...
     @property
     def results(self) -> dict[str, Any]: ...
+    @property
+    def statistics(self) -> dict[str, Any] | None: ...
     def to_frame(self) -> Any: ...
+
+class Export:
+    def __init__(self, text: str, warnings: Sequence[str]) -> None: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    def write(self, file: _Path) -> None: ...
 
 class Campaign(Mapping[str, LawFits]):
     def __getitem__(self, law: str) -> LawFits: ...
@@ -211,6 +228,43 @@ class Campaign(Mapping[str, LawFits]):
     def parameters(self, law: str, device: str) -> dict[str, float]: ...
     def runs(self, law: str, device: str) -> dict[str, Any]: ...
     def front(self, kind: Literal["runs", "converged", "loo"] = "runs") -> list[_FrontRow]: ...
+    def properties(self, device: str) -> dict[str, Any]: ...
+    def export(
+        self,
+        law: str,
+        device: str = "lot",
+        *,
+        to: str,
+        out: _Path | None = None,
+        units: str | None = None,
+        name: str | None = None,
+        motions: _Path | Iterable[_Path] = (),
+        seed: int | None = None,
+        anyway: bool = False,
+        # isolaw keywords export --but report_units letterhead
+        rules: str | PathLike[str] | None = None,
+        design: str | Mapping[str, float] | None = None,
+        lot_size: int | None = None,
+        alike_temperature_C: float | None = None,
+        alike_frequency_percent: float | None = None,
+        alike_load_percent: float | None = None,
+        alike_amplitude_percent: float | None = None,
+        alike_earlier_cycles: float | None = None,
+        motion_dt: float | None = None,
+        motion_unit: str | None = None,
+        layout: str | None = None,
+        mass: str | None = None,
+        gyration: str | None = None,
+        axial: str | None = None,
+        ground_motion: str | None = None,
+        ground_motion_y: str | None = None,
+        ground_motion_dt: float | None = None,
+        ground_motion_unit: str | None = None,
+        scale: float | None = None,
+        draws: int | None = None,
+        # the end of what it wrote
+    ) -> Export: ...
+    def sample(self, law: str, count: int = 100, *, seed: int | None = None) -> dict[str, _Floats]: ...
     def write(self, directory: _Path) -> None: ...
 
 def calibrate(
@@ -267,6 +321,32 @@ def merge(
     progress: Callable[..., object] | bool | None = None,
 ) -> Campaign: ...
 def load(directory: _Path) -> Campaign: ...
+
+def inspect(
+    lot: Record | _Path | Iterable[Record | _Path] | Mapping[str, Any],
+    *,
+    vertical: Mapping[str, _Vertical] | None = None,
+    folder: _Path = ".",
+    allow_outside: bool = False,
+    # isolaw keywords acceptance
+    rules: str | PathLike[str] | None = None,
+    design: str | Mapping[str, float] | None = None,
+    lot_size: int | None = None,
+    report_units: Literal["kN-mm", "N-m", "kip-in"] | None = None,
+    letterhead: str | PathLike[str] | None = None,
+    alike_temperature_C: float | None = None,
+    alike_frequency_percent: float | None = None,
+    alike_load_percent: float | None = None,
+    alike_amplitude_percent: float | None = None,
+    alike_earlier_cycles: float | None = None,
+    # the end of what it wrote
+) -> dict[str, Any]: ...
+@overload
+def rules(name: None = None) -> list[dict[str, Any]]: ...
+@overload
+def rules(name: _Path) -> str: ...
+def check(directory: _Path) -> dict[str, Any]: ...
+def example(directory: _Path, kind: Literal["lot", "tests", "conditions", "building"] = "lot") -> None: ...
 
 _Motion = _Path | tuple[_Path, _Path] | tuple[float, ArrayLike] | tuple[float, ArrayLike, ArrayLike]
 

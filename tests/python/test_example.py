@@ -29,14 +29,28 @@ class Examples(unittest.TestCase):
             self.assertIn(row["law"], process.stdout)
         self.assertTrue(any(row["on_front"] == "True" for row in rows))
 
-    @needs("scipy")
-    def test_least_squares_of_scipy(self):
+    def objectives_of(self, example):
+        """Runs an example, and returns the objectives of the other package's fit and of isolaw's."""
         process = subprocess.run(
-            [sys.executable, SOURCE / "examples/python/least_squares.py"], capture_output=True, text=True, timeout=300
+            [sys.executable, SOURCE / "examples/python" / example], capture_output=True, text=True, timeout=300
         )
         self.assertEqual(process.returncode, 0, process.stderr)
-        scipy, own = map(float, re.findall("[0-9.]+(?= with)", process.stdout))
+        return map(float, re.findall("[0-9.]+(?= with)", process.stdout))
+
+    @needs("scipy")
+    def test_least_squares_of_scipy(self):
+        scipy, own = self.objectives_of("least_squares.py")
         self.assertLess(scipy, 2.0 * own)  # squares and absolute values have different best fits
+
+    @needs("lmfit")
+    def test_lmfit_takes_a_model_as_it_is(self):
+        lmfit, own = self.objectives_of("lmfit_fit.py")
+        self.assertLess(lmfit, 1.2 * own)
+
+    @needs("pypesto")
+    def test_pypesto_takes_a_model_as_it_is(self):
+        pypesto, own = self.objectives_of("pypesto_fit.py")
+        self.assertLess(pypesto, 1.001 * own)  # of the same objective
 
     def test_a_building_on_the_example_lot(self):
         with tempfile.TemporaryDirectory() as folder:

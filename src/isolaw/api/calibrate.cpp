@@ -1,10 +1,14 @@
 #include "isolaw/api/calibrate.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "isolaw/api/campaign_directory.hpp"
 #include "isolaw/api/letterhead.hpp"
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/printable.hpp"
+#include "isolaw/base/words.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/fit/kernels.hpp"
 #include "isolaw/render/write.hpp"
@@ -13,6 +17,7 @@
 #include "isolaw/study/build_summary.hpp"
 
 namespace isolaw {
+
 void complete_acceptance(campaign::Acceptance& acceptance) {
   auto& text = acceptance.rules;
   auto const& name = acceptance.rules_file;
@@ -21,6 +26,22 @@ void complete_acceptance(campaign::Acceptance& acceptance) {
   if (!acceptance.design.empty()) rules::parse_design(acceptance.design);
   if (acceptance.letterhead.empty() && !acceptance.letterhead_file.empty())
     acceptance.letterhead = load_letterhead(acceptance.letterhead_file);
+}
+
+std::vector<std::string> remarks_on_design(campaign::Acceptance const& acceptance) {
+  std::vector<std::string> remarks;
+  if (acceptance.design.empty()) return remarks;
+  auto const design = rules::parse_design(acceptance.design);
+  if (acceptance.rules.empty())
+    remarks.push_back(fmt::format(
+        "design values {}: without a rule set no device is checked against them{}; try: --rules NAME, one of {}, or --rules FILE",
+        printable(acceptance.design), design.disp_mm ? ", but laws are tried at the displacement" : "",
+        joined(rules::built_in_names())));
+  if (design.damping_percent && *design.damping_percent < 1.0)
+    remarks.push_back(fmt::format(
+        "--design damping={:g}: damping is in percent, and no isolator has less than 1 %; try: damping={:g}",
+        *design.damping_percent, 100.0 * *design.damping_percent));
+  return remarks;
 }
 
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,

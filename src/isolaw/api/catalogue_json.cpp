@@ -3,6 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "isolaw/base/json.hpp"
+#include "isolaw/rules/rule_set.hpp"
+
 namespace isolaw {
 namespace {
 
@@ -49,6 +52,23 @@ std::string catalogue_json() {
   Json all = Json::array();
   for (auto const& law : laws::catalogue()) all.push_back(json_of(law));
   return all.dump(2);
+}
+
+std::string rule_sets_json() {
+  JsonWriter out(JsonWriter::Layout::indented);
+  out.begin_array();
+  for (auto const& set : rules::built_in_rule_sets()) {
+    out.begin_object().member("id", set.id).member("title", set.title).member("edition", set.edition);
+    out.member("source", set.source).member("verified_by", set.verified_by).end_object();
+  }
+  out.end_array();
+  return out.take();
+}
+
+std::string rule_text(std::string const& name) {
+  if (name == "template") return std::string(rules::rule_set_text(name));
+  rules::find_rule_set(name);  // a file must hold a rule set
+  return rules::load_rule_text(name);
 }
 
 }  // namespace isolaw

@@ -47,6 +47,10 @@ campaign::Lot read_lot(std::filesystem::path const& file, campaign::LotFileOptio
   return campaign::read_lot_file(file, with_rules(std::move(options)));
 }
 
+campaign::Lot read_lot(Json const& tables, std::filesystem::path const& folder, campaign::LotFileOptions options) {
+  return campaign::lot_of_tables(tables, folder, with_rules(std::move(options)));
+}
+
 ConditionsSource conditions_source(std::filesystem::path const& source, bool allow_outside) {
   if (std::filesystem::is_directory(source)) return source_of_campaign(source);
   return source_of_lot(read_lot(source, {.allow_outside = allow_outside, .other_out = true}),
@@ -54,8 +58,7 @@ ConditionsSource conditions_source(std::filesystem::path const& source, bool all
 }
 
 ConditionsSource conditions_source(Json const& tables, std::filesystem::path const& folder, bool allow_outside) {
-  return source_of_lot(
-      campaign::lot_of_tables(tables, folder, with_rules({.allow_outside = allow_outside, .other_out = true})), "lot");
+  return source_of_lot(read_lot(tables, folder, {.allow_outside = allow_outside, .other_out = true}), "lot");
 }
 
 }  // namespace isolaw

@@ -14,6 +14,8 @@ namespace isolaw {
 // Reads a lot file. The module `rules` answers for its names of rule sets and its design values. Throws Error as
 // campaign::read_lot_file() does.
 campaign::Lot read_lot(std::filesystem::path const& file, campaign::LotFileOptions options = {});
+// The same for the tables of a lot file. The files that they name are sought in `folder`.
+campaign::Lot read_lot(Json const& tables, std::filesystem::path const& folder, campaign::LotFileOptions options = {});
 
 struct ConditionsSource {  // what study::build_conditions() takes
   campaign::ObservedTests observed;
@@ -25,7 +27,6 @@ struct ConditionsSource {  // what study::build_conditions() takes
 // records of a lot file. A test that cannot be used says why. Throws Error if there is no such table, and with
 // everything that is wrong in the lot file.
 ConditionsSource conditions_source(std::filesystem::path const& source, bool allow_outside);
-// The same for the tables of a lot file. The files that they name are sought in `folder`.
 ConditionsSource conditions_source(Json const& tables, std::filesystem::path const& folder, bool allow_outside);
 
 }  // namespace isolaw

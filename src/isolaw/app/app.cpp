@@ -327,27 +327,28 @@ void add_export(Commands& commands) {
       "export", "Write a fitted law for an analysis program, in a file that can check itself",
       "isolaw export out/lot --law bouc-wen --device lot --to opensees --out bearing.tcl", export_law);
   c.add_option("directory", a.directory, a_campaign)->required();
-  c.add_option("--law", a.law, "id of the law")->required();
-  c.add_option("--device", a.device,
+  c.add_option("--law", a.options.law, "id of the law")->required();
+  c.add_option("--device", a.options.device,
                "name of the device, or the word lot for the law that was fitted to all devices together")
       ->required();
-  c.add_option("--to", a.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))->required();
-  add_acceptance(c, a.acceptance, false);
-  c.add_option("--units", a.units,
+  c.add_option("--to", a.options.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))
+      ->required();
+  add_acceptance(c, a.options.acceptance, false);
+  c.add_option("--units", a.options.units,
                fmt::format("units of the file: {} (default: the units of the campaign's reports)", unit_ids()));
-  c.add_option("--name", a.name,
+  c.add_option("--name", a.options.name,
                fmt::format("name of what the file defines (namespace, commands): letters, digits and _, at most {} "
                            "(default: made of isolaw, the law, the campaign, the device and the units)",
                            programs::longest_name));
   c.add_option(
-      "--motion", a.motions,
+      "--motion", a.options.motions,
       "ground motions under which a re-fitted material is compared with the law: AT2 files, or columns with units "
       "(default: --ground-motion, or artificial motions)");
-  for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
-  for (auto const& option : programs::model_table()) add_option(c, option, a.model);
-  add_seed(c, a.seed);
+  for (auto const& option : building::stated_table()) add_option(c, option, a.options.stated);
+  for (auto const& option : programs::model_table()) add_option(c, option, a.options.model);
+  add_seed(c, a.options.seed);
   c.add_option("--out", a.out, "file to write (default: standard output)");
-  c.add_flag("--anyway", a.anyway,
+  c.add_flag("--anyway", a.options.anyway,
              "export even if the law's prediction is unusable, if within the tested displacements its force is "
              "impossible (not finite, far above the force at the peaks, with jumps, or giving back more energy than it "
              "takes), or if the analysis program's material differs too much from the law");

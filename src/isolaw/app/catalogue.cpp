@@ -131,24 +131,15 @@ int list_rules(std::string const& name, bool json) {
   if (!name.empty()) {
     if (json)
       throw Error({.where = "--json", .found = "is given with " + in_quotes(name), .allowed = "the list alone"});
-    bool const is_template = name == "template";
-    if (!is_template) rules::find_rule_set(name);  // a file must hold a rule set
-    auto const text = is_template ? std::string(rules::rule_set_text(name)) : rules::load_rule_text(name);
+    auto const text = rule_text(name);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return exit_done;
   }
-  auto const sets = rules::built_in_rule_sets();
   if (json) {
-    JsonWriter out(JsonWriter::Layout::indented);
-    out.begin_array();
-    for (auto const& set : sets) {
-      out.begin_object().member("id", set.id).member("title", set.title).member("edition", set.edition);
-      out.member("source", set.source).member("verified_by", set.verified_by).end_object();
-    }
-    out.end_array();
-    print(out.take());
+    print(rule_sets_json());
     return exit_done;
   }
+  auto const sets = rules::built_in_rule_sets();
   auto const longest = std::ranges::max(sets, {}, [](auto const& set) { return set.id.size(); }).id.size();
   for (auto const& set : sets)
     fmt::print("{:<{}} {}{}\n", set.id, longest, set.title,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/api/export.hpp"
 #include "isolaw/base/option.hpp"
 
 namespace isolaw::building {
@@ -106,14 +107,8 @@ int sample(SampleArguments const& arguments);
 
 struct ExportArguments {
   std::filesystem::path directory;
-  std::string law, device, to;
-  Values acceptance;  // options that change the bounds
-  std::optional<std::string> units, name;
+  ExportOptions options;
   std::optional<std::filesystem::path> out;  // empty: standard output
-  std::vector<std::string> motions;          // ground motions under which a re-fit is compared with the law
-  Values stated;                             // options of building::stated_table(), about the motions
-  Values model, seed;                        // model: options of programs::model_table(); seed: for the draws
-  bool anyway = false;                       // export despite objections
 };
 int export_law(ExportArguments const& arguments);
 

@@ -12,6 +12,7 @@
 #include "isolaw/campaign/lot_conditions.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
+#include "isolaw/programs/model.hpp"
 
 namespace isolaw::app {
 namespace {
@@ -41,7 +42,8 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   auto const is_in = [](std::vector<std::string> const& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
   };
-  std::vector<std::string> known{"settings", "acceptance", "reading", "motion", "building", "device-test"}, lines;
+  std::vector<std::string> known{"settings", "acceptance", "reading", "motion", "building", "device-test", "export"},
+      lines;
   auto const add = [&](auto const& row, bool asked) {
     known.push_back(row.python());
     if ((asked || is_in(which, known.back())) && !is_in(but, known.back())) lines.push_back(keyword(row));
@@ -61,6 +63,9 @@ int list_keywords(std::vector<std::string> const& which, std::vector<std::string
   add_in_place(building::stated_table(), "building");
   add_in_place(data::reading_table(), "device-test");
   add_in_place(campaign::test_table(), "device-test");
+  add_in_place(campaign::acceptance_table(), "export");
+  add_in_place(building::stated_table(), "export");
+  add_in_place(programs::model_table(), "export");
   std::vector<Complaint> complaints;
   for (auto const* words : {&which, &but})
     for (auto const& word : *words)

@@ -14,8 +14,6 @@
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
-#include "isolaw/rules/measured.hpp"
-#include "isolaw/rules/rule_set.hpp"
 #include "isolaw/wording/words.hpp"
 
 namespace isolaw::app {
@@ -143,16 +141,7 @@ void apply(Values const& given, campaign::DeviceInput& device) {
 void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   complete_acceptance(acceptance);
-  if (acceptance.design.empty()) return;
-  if (acceptance.rules.empty())
-    say("design values {}: without a rule set no device is checked against them{}; try: --rules NAME, one of {}, or --rules FILE\n",
-        printable(acceptance.design),
-        rules::parse_design(acceptance.design).disp_mm ? ", but laws are tried at the displacement" : "",
-        joined(rules::built_in_names()));
-  auto const damping = rules::parse_design(acceptance.design).damping_percent;
-  if (damping && *damping < 1.0)
-    say("--design damping={:g}: damping is in percent, and no isolator has less than 1 %; try: damping={:g}\n",
-        *damping, 100.0 * *damping);
+  for (auto const& sentence : remarks_on_design(acceptance)) say("{}\n", sentence);
 }
 
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "isolaw/api/campaign_directory.hpp"
+#include "isolaw/api/check.hpp"
 #include "isolaw/app/commands.hpp"
 #include "isolaw/app/lot_of.hpp"
 #include "isolaw/app/say.hpp"
@@ -58,15 +59,6 @@ int exit_code(study::Summary const& summary) {
     for (auto const& fit : law.devices)
       if (!fit.refusal.empty() || fit.failed_runs > 0) return exit_with_refusals;
   return study::conditions_refused(summary) || study::acceptance_failed(summary) ? exit_with_refusals : exit_done;
-}
-
-std::string what_is_missing(study::Summary const& summary) {
-  auto const runs = summary.missing_runs();
-  if (summary.part)
-    return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... joins the parts",
-                       summary.part->number, summary.part->of, summary.runs, summary.expected_here);
-  return fmt::format("{} {} are missing; repeat the last calibrate command to continue",
-                     runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }
 
 int report(ReportArguments const& arguments) {

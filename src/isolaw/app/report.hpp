@@ -1,4 +1,4 @@
-// Prints the results for `report`, `calibrate`, `check`, `merge` and `building`.
+// Prints the results for `report`, `calibrate`, `merge` and `building`.
 #pragma once
 
 #include <filesystem>
@@ -29,8 +29,6 @@ void print(study::Summary const& summary, std::filesystem::path const& directory
 // Returns 1 if a device or its compression test was refused, a law could not be fitted, a run failed, or a limit of the
 // rules is not kept.
 int exit_code(study::Summary const& summary);
-
-std::string what_is_missing(study::Summary const& summary);
 
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
 

@@ -14,9 +14,7 @@
 namespace isolaw::app {
 
 int sample(SampleArguments const& a) {
-  constexpr int most = 10'000'000;
-  if (a.count < 1 || a.count > most)
-    throw Error({.where = "--count", .found = fmt::format("{}", a.count), .allowed = fmt::format("1 to {}", most)});
+  study::require_draws(a.count);
   laws::find_law(a.law);
   auto const contents = campaign::Store::read(a.directory / "campaign.sqlite");
   auto const summary = study::build_summary(contents);

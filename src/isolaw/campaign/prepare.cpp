@@ -181,7 +181,7 @@ void check_names(std::vector<NamedRecord> const& records) {
   if (!complaints.empty()) throw Error(std::move(complaints));
 }
 
-Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
+Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning, FalseSignals false_signals) {
   Device device{.name = std::move(given.name),
                 .file = given.record.file,
                 .info = std::move(given.info),
@@ -190,7 +190,7 @@ Device cleaned(NamedRecord&& given, data::CleanOptions const& cleaning) {
   device.vertical = prepare_vertical(given.vertical, {});
   take_temperature(device);
   try {
-    clean(device, cleaning, FalseSignals::refused);
+    clean(device, cleaning, false_signals);
   } catch (Error const& error) {
     refuse_device(device, error.what());
   }
@@ -203,6 +203,16 @@ Contents with_devices(Lot const& lot, FalseSignals false_signals) {
     contents.devices.push_back(prepare_device(input, contents.settings.clean, false_signals));
   contents.find_copies();
   if (lot.conditions) contents.observed = observe_tests(lot);
+  return contents;
+}
+
+Contents with_devices(std::vector<NamedRecord> records, std::string const& title, Acceptance const& acceptance,
+                      Settings const& settings, FalseSignals false_signals) {
+  check_names(records);
+  auto contents = without_devices(title, acceptance, settings);
+  for (auto& record : records)
+    contents.devices.push_back(cleaned(std::move(record), contents.settings.clean, false_signals));
+  contents.find_copies();
   return contents;
 }
 
@@ -277,12 +287,12 @@ Contents prepare(Lot const& lot) {
   return with_searches(with_devices(lot, FalseSignals::refused), lot.settings.laws);
 }
 
+Contents prepare_devices(std::vector<NamedRecord> records, Acceptance const& acceptance) {
+  return with_devices(std::move(records), "", acceptance, {}, FalseSignals::shown);
+}
+
 Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std::string const& title) {
-  check_names(records);
-  auto contents = without_devices(title, {}, settings);
-  for (auto& record : records) contents.devices.push_back(cleaned(std::move(record), contents.settings.clean));
-  contents.find_copies();
-  return with_searches(std::move(contents), settings.laws);
+  return with_searches(with_devices(std::move(records), title, {}, settings, FalseSignals::refused), settings.laws);
 }
 
 }  // namespace isolaw::campaign

@@ -36,6 +36,8 @@ data::TestRecord read_history(TestInput const& input);
 std::string with_shown_files(std::string text, std::filesystem::path const& directory);
 // Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);
+// The same for records in memory. Throws Error as prepare() does for their names.
+Contents prepare_devices(std::vector<NamedRecord> records, Acceptance const& acceptance);
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 
 }  // namespace isolaw::campaign

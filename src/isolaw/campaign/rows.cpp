@@ -15,6 +15,7 @@
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/campaign/analysis_json.hpp"
+#include "isolaw/campaign/record_json.hpp"
 #include "isolaw/campaign/schema.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/checks.hpp"
@@ -86,31 +87,23 @@ void take_tests(std::string const& json, Device& device) {
 // The faults of the signals of all records as a JSON array. They were found before the corrections, so they cannot be
 // found again in the stored samples.
 std::string faults_to_json(Contents const& contents) {
-  auto faults = nlohmann::ordered_json::array();
+  auto faults = Json::array();
   for (std::size_t id = 0; id < contents.devices.size(); ++id)
     for (bool const corrected : {true, false})
-      for (auto const& fault : (corrected ? contents.devices[id].raw : contents.devices[id].uncorrected).faults)
-        faults.push_back({{"device", id},
-                          {"corrected", corrected},
-                          {"samples", fault.samples},
-                          {"finding", nlohmann::ordered_json::parse(wording::findings_json({fault.finding}))}});
-  return faults.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      for (auto const& fault : (corrected ? contents.devices[id].raw : contents.devices[id].uncorrected).faults) {
+        Json row{{"device", id}, {"corrected", corrected}};
+        row.update(fault_json(fault));
+        faults.push_back(std::move(row));
+      }
+  return faults.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 void take_faults(std::string const& json, Contents& contents) {
-  for (auto const& fault : nlohmann::ordered_json::parse(json)) {
+  for (auto const& fault : Json::parse(json)) {
     auto const id = fault.at("device").get<std::size_t>();
-    auto const samples = fault.at("samples").get<std::vector<std::size_t>>();
-    auto const findings = wording::findings_of(fault.at("finding").dump());
-    auto const kind = findings.size() == 1 ? data::fault_kind(findings.front().kind) : std::nullopt;
-    auto* const record = id >= contents.devices.size()       ? nullptr
-                         : fault.at("corrected").get<bool>() ? &contents.devices[id].raw
-                                                             : &contents.devices[id].uncorrected;
-    if (record == nullptr || !kind || samples.empty() || std::ranges::max(samples) >= record->size())
-      throw Error({.found = "a fault that lies in no signal of the campaign"});
-    record->faults.push_back({.kind = *kind,
-                              .channel = std::string(findings.front().word("channel")),
-                              .samples = samples,
-                              .finding = findings.front()});
+    if (id >= contents.devices.size()) throw Error({.found = "a fault of a device that is not in the campaign"});
+    auto& device = contents.devices[id];
+    auto& record = fault.at("corrected").get<bool>() ? device.raw : device.uncorrected;
+    record.faults.push_back(fault_of(fault, record.size()));
   }
 }
 

@@ -34,6 +34,12 @@ std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawE
   return limits;
 }
 
+void require_draws(int count) {
+  constexpr int most = 10'000'000;
+  if (count < 1 || count > most)
+    throw Error({.where = "--count", .found = fmt::format("{}", count), .allowed = fmt::format("1 to {}", most)});
+}
+
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law_id,
                    std::size_t count, std::uint64_t seed, std::string_view place) {
   auto const& entry = laws::find_law(law_id);
@@ -66,16 +72,24 @@ Draws draw_devices(campaign::Contents const& contents, Summary const& summary, s
   return draws;
 }
 
-std::vector<std::string> sentences(Draws const& draws) {
-  auto const& population = *draws.population;
-  std::vector<std::string> texts{fmt::format(
-      "{} drawn from a population that was estimated from {} tested devices; their parameters vary in {} of {} independent combinations",
-      counted(draws.values.size(), "device"), population.devices, population.directions, population.names.size())};
+std::vector<std::string> warnings(Draws const& draws) {
+  std::vector<std::string> texts;
   if (draws.rejected > 0)
     texts.push_back(fmt::format(
         "{} draws outside the physical limits were drawn again, {} pulled back to the median: the limits shape the sample",
         draws.rejected, draws.pulled_back));
-  if (!population.note.empty()) texts.push_back(population.note);
+  if (!draws.population->note.empty()) texts.push_back(draws.population->note);
+  return texts;
+}
+
+std::vector<std::string> sentences(Draws const& draws) {
+  auto const& population = *draws.population;
+  auto texts = warnings(draws);
+  texts.insert(
+      texts.begin(),
+      fmt::format(
+          "{} drawn from a population that was estimated from {} tested devices; their parameters vary in {} of {} independent combinations",
+          counted(draws.values.size(), "device"), population.devices, population.directions, population.names.size()));
   return texts;
 }
 

@@ -28,10 +28,12 @@ struct Column {
 };
 std::vector<Column> columns_of(LawResult const& law, laws::LawEntry const& entry);
 std::vector<lot::Limits> limits_of(lot::Population const& population, laws::LawEntry const& entry);
+void require_draws(int count);  // throws Error about --count unless it is a number of devices that can be drawn
 // Draws `count` devices. Device i depends only on the seed, the law and i. Throws Error, with a message that begins
 // with `where`, if the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
-std::vector<std::string> sentences(Draws const& draws);
+std::vector<std::string> warnings(Draws const& draws);   // sentences about a sample that limits or few devices shape
+std::vector<std::string> sentences(Draws const& draws);  // what was drawn, and the warnings
 
 }  // namespace isolaw::study
