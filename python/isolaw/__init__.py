@@ -342,6 +342,13 @@ class Model(_Unchanging):
     def __repr__(self):
         return f"<isolaw.Model of {self._law}: parameters {', '.join(self._names)}; {len(self.disp_mm)} samples>"
 
+    def _repr_html_(self):
+        rows = [
+            (f"{name}, {entry['unit']}", f"{entry['lower']:.4g} to {entry['upper']:.4g}" if entry["free"] else entry["value"])
+            for name, entry in self._box.items()
+        ]
+        return _show.page(f"{self._law}: limits of its parameters", rows, _show.loop_picture(self.disp_mm, self.force_kN))
+
     def __reduce__(self):
         law, record, how = self._given
         return _functools.partial(Model, **how), (law, record)
@@ -572,6 +579,10 @@ class LawFits(_Mapping):
 
     def __repr__(self):
         return f"<isolaw.LawFits of {self.law} to {', '.join(self._fits)}>"
+
+    def _repr_html_(self):
+        rows = [(device, "no fit" if fit.objective is None else fit.objective) for device, fit in self._fits.items()]
+        return _show.page(f"{self.law}: least objective on each device", rows)
 
     @property
     def law(self):
@@ -974,6 +985,17 @@ class Building(_Unchanging):
         self._core = core
         self._results = None
 
+    def __repr__(self):
+        return f"<isolaw.Building under {len(self.motions)} motions, with {', '.join(self.laws)}>"
+
+    def _repr_html_(self):
+        law = self.results["laws"][0]
+        rows = [
+            (f"{row['title']}, {row['unit']}: nominal", law["quantities"][row["key"]]["nominal"])
+            for row in self.results["quantities"]
+        ]
+        return _show.page(self.results["verdict"], rows)
+
     @property
     def results(self):
         """The dict that building.json holds. Its ``verdict`` says whether the building holds and how far it moves."""
@@ -1170,6 +1192,9 @@ class Conditions(_Unchanging):
         devices = len({test["device"] for test in tests})
         names = {(test["device"], test["test"]) for test in tests}
         return f"<isolaw.Conditions of {len(names)} tests of {devices} devices>"
+
+    def _repr_html_(self):
+        return f"<pre>{_show.escaped(str(self))}</pre>"
 
     def __str__(self):
         return self._core.text()

@@ -60,6 +60,10 @@ def _svg(x, curves, titles):
     )
 
 
+def escaped(text):
+    return _html.escape(text)
+
+
 def page(title, rows, picture=""):
     """A small table with a picture, as HTML. rows: pairs of a name and a value."""
     cells = "".join(

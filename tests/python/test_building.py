@@ -48,6 +48,7 @@ class Study(InFolder):
             self.assertEqual((self.path / "P" / name).read_bytes(), (self.path / "Y" / name).read_bytes(), name)
         self.assertEqual(told[-1][0], told[-1][1])
         self.assertEqual(building.results["laws"][0]["draws"], 12)
+        self.assertIn(building.results["verdict"][:30], building._repr_html_())
         # Builds the same building from arrays instead of files. The motions in memory have no names, so isolaw gives
         # them names.
         arrays_of = isolaw.building(PLAN, self.lot, [(0.02, ground(1), ground(2)), (0.02, ground(2), ground(3))])

@@ -6,6 +6,7 @@ import subprocess
 import tempfile
 import tomllib
 import unittest
+from xml.etree import ElementTree
 
 import isolaw
 from devices import BINARY
@@ -23,6 +24,8 @@ class Conditions(unittest.TestCase):
     def test_the_results_are_those_of_the_program(self):
         program = subprocess.run([BINARY, "conditions", self.lot, "--json"], capture_output=True, text=True)
         self.assertEqual(self.study.results, json.loads(program.stdout))
+        shown = ElementTree.fromstring(self.study._repr_html_())
+        self.assertEqual(shown.text, str(self.study))
 
     # The numbers follow from the closed form by which the records of the example were computed.
     def test_bounds_and_levels_are_those_of_the_closed_form(self):

@@ -39,6 +39,16 @@ class Shown(InFolder):
         self.assertIn("Time, s", motion._repr_html_())
         self.assertNotIn("force", repr(motion))
 
+    def test_fits_of_a_law_and_a_model_show_themselves(self):
+        fits = self.campaign["bilinear"]
+        cells = [cell.text for cell in parsed(fits._repr_html_()).iter("td")]
+        self.assertEqual(cells, [text for device, fit in fits.items() for text in (device, f"{fit.objective:.4g}")])
+        model = isolaw.Model("vaiana", self.campaign.record("a"))
+        cells = [cell.text for cell in parsed(model._repr_html_()).iter("td")]
+        self.assertEqual(len(cells), 2 * len(model.parameter_names))
+        (lower, *_), (upper, *_) = model.bounds
+        self.assertEqual(cells[:2], ["Kb+, N/m", f"{lower:.4g} to {upper:.4g}"])
+
     def test_copies_are_the_thing_itself(self):
         for thing in (self.campaign, self.campaign.record("a"), isolaw.Model("bilinear", self.campaign.record("a"))):
             self.assertIs(copy.deepcopy({"one": thing})["one"], thing)
