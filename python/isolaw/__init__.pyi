@@ -15,25 +15,39 @@ _Parameters = Mapping[str, float] | ArrayLike
 class Error(ValueError):
     complaints: list[dict[str, str]]
 
+# The class is compiled, so editors and the reference of the site find its docstrings here.
 class Record:
+    """A test record or a displacement history, in kN, mm and s, as read_record, read_motion, record and motion
+    return it."""
+
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """Name of the device."""
     @property
-    def file(self) -> str: ...
+    def file(self) -> str:
+        """The file that it was read from, or its name."""
     @property
-    def disp_mm(self) -> _Floats: ...
+    def disp_mm(self) -> _Floats:
+        """Displacements in mm, shape (samples,): a read-only view."""
     @property
-    def force_kN(self) -> _Floats | None: ...
+    def force_kN(self) -> _Floats | None:
+        """Forces in kN, shape (samples,): a read-only view; None for a motion."""
     @property
-    def time_s(self) -> _Floats | None: ...
+    def time_s(self) -> _Floats | None:
+        """Times in s, shape (samples,): a read-only view; None without time."""
     @property
-    def load_kN(self) -> _Floats | None: ...
+    def load_kN(self) -> _Floats | None:
+        """Vertical loads in kN, shape (samples,): a read-only view; None without."""
     @property
-    def recognised(self) -> list[str]: ...
+    def recognised(self) -> list[str]:
+        """A sentence for each decision of the reader, with its reason."""
     @property
-    def warnings(self) -> list[str]: ...
-    def to_frame(self) -> Any: ...
-    def plot(self, ax: Any = None) -> Any: ...
+    def warnings(self) -> list[str]:
+        """Sentences about doubtful things in the file."""
+    def to_frame(self) -> Any:
+        """The samples as a pandas DataFrame: columns time_s, disp_mm, force_kN and load_kN, as far as the record has them."""
+    def plot(self, ax: Any = None) -> Any:
+        """Draws force over displacement with Matplotlib, or a motion over time. Returns the axes; ax: draws into these."""
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...
     def __len__(self) -> int: ...

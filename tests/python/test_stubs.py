@@ -63,6 +63,13 @@ class Stubs(unittest.TestCase):
                 if not is_property:
                     self.assertEqual(parameters(member), parameters_of(found), f"{node.name}.{member.name}")
 
+    def test_docstrings_that_the_stub_repeats_are_those_of_the_package(self):
+        record = next(node for node in STUB.body if getattr(node, "name", "") == "Record")
+        self.assertEqual(inspect.cleandoc(ast.get_docstring(record)), inspect.getdoc(isolaw.Record))
+        for member in public(record.body):
+            found = inspect.getattr_static(isolaw.Record, member.name)
+            self.assertEqual(ast.get_docstring(member), inspect.getdoc(found), member.name)
+
     def test_the_package_says_that_it_is_typed(self):
         self.assertTrue((pathlib.Path(isolaw.__file__).parent / "py.typed").exists())
 
