@@ -17,7 +17,8 @@
 #   ./isolaw.sh page         build the program as one HTML file, build/page/isolaw.html, and test it; see docs/page.md
 #   ./isolaw.sh wheel [PYTHON]  make the Python package as a wheel that runs on other Linux machines, and test it
 #   ./isolaw.sh deb          make a Debian package of the command, and test it in a new Debian (as root)
-#   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md and the keywords of the Python stub
+#   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md, the keywords of the Python stub, and what
+#                            the tutorials print and draw
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
@@ -179,12 +180,13 @@ case "${1:-help}" in
     step tools/deb.sh "${@:2}"
     ;;
   docs)
-    setup
-    build --target isolaw_cli
+    setup python3-matplotlib python3-pandas python3-scipy
+    build --target isolaw_products
     step tools/reference.sh "build/$preset/cli/isolaw" .
-    echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi" >&2
+    step env PATH="$PWD/build/$preset/cli:$PATH" PYTHONPATH="build/$preset/python" /usr/bin/python3 tools/tutorials.py
+    echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi, docs/tutorial/" >&2
     ;;
-  help | -h | --help) sed -n '2,20s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,21s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
     echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, docs" >&2
     exit 2
