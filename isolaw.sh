@@ -19,6 +19,7 @@
 #   ./isolaw.sh deb          make a Debian package of the command, and test it in a new Debian (as root)
 #   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md, the keywords of the Python stub, and what
 #                            the tutorials print and draw
+#   ./isolaw.sh site         make the documentation as a site that needs no server: build/site/index.html
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
@@ -186,9 +187,15 @@ case "${1:-help}" in
     step env PATH="$PWD/build/$preset/cli:$PATH" PYTHONPATH="build/$preset/python" /usr/bin/python3 tools/tutorials.py
     echo "written: docs/laws.md, docs/cli.md, the keywords of python/isolaw/__init__.pyi, docs/tutorial/" >&2
     ;;
-  help | -h | --help) sed -n '2,21s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  site)
+    install_missing npm python3-venv
+    [ -e node_modules/iframe-worker/shim/index.js ] || step npm ci --no-audit --no-fund --loglevel=error
+    tools/pypi.sh build/mkdocs '[a-z]' /usr/bin/python3 site.txt
+    NO_MKDOCS_2_WARNING=1 step build/mkdocs/bin/mkdocs build --strict
+    ;;
+  help | -h | --help) sed -n '2,22s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, docs" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, docs, site" >&2
     exit 2
     ;;
 esac

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes FOLDER a virtual environment of PYTHON (default /usr/bin/python3) with packages of PyPI at exact versions.
-#   tools/pypi.sh FOLDER PATTERN [PYTHON]    installs the packages of pypi.txt whose line begins with PATTERN
+#   tools/pypi.sh FOLDER PATTERN [PYTHON [LIST]]    installs the packages of LIST whose line begins with PATTERN;
+#                                                   LIST is pypi.txt or another file beside it
 set -euo pipefail
-needed=$(grep "^$2" "$(dirname "${BASH_SOURCE[0]}")/pypi.txt")
+needed=$(grep "^$2" "$(dirname "${BASH_SOURCE[0]}")/${4:-pypi.txt}")
 python=${3:-/usr/bin/python3}
 [ "$(cat "$1/installed.txt" 2>/dev/null)" = "$needed" ] && exit
 echo "installing: $(echo "$needed" | sed 's/[ ;].*//' | paste -sd ' ') (PyPI, into $1)" >&2
