@@ -76,6 +76,11 @@ class Examples(unittest.TestCase):
             )  # fmt: skip
         self.assertEqual(process.returncode, 0, process.stderr)
 
+    def test_every_page_is_in_the_menu_of_the_site(self):
+        menu = (SOURCE / "mkdocs.yml").read_text().partition("\nnav:\n")[2]
+        pages = {str(page.relative_to(SOURCE / "docs")) for page in (SOURCE / "docs").rglob("*.md")}
+        self.assertEqual(pages, set(re.findall(r"[\w/-]+\.md", menu)))
+
 
 if __name__ == "__main__":
     unittest.main()
