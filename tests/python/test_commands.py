@@ -100,6 +100,8 @@ class Commands(OfALot):
         asked = {"rules": "ntc-2018", "design": "K_eff=0.62,damping=19.5,disp=208", "lot_size": 40}
         options = [word for key, value in asked.items() for word in ("--" + key.replace("_", "-"), value)]
         self.assertEqual(isolaw.inspect(lot, **asked), json.loads(program("inspect", lot, "--json", *options)))
+        asked["design"] = {"K_eff": 0.62, "damping": 19.5, "disp": 208.0}  # replaces the design values of the lot file
+        self.assertEqual(isolaw.inspect(lot, **asked), json.loads(program("inspect", lot, "--json", *options)))
         # The records alone have no title and no facts of a lot file; their values are the same.
         mine = isolaw.inspect(self.files, rules="ntc-2018", design={"K_eff": 0.7})
         printed = json.loads(program("inspect", *self.files, "--json", "--rules", "ntc-2018", "--design", "K_eff=0.7"))

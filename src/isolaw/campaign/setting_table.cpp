@@ -226,13 +226,15 @@ void set_design(Acceptance& to, Json const& value) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
     return void(to.design = text_in(value));
   }
+  std::string design;  // replaces the values that a lot file or a campaign states
   for (auto const& [key, item] : value.items()) {
     if (!item.is_number())
       throw Error({.where = {},
                    .found = fmt::format("design.{} is not a number", key),
                    .allowed = "K_eff = 1.2, damping = 15.0"});
-    to.design += fmt::format("{}{}={}", to.design.empty() ? "" : ",", key, item.get<double>());
+    design += fmt::format("{}{}={}", design.empty() ? "" : ",", key, item.get<double>());
   }
+  to.design = std::move(design);
 }
 
 void set_rules(Acceptance& to, Json const& value) {
