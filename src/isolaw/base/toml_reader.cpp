@@ -222,12 +222,13 @@ void TomlTable::json(std::string_view key, std::function<void(Json const&)> cons
       if (!guarded(item, key, [&] { take(taken); })) taken.erase(taken.size() - 1);
     }
   } else if (auto const* table = node->as_table()) {
+    Json taken = Json::object();
     for (auto const& [name, item] : *table) {
       auto const value = scalar(item, key, longest);
       if (!value) continue;
-      Json entry;
-      entry[printable(name.str())] = *value;
-      guarded(item, key, [&] { take(entry); });
+      auto const entry = printable(name.str());
+      taken[entry] = *value;
+      if (!guarded(item, key, [&] { take(taken); })) taken.erase(entry);
     }
   } else if (auto const value = scalar(*node, key, longest)) {
     guarded(*node, key, [&] { take(*value); });

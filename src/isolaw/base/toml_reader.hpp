@@ -63,9 +63,9 @@ class TomlTable {
   // Calls take() for the key's text or, if it is a list, for each text of the list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Passes the key's value, if there is one, to take(). A list is passed as it grows (first [a], then [a, b]), so that
-  // an Error from take() belongs to the last item. A table is passed entry by entry as {name: value}. An Error becomes
-  // complaints at the item's line, and the rest of the list is read without that item.
+  // Passes the key's value, if there is one, to take(). A list or table is passed as it grows (first [a], then [a, b]),
+  // so that an Error from take() belongs to the last item. An Error becomes complaints at the item's line, and the rest
+  // is read without that item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   toml::table const* table(std::string_view key);  // the sub-table, or nullptr
   toml::node const* find(std::string_view key);    // returns the node or nullptr; the key then counts as known

@@ -56,7 +56,7 @@ void take_part(std::string_view part, Json const& factor, PartFactors& to) {
     refuse(std::string(part), "elastic and hysteretic");
 }
 
-// A factor, "conditions", or a factor for each part of the force: as a table, of which a file gives one entry at a time
+// A factor, "conditions", or a factor for each part of the force: as a table, which a file gives as it grows
 // (TomlTable::json()), or as the text that factors_of() makes.
 void take_factors(Json const& value, Limits const& limits, std::optional<PartFactors>& to) {
   if (value == "conditions") return to.reset();
