@@ -45,7 +45,7 @@ nb::tuple inspected_lot(nb::object const& lot, std::filesystem::path const& fold
     nb::gil_scoped_release const released;
     auto const contents = prepare();
     json = render::inspection_json(study::build_summary(contents));
-    if (!acceptance.empty()) remarks = remarks_on_design(contents.acceptance);
+    if (!acceptance.empty()) remarks = texts_in_keywords(remarks_on_design(contents.acceptance));
   };
   if (nb::isinstance<nb::list>(lot)) {
     auto records = named_records(nb::cast<nb::list>(lot), vertical);
@@ -118,7 +118,7 @@ std::vector<std::string> remarks_of(nb::dict const& given) {
   campaign::Acceptance acceptance;
   lay_over(campaign::acceptance_table(), stated, acceptance);
   complete_acceptance(acceptance);
-  return remarks_on_design(acceptance);
+  return texts_in_keywords(remarks_on_design(acceptance));
 }
 
 nb::dict checked(std::filesystem::path const& directory) {

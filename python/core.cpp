@@ -650,6 +650,21 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   return complaints;
 }
 
+}  // namespace
+
+std::vector<std::string> texts_in_keywords(std::vector<Complaint> complaints) {
+  std::vector<std::string> texts;
+  for (auto& complaint : in_keywords(std::move(complaints))) {
+    for (auto const& row : campaign::acceptance_table())
+      for (std::size_t at = 0; (at = complaint.advice.find("--" + row.option(), at)) != std::string::npos;)
+        complaint.advice.replace(at, 2 + row.option().size(), row.python());
+    texts.push_back(to_string(complaint));
+  }
+  return texts;
+}
+
+namespace {
+
 Unit unit_named(std::string const& text, Dimension dimension) {
   auto const unit = parse_unit(text);
   if (unit && unit->dimension == dimension) return *unit;

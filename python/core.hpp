@@ -98,6 +98,9 @@ Values given_of(Rows const& rows, nb::dict const& given) {
 // `vertical` has the compression tests by device, as calibrate() takes them.
 std::vector<campaign::NamedRecord> named_records(nb::list const& records, nb::dict const& vertical);
 
+// The texts of complaints and remarks, with the names of Python's keywords in place of options of the command line.
+std::vector<std::string> texts_in_keywords(std::vector<Complaint> complaints);
+
 void add_states(nb::module_& m);    // how records and campaigns are pickled
 void add_commands(nb::module_& m);  // what the other commands of the program do
 

@@ -33,7 +33,7 @@ ls -l "$wheel"
 
 step "$python" -m venv --clear "$folder/test"
 step "$folder/test/bin/pip" install --quiet --disable-pip-version-check "$wheel"
-for name in command records laws shown stubs conditions; do
+for name in command commands records laws shown stubs conditions; do
   step env -C tests/python -u PYTHONPATH ISOLAW_BINARY="$program" ISOLAW_SOURCE_DIR="$PWD" PYTHONDONTWRITEBYTECODE=1 \
     "$folder/test/bin/python" -m unittest "test_$name"
 done

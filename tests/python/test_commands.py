@@ -114,10 +114,10 @@ class Commands(OfALot):
         self.assertEqual((found["name"], found["status"]), ("A", "ok"))
 
     def test_a_design_value_that_is_hardly_meant_warns(self):
-        with self.assertWarnsRegex(UserWarning, "damping is in percent") as told:
+        with self.assertWarnsRegex(UserWarning, "^design damping=0.15: damping is in percent.*; try: damping=15$") as told:
             isolaw.inspect(self.files, rules="ntc-2018", design={"damping": 0.15})
         self.assertEqual(told.filename, __file__)
-        with self.assertWarnsRegex(UserWarning, "without a rule set") as told:
+        with self.assertWarnsRegex(UserWarning, "; try: rules NAME, one of .*, or rules FILE$") as told:
             isolaw.calibrate(self.files[:1], "bilinear", runs=1, analysis=False, design={"K_eff": 0.7})
         self.assertEqual(told.filename, __file__)
 

@@ -28,19 +28,20 @@ void complete_acceptance(campaign::Acceptance& acceptance) {
     acceptance.letterhead = load_letterhead(acceptance.letterhead_file);
 }
 
-std::vector<std::string> remarks_on_design(campaign::Acceptance const& acceptance) {
-  std::vector<std::string> remarks;
+std::vector<Complaint> remarks_on_design(campaign::Acceptance const& acceptance) {
+  std::vector<Complaint> remarks;
   if (acceptance.design.empty()) return remarks;
   auto const design = rules::parse_design(acceptance.design);
   if (acceptance.rules.empty())
-    remarks.push_back(fmt::format(
-        "design values {}: without a rule set no device is checked against them{}; try: --rules NAME, one of {}, or --rules FILE",
-        printable(acceptance.design), design.disp_mm ? ", but laws are tried at the displacement" : "",
-        joined(rules::built_in_names())));
+    remarks.push_back(
+        {.where = "design values " + printable(acceptance.design),
+         .found = fmt::format("without a rule set no device is checked against them{}",
+                              design.disp_mm ? ", but laws are tried at the displacement" : ""),
+         .advice = fmt::format("--rules NAME, one of {}, or --rules FILE", joined(rules::built_in_names()))});
   if (design.damping_percent && *design.damping_percent < 1.0)
-    remarks.push_back(fmt::format(
-        "--design damping={:g}: damping is in percent, and no isolator has less than 1 %; try: damping={:g}",
-        *design.damping_percent, 100.0 * *design.damping_percent));
+    remarks.push_back({.where = fmt::format("--design damping={:g}", *design.damping_percent),
+                       .found = "damping is in percent, and no isolator has less than 1 %",
+                       .advice = fmt::format("damping={:g}", 100.0 * *design.damping_percent)});
   return remarks;
 }
 

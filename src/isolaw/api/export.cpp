@@ -51,9 +51,9 @@ ExportedLaw export_law(campaign::Contents contents, ExportOptions const& options
   auto const& units = find_unit_system(options.units ? *options.units : std::string(contents.acceptance.report_units));
   lay_over(campaign::acceptance_table(), options.acceptance, contents.acceptance);
   complete_acceptance(contents.acceptance);
-  ExportedLaw result{
-      .text = {},
-      .doubts = options.acceptance.empty() ? std::vector<std::string>() : remarks_on_design(contents.acceptance)};
+  ExportedLaw result;
+  if (!options.acceptance.empty())
+    for (auto const& remark : remarks_on_design(contents.acceptance)) result.doubts.push_back(to_string(remark));
   auto const summary = study::build_summary(contents);
   auto subject = programs::make_subject(contents, summary, options.law, options.device, units);
   subject.name = options.name.value_or("");

@@ -141,7 +141,7 @@ void apply(Values const& given, campaign::DeviceInput& device) {
 void apply(Values const& given, campaign::Acceptance& acceptance) {
   lay_over(campaign::acceptance_table(), given, acceptance);
   complete_acceptance(acceptance);
-  for (auto const& sentence : remarks_on_design(acceptance)) say("{}\n", sentence);
+  for (auto const& remark : remarks_on_design(acceptance)) say("{}\n", to_string(remark));
 }
 
 void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
