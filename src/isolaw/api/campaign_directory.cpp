@@ -1,13 +1,9 @@
 #include "isolaw/api/campaign_directory.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
@@ -43,13 +39,12 @@ void make_directory(std::filesystem::path const& directory) {
         {.where = directory.string(), .found = "cannot make the directory: " + error.message(), .advice = "--out DIR"});
 }
 
-TemporaryDirectory::TemporaryDirectory() {
-  auto name = (std::filesystem::temp_directory_path() / "isolaw-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr)
-    throw Error({.where = name,
+TemporaryDirectory::TemporaryDirectory()
+    : path_(make_private_directory(std::filesystem::temp_directory_path() / "isolaw")) {
+  if (path_.empty())
+    throw Error({.where = std::filesystem::temp_directory_path().string(),
                  .found = "cannot make a directory for the results: " + std::generic_category().message(errno),
                  .advice = "a directory of its own, or TMPDIR"});
-  path_ = name;
 }
 
 TemporaryDirectory::~TemporaryDirectory() {
@@ -57,18 +52,11 @@ TemporaryDirectory::~TemporaryDirectory() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-DirectoryLock::DirectoryLock(std::filesystem::path const& directory)
-    : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(descriptor_);
+DirectoryLock::DirectoryLock(std::filesystem::path const& directory) : lock_(directory) {
+  if (lock_.is_taken())
     throw Error({.where = directory.string(),
                  .found = "another isolaw works in this directory",
                  .advice = "wait for it, or another --out DIR"});
-  }
-}
-
-DirectoryLock::~DirectoryLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,

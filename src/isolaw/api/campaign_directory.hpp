@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "isolaw/base/system.hpp"
 #include "isolaw/campaign/contents.hpp"
 
 namespace isolaw {
@@ -28,12 +29,9 @@ class TemporaryDirectory {  // the destructor removes the directory; the constru
 class DirectoryLock {  // keeps other processes out of a directory until the object or the process ends
  public:
   explicit DirectoryLock(std::filesystem::path const& directory);  // throws Error if another process holds it
-  DirectoryLock(DirectoryLock const&) = delete;
-  DirectoryLock& operator=(DirectoryLock const&) = delete;
-  ~DirectoryLock();
 
  private:
-  int descriptor_;
+  FolderLock lock_;
 };
 
 struct Continued {                      // how a campaign differs from the stored one that it continues

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -27,6 +26,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/json.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
@@ -576,7 +576,7 @@ int fail_without_output(Reader reader) {
 }  // namespace
 
 int run(int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then returns an error
+  prepare_process(argc, argv);
   auto const reader = reader_of(argc, argv);
   if (reader == Reader::engine) {
     argv[1] = argv[0];
@@ -587,6 +587,7 @@ int run(int argc, char** argv) {
     CLI::App app(
         "isolaw: fit force-displacement laws to the tests of a production lot of seismic isolators, and rank them",
         "isolaw");
+    app.allow_windows_style_options(false);  // "/lot" is a file
     app.set_version_flag("--version", version_text());
     app.formatter(help_format());
     app.footer("isolaw COMMAND --help lists the options of a command.");

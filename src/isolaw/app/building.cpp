@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,6 +18,7 @@
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/building/answers.hpp"
@@ -69,7 +69,7 @@ class BuildingProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool terminal_ = isatty(STDERR_FILENO) != 0, drawn_ = false;
+  bool terminal_ = is_terminal(StandardStream::error), drawn_ = false;
   Clock::time_point start_ = Clock::now(), last_ = start_;
   std::optional<std::size_t> first_;
 };

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/processor_time.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/base/words.hpp"
 #include "isolaw/campaign/estimate.hpp"
 #include "isolaw/campaign/prepare.hpp"
@@ -43,11 +43,9 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
 
 // A part needs about as much memory as this process, because both read the whole lot. Each thread adds a little.
 std::uint64_t memory_bytes(int jobs) {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);
   constexpr double margin = 1.5;
-  constexpr std::uint64_t kibibyte = 1024, around = 128U << 20, thread = 16U << 20;
-  auto const here = static_cast<double>(used.ru_maxrss) * static_cast<double>(kibibyte);
+  constexpr std::uint64_t around = 128U << 20, thread = 16U << 20;
+  auto const here = static_cast<double>(peak_memory_bytes());
   return static_cast<std::uint64_t>(margin * here) + around + thread * static_cast<std::uint64_t>(jobs);
 }
 

@@ -1,7 +1,6 @@
 #include "isolaw/app/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/laws/catalogue.hpp"
 
 namespace isolaw::app {
@@ -23,7 +23,7 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine() : terminal_(is_terminal(StandardStream::error)) {}
 
 ProgressLine::~ProgressLine() {
   if (drawn_) say("\r\033[K");
@@ -54,7 +54,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   if (!progress.law.empty()) line += " " + std::string(laws::called(progress.law));
   if (!progress.device.empty()) line += " on " + printable(progress.device);
   // A line of more than 80 columns would be tiring to read. The line never breaks: a name is cut between its letters.
-  auto const width = std::min(terminal_width(STDERR_FILENO), 80) - 1;
+  auto const width = std::min(terminal_width(StandardStream::error), 80) - 1;
   std::size_t end = 0;
   for (int letters = 0; letters < width && end < line.size(); ++letters)
     end += utf8_length(std::string_view(line).substr(end));

@@ -1,7 +1,6 @@
 #include "isolaw/app/report.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "isolaw/app/say.hpp"
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/campaign/store.hpp"
 #include "isolaw/render/json/summary_json.hpp"
 #include "isolaw/render/terminal/terminal.hpp"
@@ -45,7 +45,7 @@ void print(study::Summary const& summary, std::filesystem::path const& directory
     app::print(render::summary_json(summary, profile));
     return;
   }
-  int const width = std::min(terminal_width(STDOUT_FILENO), 120);
+  int const width = std::min(terminal_width(StandardStream::output), 120);
   auto text = how.details ? render::ranking(summary, width)
                           : render::answer(summary, shown(directory), shown(how.campaign.value_or(directory)), width);
   if (auto const verdicts = study::verdict_summary(summary); !verdicts.empty()) text += "\n" + verdicts;

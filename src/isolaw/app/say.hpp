@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -31,12 +30,6 @@ inline void print(std::string_view text) {
   has_printed = true;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
-}
-
-// The width of the terminal; 80 if `descriptor` is no terminal, or if the terminal has less than 40 columns.
-inline int terminal_width(int descriptor) {
-  winsize size{};
-  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col >= 40 ? size.ws_col : 80;
 }
 
 // A file name for use in a message. Control characters are spelled out.

@@ -1,14 +1,10 @@
 #include "isolaw/base/write_file.hpp"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <string>
 #include <system_error>
 
 #include "isolaw/base/error.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/base/words.hpp"
 
 namespace isolaw {
@@ -36,18 +32,8 @@ void make_folder(fs::path const& dir) {
 // exists.
 void write_file(fs::path const& path, std::string_view text) {
   auto aside = path;  // in the same directory, since only there is a rename atomic
-  aside += "." + std::to_string(::getpid()) + std::string(part_suffix);
-  int const file = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
-  bool written = file >= 0;
-  for (std::string_view rest = text; written && !rest.empty();) {
-    auto const count = ::write(file, rest.data(), rest.size());
-    if (count < 0 && errno == EINTR) continue;
-    written = count >= 0;
-    if (written) rest.remove_prefix(static_cast<std::size_t>(count));
-  }
-  written = written && (::fsync(file) == 0 || errno == EINVAL);  // EINVAL: a pipe or the like cannot be synchronised
-  std::error_code error = written ? std::error_code() : std::error_code(errno, std::generic_category());
-  if (file >= 0 && ::close(file) != 0 && !error) error = std::error_code(errno, std::generic_category());
+  aside += "." + std::to_string(process_id()) + std::string(part_suffix);
+  auto error = write_to_disk(aside, text);
   if (!error) fs::rename(aside, path, error);
   if (!error) return;
   std::error_code ignored;
@@ -66,8 +52,8 @@ void remove_unfinished_files(fs::path const& folder) {
     if (!name.ends_with(part_suffix)) continue;
     auto const stem = std::string_view(name).substr(0, name.size() - part_suffix.size());
     auto const digits = stem.substr(stem.find_last_of('.') + 1);
-    auto const owner = number_in<pid_t>(digits);
-    if (owner && *owner > 0 && ::kill(*owner, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+    auto const owner = number_in<int>(digits);
+    if (owner && *owner > 0 && has_ended(*owner)) fs::remove(entry.path(), ignored);
   }
 }
 

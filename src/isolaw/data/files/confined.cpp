@@ -15,6 +15,8 @@
 #include <exception>
 #include <system_error>
 
+#include "isolaw/base/system.hpp"
+
 namespace isolaw::data {
 namespace {
 
@@ -115,7 +117,7 @@ std::string ending(int status, ConfinedLimits const& limits, std::string const& 
 ConfinedResult run_confined(std::function<void(std::function<void(std::string_view)> const&)> const& work,
                             ConfinedLimits const& limits) {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (!make_pipe(ends)) throw std::system_error(errno, std::generic_category(), "pipe");
   auto const child = ::fork();
   if (child < 0) {
     auto const reason = errno;

@@ -1,16 +1,15 @@
 #include "isolaw/data/files/text.hpp"
 
 #include <fmt/format.h>
-#include <iconv.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
 
 #include "isolaw/base/error.hpp"
 #include "isolaw/base/file.hpp"
 #include "isolaw/base/printable.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/data/files/sheet_choice.hpp"
 
 namespace isolaw::data {
@@ -115,27 +114,6 @@ bool is_turkish_lead(unsigned char byte) {
   return byte == 0xC4 || byte == 0xC5;
 }
 
-std::optional<std::string> converted(std::string_view bytes, char const* encoding) {
-  iconv_t converter = iconv_open("UTF-8", encoding);
-  // musl's iconv, which the page uses in a browser, knows CP932 only as SHIFT_JIS.
-  if (converter == reinterpret_cast<iconv_t>(-1) && std::string_view(encoding) == "CP932")
-    converter = iconv_open("UTF-8", "SHIFT_JIS");
-  if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;  // this system lacks the encoding
-  std::string text;
-  std::array<char, 4096> buffer;
-  auto* in = const_cast<char*>(bytes.data());
-  std::size_t in_left = bytes.size();
-  bool failed = false;
-  while (in_left > 0 && !failed) {
-    auto* out = buffer.data();
-    std::size_t out_left = buffer.size();
-    failed = iconv(converter, &in, &in_left, &out, &out_left) == static_cast<std::size_t>(-1) && errno != E2BIG;
-    text.append(buffer.data(), buffer.size() - out_left);
-  }
-  iconv_close(converter);
-  return failed ? std::nullopt : std::optional(std::move(text));
-}
-
 }  // namespace
 
 std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_channels)(std::string_view)) {
@@ -150,9 +128,9 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
         Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
     constexpr std::size_t head = 16384;  // bytes searched for names of channels, cut at the end of a line
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
-    auto const top = converted(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
+    auto const top = converted_to_utf8(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;
-    if (auto text = converted(bytes, name)) return LegacyText{std::move(*text), shown};
+    if (auto text = converted_to_utf8(bytes, name)) return LegacyText{std::move(*text), shown};
   }
   return std::nullopt;
 }
@@ -167,7 +145,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
       Encoding{"UTF-32LE", "\xFF\xFE\0\0"sv, ",\0\0\0"sv}, Encoding{"UTF-32BE", "\0\0\xFE\xFF"sv, "\0\0\0,"sv},
       Encoding{"UTF-16LE", "\xFF\xFE"sv, ",\0"sv}, Encoding{"UTF-16BE", "\xFE\xFF"sv, "\0,"sv}};
   auto const decoded = [](std::string_view text, Encoding const& encoding) -> std::optional<LegacyText> {
-    auto utf8 = converted(text, encoding.name);
+    auto utf8 = converted_to_utf8(text, encoding.name);
     if (!utf8) return std::nullopt;
     return LegacyText{std::move(*utf8), encoding.name};
   };

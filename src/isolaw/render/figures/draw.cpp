@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "isolaw/base/system.hpp"
 #include "isolaw/base/write_file.hpp"
 #include "isolaw/render/figures/gnuplot.hpp"
 
@@ -21,8 +22,8 @@ class Scratch {
  public:
   Scratch() {
     std::error_code error;
-    auto name = (fs::temp_directory_path(error) / "isolaw-figures-XXXXXX").string();
-    if (!error && ::mkdtemp(name.data()) != nullptr) path_ = name;
+    auto const parent = fs::temp_directory_path(error);
+    if (!error) path_ = make_private_directory(parent / "isolaw-figures");
   }
   Scratch(Scratch const&) = delete;
   Scratch& operator=(Scratch const&) = delete;

@@ -2,13 +2,12 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <sys/utsname.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "isolaw/base/json.hpp"
+#include "isolaw/base/system.hpp"
 #include "isolaw/campaign/maker.hpp"
 
 namespace isolaw::render {
@@ -33,8 +32,6 @@ std::string profile_json(campaign::Profile const& profile) {
 }
 
 std::string run_json(RunFacts const& facts) {
-  utsname system{};
-  uname(&system);
   nlohmann::ordered_json json;
   auto const maker = campaign::this_maker();
   json["isolaw"] = maker.version;
@@ -49,8 +46,8 @@ std::string run_json(RunFacts const& facts) {
   json["cpu_seconds"] = facts.cpu_s;
   json["profile"] = nlohmann::ordered_json::parse(facts.profile);
   json["threads"] = facts.jobs;
-  json["host"] = system.nodename;
-  json["system"] = fmt::format("{} {} {}", system.sysname, system.release, system.machine);
+  json["host"] = host_name();
+  json["system"] = system_name();
   json["compiler"] = __VERSION__;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
