@@ -17,6 +17,7 @@
 #   ./isolaw.sh page         build the program as one HTML file, build/page/isolaw.html, and test it; see docs/page.md
 #   ./isolaw.sh wheel [PYTHON]  make the Python package as a wheel that runs on other Linux machines, and test it
 #   ./isolaw.sh deb          make a Debian package of the command, and test it in a new Debian (as root)
+#   ./isolaw.sh windows      compile the command for Windows, build/windows/cli/isolaw.exe, and test it under wine
 #   ./isolaw.sh docs         let the program write docs/laws.md, docs/cli.md, the keywords of the Python stub, and what
 #                            the tutorials print and draw
 #   ./isolaw.sh site         make the documentation as a site that needs no server: build/site/index.html
@@ -180,6 +181,13 @@ case "${1:-help}" in
     setup binutils debootstrap dpkg-dev help2man lintian tcl
     step tools/deb.sh "${@:2}"
     ;;
+  windows)
+    setup binutils-mingw-w64-x86-64 dpkg-dev g++-mingw-w64-x86-64-posix tcl wine wine64
+    step cmake --preset windows
+    step cmake --build --preset windows
+    build --target isolaw_cli
+    step tools/windows.sh build/windows/cli/isolaw.exe "build/$preset/cli/isolaw" build/windows/test
+    ;;
   docs)
     setup python3-matplotlib python3-pandas python3-scipy
     build --target isolaw_products
@@ -193,9 +201,9 @@ case "${1:-help}" in
     tools/pypi.sh build/mkdocs '[a-z]' /usr/bin/python3 site.txt
     NO_MKDOCS_2_WARNING=1 step build/mkdocs/bin/mkdocs build --strict
     ;;
-  help | -h | --help) sed -n '2,22s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
+  help | -h | --help) sed -n '2,23s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" ;;
   *)
-    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, docs, site" >&2
+    echo "isolaw.sh: unknown command '$1'; allowed: setup, build, run, test, sanitize, fuzz, bench, study, format, lint, compilers, page, wheel, deb, windows, docs, site" >&2
     exit 2
     ;;
 esac

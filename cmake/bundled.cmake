@@ -2,8 +2,11 @@
 # where these libraries are not installed contains them. tools/library_sources.sh fetches their sources.
 set(ISOLAW_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "folder of tools/library_sources.sh")
 set(sources bearssl expat minizip sqlite3 zlib)
+# The runtime of these compilers is part of every program that they link, so their licences hold too.
 if(EMSCRIPTEN)
-  list(APPEND sources emscripten)  # whose runtime is part of every program that it links, so its licence holds too
+  list(APPEND sources emscripten)
+elseif(WIN32)
+  list(APPEND sources g++-mingw-w64-x86-64-posix mingw-w64-x86-64-dev)
 else()
   list(APPEND sources hdf5)
 endif()
@@ -74,9 +77,9 @@ target_include_directories(bundled_bearssl PRIVATE ${from}/bearssl/src SYSTEM PU
 
 set(ISOLAW_WITHOUT_PACKAGE bundled_minizip bundled_bearssl)
 set(ISOLAW_MINIZIP_INCLUDE ${from})
-# The page cannot read MATLAB files of version 7.3, so it needs no HDF5 (data/files/mat73_page.cpp).
+# The page and Windows need no HDF5 (data/files/mat73_without_hdf5.cpp).
 set(ISOLAW_HDF5_INCLUDE "")
-if(NOT EMSCRIPTEN)
+if(NOT EMSCRIPTEN AND NOT WIN32)
   set(made ${from}/hdf5/made)
   list(PREPEND ISOLAW_WITHOUT_PACKAGE ${made}/bin/libhdf5_hl.a ${made}/bin/libhdf5.a bundled_zlib ${CMAKE_DL_LIBS})
   set(ISOLAW_HDF5_INCLUDE ${from}/hdf5/src ${from}/hdf5/hl/src ${made}/src)

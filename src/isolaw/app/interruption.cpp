@@ -11,7 +11,12 @@ namespace {
 std::atomic<bool> asked_to_end = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+#ifdef SIGHUP
+constexpr int hang_up = SIGHUP;
+#else
+constexpr int hang_up = SIGBREAK;  // Windows sends it when the window of the terminal is closed
+#endif
+constexpr std::array signals{SIGINT, SIGTERM, hang_up};
 
 void on_signal(int number) {
   asked_to_end = true;
@@ -23,7 +28,7 @@ void on_signal(int number) {
 SignalGuard::SignalGuard() {
   asked_to_end = false;
   for (std::size_t i = 0; i < signals.size(); ++i) previous_[i] = std::signal(signals[i], on_signal);
-  if (previous_.back() == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  if (previous_.back() == SIG_IGN) std::signal(hang_up, SIG_IGN);
 }
 
 SignalGuard::~SignalGuard() {
