@@ -12,7 +12,7 @@
 namespace isolaw::fit {
 namespace {
 
-// One spring, or two at mirrored angles. Their force along the test is `force` times the force of `law`.
+// One spring, or two at mirrored angles. Their force along the test is `force` times that of `law`.
 struct Share {
   LawOnMotion law;
   double force;

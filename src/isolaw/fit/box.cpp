@@ -12,8 +12,8 @@
 namespace isolaw::fit {
 namespace {
 
-// Six decades as a natural logarithm. A logarithmic scale cannot reach zero. If an interval touches or spans zero, its
-// scale covers the six decades below the end that is farther from zero.
+// Six decades as a natural logarithm. A logarithmic scale cannot reach zero. Therefore, if an interval touches or spans
+// zero, its scale covers the six decades below the end that is farther from zero.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
 // The logarithmic scale of an interval that touches or spans zero: value = linear_size sinh(c). It is logarithmic where
@@ -271,8 +271,8 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   // If the displacement never crosses zero, or the device hardly dissipates, a quarter of the largest force is taken.
   if (!(strength > 0.02 * force)) strength = 0.25 * force;
 
-  // The work of a test over all samples, also those that do not count in the objective, because a law's state adds up
-  // all work.
+  // The work of a test over all samples, including those that do not count in the objective: some laws remember all
+  // work that was done on the device.
   double work = 0.0;
   for (auto const& test : data::test_ranges(record.starts, record.size())) {
     double of_test = 0.0;

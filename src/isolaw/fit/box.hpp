@@ -21,8 +21,8 @@ enum class BoxKind {
 struct Override {
   std::string law;
   std::string parameter;
-  // The interval to search. Equal ends fix the parameter. nullopt: the option frees it in its usual interval, or ties
-  // it.
+  // The interval to search. Equal ends fix the parameter. nullopt: the option frees the parameter in its usual interval
+  // or ties it to another parameter.
   std::optional<laws::Interval> interval;
   std::string tied_to = {};  // name of the parameter whose value this parameter takes; empty if not tied
 

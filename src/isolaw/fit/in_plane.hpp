@@ -20,8 +20,8 @@ struct PlaneMotion {
 struct LawInPlane {
   laws::LawEntry const* law;
   std::vector<double> parameters;
-  // Both are for springs only. A spring ignores reversals smaller than the dead band, and makes `refinement`
-  // integration steps from sample to sample. The coupled extension needs neither.
+  // The coupled extension uses neither of these two. A spring ignores reversals smaller than the dead band, and makes
+  // `refinement` integration steps from sample to sample.
   double dead_band_mm = 0.0;
   int refinement = 1;
 
@@ -37,9 +37,9 @@ struct OnAnEight {
   double peak_kN, work_kN_mm;  // the largest force, and the dissipated energy
 };
 // Returns one result for each extension that the law has: coupled and springs. A law that softens with the largest
-// displacement so far has a second coupled one, in which each axis has its own largest displacement.
+// displacement so far has a second coupled extension, in which each axis has its own largest displacement.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-// The largest difference between the results of an extension and of the first one, divided by those of the first.
+// The largest difference between the result of an extension and the first extension's result, divided by the latter.
 struct Spread {
   double peak = 0.0, work = 0.0;
 };
