@@ -23,11 +23,12 @@ std::string_view name(Verdict verdict);  // "determined", "weakly determined", "
 // A loop looks as good as the best one if its objective is at most max(visible_rise * least objective,
 // least_visible_rise) above the least objective.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
-// A parameter is determined, or weakly determined, if its open range ends within this distance of its value, relative
-// to the value. If the box spans zero, the divisor is at least a hundredth of the box's width.
+// A parameter is determined, or weakly determined, if both ends of its open range lie within this distance of its
+// value. Distances are divided by |value| or, if the box spans zero, at least by a hundredth of the box's width.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
-// For rising values of one parameter: the least objective that a fit of all others reaches if it is held at `value`.
+// The profile of one parameter. If the parameter is held at value[i], objective[i] is the least objective that a fit of
+// all other parameters reaches. The values rise.
 struct Profile {
   std::vector<double> value;
   std::vector<double> objective;
@@ -37,7 +38,7 @@ struct ParameterDetermination {
   std::size_t parameter = 0;  // index among the law's parameters
   Verdict verdict = Verdict::determined;
   double lower = 0.0, upper = 0.0;  // the open range (see the top of this file), in the law's units
-  // True if the range ends there because the search box ends, and not because the objective has risen visibly.
+  // True if this end of the range is the edge of the search box: up to there the objective has not risen visibly.
   bool open_below = false, open_above = false;
   Profile profile;
 };
@@ -46,7 +47,7 @@ struct ParameterDetermination {
 struct TradeOff {
   std::vector<std::size_t> parameters;  // indices among the law's parameters
   std::vector<double> change;           // how much each changes, relative to its value; scaled so that the largest is 1
-  // The rms change of the force that the changes of the parameters cause / standard deviation of the force.
+  // How much `change` alters the force: root mean square of the difference / standard deviation of the force.
   double force_change = 0.0;
   std::string sentence;
 };

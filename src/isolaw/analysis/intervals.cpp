@@ -183,7 +183,7 @@ Serial serial(std::span<double const> series, double mean) {
 std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox const& box,
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options, Interrupted const& interrupted) {
-  auto inner = box;  // the search box, but with each parameter that is at a bound of it fixed at that bound
+  auto inner = box;  // the search box, but with every parameter that lies at a bound fixed at this bound
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {
     auto& p = inner.parameters[i];
     if (fit::at_bound(p, optimum[i]) == fit::AtBound::no) continue;

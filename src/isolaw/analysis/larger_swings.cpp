@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t start_count = 8;
 
-// The record without the samples after the last one with a weight. The law's forces up to there do not depend on them.
+// Drops the samples after the last one whose weight is above 0. The law's forces up to that sample do not depend on
+// later samples.
 data::FitRecord up_to_last_weight(data::FitRecord record) {
   std::size_t size = record.size();
   while (size > 0 && record.weights[size - 1] == 0.0) --size;

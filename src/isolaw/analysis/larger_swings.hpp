@@ -31,7 +31,7 @@ double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double
 struct LargerSwings {
   std::vector<double> parameters;  // all parameters of the law
   double fitted = 0.0;             // mean objective of the tests on their small swings
-  // Each of the equally good fits has a mean objective of the tests on their large swings: the largest and the least.
+  // Mean objective of the tests on their large swings: the largest and the least among the equally good fits.
   double predicted = 0.0;
   double least_predicted = 0.0;
   int evaluations = 0;  // how often the law was computed for one test

@@ -12,11 +12,11 @@ namespace isolaw::analysis {
 
 struct Sensitivity {
   num::Vector residuals, weights;  // one for each sample with a weight above 0
-  // Derivative of each such sample's residual (row) by each free parameter's coordinate in the unit box (column).
+  // Derivatives of the residuals of these samples (rows) by the free parameters' coordinates in the unit box (columns).
   num::Matrix jacobian;
 };
 
-// Uses central differences inside the box. The column of a parameter is zero if one of its differences is not finite.
+// Uses central differences inside the box. A parameter's column is zero if one of its differences is not finite.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
 // Derivative of a parameter's value by its coordinate in the unit box.
 double slope(fit::SearchParameter const& parameter, double coordinate);
