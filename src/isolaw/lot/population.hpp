@@ -74,9 +74,9 @@ struct Population {
   bool has_covariance() const { return !covariance.empty(); }
 };
 
-// Estimates the population from names[n] and devices[d]; transform_for() chooses the transforms. One device gives a
-// mean without covariance, no device gives neither, and `note` says so. Throws one Error with all complaints: vectors
-// and matrices that do not fit names, values or squares of values that are not finite, and negative variances.
+// Estimates the population from names[n] and devices[d]; transform_for() chooses the transforms. From one device there
+// is a mean but no covariance, from no device neither, and `note` says so. Throws one Error with all complaints: sizes
+// that do not fit the number of names, values or squares of values that are not finite, and negative variances.
 // `undetermined` holds indices of parameters that no device's test determines. The variance of such a parameter's
 // estimates is compared with the variance that its error would have if all other parameters were known. If the
 // estimates vary no more than that error, the row and column of S become zero, so that the parameter has no scatter.
