@@ -1,4 +1,5 @@
-// Compares one device with a rule set: each limit gives a measured value, a deviation from the design value, a verdict.
+// Compares one device with a rule set. Each limit gives a measured value, its deviation from the design value and a
+// verdict.
 // Only a set that somebody verified gives pass or fail, and only under the conditions that it asks for. Otherwise the
 // verdict is information or not assessed. A value on the limit passes. Values are compared as measured, not rounded,
 // but with a slack of 1e-12 of the bound, since in binary 1.2 times a value is rarely exactly 20 % more.
@@ -17,7 +18,8 @@ namespace isolaw::rules {
 enum class Verdict { pass, fail, information, not_assessed };
 std::string_view name(Verdict verdict);  // "pass", "fail", "information", "not assessed"
 
-// A limit is on a device's property, on its change over cycles or loads, on the lot's mean, or on the sample size.
+// A limit concerns a device's property, the change of a property over cycles or loads, the lot's mean, or the size of
+// the sample.
 enum class Subject { device, cycles, loads, lot, sample };
 std::string_view name(Subject subject);  // "device", "cycles", "loads", "lot", "sample"
 
@@ -62,7 +64,7 @@ std::string limit_text(std::optional<double> lower_percent, std::optional<double
 std::string deviation_text(double deviation_percent, std::optional<double> lower_percent,
                            std::optional<double> upper_percent);
 // Sets the verdict: information if the set is not verified, not assessed if `unmet` names a condition that is not met,
-// else pass or fail.
+// else pass if `holds`, and fail if not.
 void give_verdict(Assessment& assessment, RuleSet const& rules, bool holds, std::vector<std::string> const& unmet);
 // Compares the value with design value and limit, and sets verdict and texts. `without` is the reason to give if there
 // is no value.

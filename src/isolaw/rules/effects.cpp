@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 8> effect_names{"temperature", "rate",   
                                                        "scragging",   "cycles", "contamination", "environment"};
 constexpr std::array<std::string_view, 3> group_names{"environment", "test", "none"};
 constexpr std::array<std::string_view, 4> form_names{"asce", "each", "product", "sum"};
-constexpr auto all_effects = in_order<Effect, effect_names.size() - 1>();  // all but the last
+constexpr auto all_effects = in_order<Effect, effect_names.size() - 1>();  // all but the last, the environment
 constexpr auto all_groups = in_order<Group, group_names.size()>();
 constexpr auto all_forms = in_order<Form, form_names.size()>();
 

@@ -14,7 +14,7 @@ enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamin
 std::span<Effect const> effects();  // without the environment, which tests and lot files cannot name
 std::string_view name(Effect effect);
 
-enum class Group { environment, test, none };  // none: shown, and left out by Form::asce
+enum class Group { environment, test, none };  // none: the factor is shown, but Form::asce does not use it
 std::span<Group const> groups();
 std::string_view name(Group group);
 // The group of an effect for which a rule set states none: environment for temperature, ageing and contamination, none

@@ -31,7 +31,7 @@ std::optional<TestFactors> test_factors(Quantity quantity, BlockValues const& bl
 
 struct CombinedFactors {
   double min = 1.0, max = 1.0;
-  bool max_is_default = false, min_is_default = false;  // the rule's max_not_below or min_not_above was taken
+  bool max_is_default = false, min_is_default = false;  // true if the rule's max_not_below or min_not_above was taken
 };
 
 // max = (1 + f (environment.max - 1)) test.max spec.max, at least max_not_below; min = (1 - f (1 - environment.min))

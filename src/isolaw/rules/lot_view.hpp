@@ -15,10 +15,10 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that the rules are applied to
-  // The device whose record is the same as this one's; else empty. A copy is no tested device: it enters neither the
-  // means nor the spread, except those of K_v, which comes from another test.
+  // The name of another device with the same record; empty if there is none. A copy is no tested device: it enters
+  // neither the means nor the spread, except those of K_v, which comes from another test.
   std::string copy_of = {};
-  bool usual = true;  // tested at the lot's usual amplitude; outliers are sought only among these, except for K_v
+  bool usual = true;  // tested at the lot's usual amplitude; only such devices can be outliers, except in K_v
 };
 
 struct Outlier {
@@ -33,8 +33,8 @@ struct Outlier {
 // num::fewest_for_outliers values.
 std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span<double const> values);
 
-// The values that a bound is about. contract: those that the contract means, as the rule set states it; device: that of
-// any single device of the lot; system: the mean over all devices of the system.
+// Which values lie within a bound. contract: those that the contract allows, as the rule set states them; device: the
+// value of any single device of the lot; system: the mean over all devices of the isolation system.
 enum class Spread { contract, device, system };
 std::string_view name(Spread spread);  // "contract", "device", "system"
 
@@ -66,7 +66,7 @@ struct LotQuantity {
   std::optional<double> tolerance_low, tolerance_high;  // mean +- tolerance_factor std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is missing
   std::vector<Outlier> outliers;
-  std::string outlier_note;      // why no outliers are named, or among which devices none is sought
+  std::string outlier_note;      // why no outliers are named, or which devices were not searched for outliers
   std::string limit_individual;  // the rule set's limit on every single device
   std::optional<double> lower_percent, upper_percent;  // that limit, relative to the design value
   std::vector<Assessment> mean_limits;                 // the rule set's limits on the lot's mean

@@ -1,9 +1,9 @@
-// A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It says how properties
-// are computed, at which cycles, under which conditions, within which limits, on how many devices, and with which
-// property modification factors, and how the effects of temperature, rate, load, ageing and history are limited and
-// combined. The program itself contains no limit of a standard. `verified_by` names a person who
-// has compared the set with the text of its standard. A set without it never leads to pass or fail (assess.hpp).
-// docs/rules.md explains the file; rules/template.toml is a commented example.
+// A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It states how and from
+// which cycles properties are computed, the conditions of the tests, the limits, how many devices to test, the property
+// modification factors, and how the effects of temperature, rate, load, ageing and history are limited and combined.
+// The program itself contains no limit of a standard. `verified_by` names a person who has compared the set with the
+// text of its standard. A set without it never leads to pass or fail (assess.hpp). docs/rules.md explains the file;
+// rules/template.toml is a commented example.
 #pragma once
 
 #include <optional>
@@ -46,7 +46,7 @@ struct TestConditions {
 
 enum class Scope { each, mean };  // the limit is on every device by itself, or on the mean over the lot's devices
 
-struct Limit {  // on the deviation from the design value; a value on a limit passes
+struct Limit {  // a limit on the deviation from the design value; a value equal to the limit passes
   Quantity quantity = Quantity::K_eff;
   Scope scope = Scope::each;
   std::optional<double> lower_percent, upper_percent;
@@ -108,8 +108,8 @@ struct MeanAnalysisRule {  // an analysis may use mean properties if no device i
 
 struct CombinationRule {  // how the factors of all effects make one
   Form form = Form::product;
-  double adjust = 1.0;  // f of the form; for Form::asce it is FactorRule::system_factor
-  double margin = 1.0;  // of Form::sum
+  double adjust = 1.0;  // the number f in the formula of `form`; Form::asce takes FactorRule::system_factor instead
+  double margin = 1.0;  // the number `margin` in the formula of Form::sum
   std::string clause;
 };
 
@@ -165,9 +165,10 @@ std::span<RuleSet const> built_in_rule_sets();
 std::vector<std::string> built_in_names();
 // The unchecked text of a built-in set, or else of the file of this name. Throws Error if it is unreadable or empty.
 std::string load_rule_text(std::string_view name_or_file);
-// Reads a built-in set or a file. Throws Error as read_rule_text() does; for a missing file it names the built-in sets.
+// Reads a built-in set or a file. Throws Error as read_rule_text() does; if there is no such file, the message names
+// the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);
-// The text of a built-in set or of "template", with its comments. Throws Error, with all names, for any other name.
+// The text of a built-in set or of "template", with its comments. Throws an Error that lists these names for any other.
 std::string_view rule_set_text(std::string_view name);
 // Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share_percent N / 100))).
 int required_sample(SampleRule const& rule, int lot_size);
