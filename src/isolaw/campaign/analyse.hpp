@@ -20,9 +20,9 @@ fit::SearchBox examined_box(Search const& search);
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
-// The law on the device's tests, once judged by the small swings alone and once by the large ones. A swing is the
-// motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests have too little of one
-// of the two sizes.
+// The law on the device's tests twice: with an objective of the small swings alone, and with one of the large swings
+// alone. A swing is the motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests
+// have too few swings of one of the two sizes.
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 
@@ -38,8 +38,8 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                      // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // If given, several processes divide the analyses among them, and analyse() makes only those of part `number` of
-  // `of`: the analyses of laws on devices and, once the store holds these of all parts, the fits of laws to the lot.
+  // If given, several processes share the analyses, and analyse() makes only those of this part. It first analyses laws
+  // on devices. It fits laws to the lot only if the store already holds the analyses on devices of all parts.
   std::optional<Part> share = {};
 };
 

@@ -47,8 +47,8 @@ struct Device {
   data::TestRecord uncorrected = {};  // `raw` without the corrections that the user asked for; empty if there are none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
-  // Not empty if this device is a copy: another device has the same record, or the record from which this one was made.
-  // It is the name of that other device, and statistics over devices count only that one. Not stored:
+  // If this device is a copy, the name of the other device, whose record is the same or is the one from which this
+  // record was made. Statistics over devices count only that other device. Empty if this device is no copy. Not stored:
   // Contents::find_copies() sets it.
   std::string copy_of = {};
 
@@ -68,7 +68,7 @@ struct Search {  // a law that is fitted to a device: its box, or the reason why
 // all_generations, stagnated or no_finite_value. Interrupted runs are not kept.
 using opt::Outcome;
 std::string_view name(Outcome outcome);
-// The most integration steps per sample to which a run is refined. A run has 1, 4, 16 or 64.
+// The most integration steps per sample to which a run is refined. A run ends with 1, 4, 16 or 64 steps per sample.
 inline constexpr int finest_refinement = 64;
 
 struct Run {
@@ -106,7 +106,7 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
 
 struct LotAnalysis {  // one parameter vector for all devices that count and have a DeviceAnalysis of the law
   std::string law;
-  int refinement = 1;                          // the largest refinement of the devices
+  int refinement = 1;                          // integration steps per sample: the largest number of any device's run
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
   analysis::OneLaw mean = {};                  // law of least mean objective; objectives[i] is on devices[i]
   analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
@@ -155,7 +155,7 @@ struct Acceptance {
   std::string design;                // "K_eff=1.2,damping=15"; empty if there are no design values
   std::optional<int> lot_size;       // number of devices in the production lot, tested or not
   std::string letterhead = {};       // a picture as a data: address, or lines of text; empty if there is none
-  std::string letterhead_file = {};  // name or path of its file
+  std::string letterhead_file = {};  // name or path of the file that `letterhead` was read from
   Alike alike = {};                  // tolerances that the user gives where the rule set states none
   std::string_view report_units = record_units.id;  // id of the unit system in which reports show values
 

@@ -14,7 +14,7 @@ struct InfoOption : Option<DeviceInfo> {  // a key of a device's table that stat
   Measure measure = Measure::text;
 };
 
-// A row for each fact. A row alone judges a value.
+// A row for each fact. Only the row checks whether a value is allowed.
 std::vector<InfoOption> const& info_table();
 
 // Visits the options for reading a compression test: all but those for the force of a shear test (`of_test`).

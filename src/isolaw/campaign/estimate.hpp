@@ -12,8 +12,8 @@
 
 namespace isolaw::campaign {
 
-// One run of a search; the analysis of a law on one device; the fit of a law to the lot; its fit to the lot without one
-// device.
+// run: one search; device: the analysis of a law on one device; lot: the fit of a law to the whole lot; left_out: the
+// fit of a law to the lot without one device.
 enum class TaskKind { run, device, lot, left_out };
 inline constexpr std::array task_kinds{TaskKind::run, TaskKind::device, TaskKind::lot, TaskKind::left_out};
 
@@ -21,7 +21,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
  public:
   explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
-  void expect_none(TaskKind kind);  // expects only tasks that expect() adds later
+  void expect_none(TaskKind kind);  // forgets all tasks of this kind; later calls of expect() add new ones
   void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
   void done(TaskKind kind, std::string_view law);
 

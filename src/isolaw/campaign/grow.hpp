@@ -1,4 +1,5 @@
-// Lets a campaign grow: uses the results of a campaign with fewer devices, laws or runs that is otherwise the same.
+// Lets a campaign grow: takes over the results of a stored campaign that has fewer devices, laws or runs and is
+// otherwise the same.
 #pragma once
 
 #include <string>
@@ -9,12 +10,12 @@
 
 namespace isolaw::campaign {
 
-// The reasons why the campaign asked for cannot use the results of the stored one. Empty if both are the same campaign,
-// or if the stored one can grow to the one asked for.
+// The reasons why the campaign `asked` cannot use the results of the campaign `stored`. Empty if both are the same
+// campaign, or if `stored` can grow to `asked`.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
-// All that is asked for beyond the stored campaign, in words: "2 devices", "law gallardo", "20 runs instead of 10", or
-// another order of the devices. Empty if both campaigns ask for the same, even if the stored one is incomplete.
+// All that `asked` has beyond `stored`, in words: "2 devices", "law gallardo", "20 runs instead of 10", or another
+// order of the devices. Empty if both campaigns ask for the same, even if `stored` is incomplete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
 // Moves to `asked` the stored results that are right for the larger campaign too: runs, analyses of devices and, if the
 // devices are the same, of the lot. If more runs are asked for, the analyses go to Contents::held_over until the new

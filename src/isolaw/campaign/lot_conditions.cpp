@@ -16,7 +16,7 @@ namespace isolaw::campaign {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-// Above this temperature an oven damages rubber instead of ageing it.
+// An oven hotter than the limit in `ovens` damages rubber instead of ageing it.
 Limits const temperatures{.least = -100.0, .most = 200.0, .words = "degrees Celsius, -100 to 200"},
     ovens{.least = 0.0,
           .most = 100.0,
@@ -83,7 +83,7 @@ std::vector<Option<StatedDevice>> make_device_table() {
           text("size", "size of the device; devices are compared within one size only", &D::size)};
 }
 
-// The tables within [conditions].
+// Reads the table [conditions] and the tables within it.
 class ConditionsReader {
  public:
   ConditionsReader(toml::table const& table, std::string const& file, std::vector<Complaint>& complaints)

@@ -20,8 +20,8 @@ struct StatedAgeing {
 // The rows for the keys of a table `aged`.
 std::span<Option<StatedAgeing> const> aged_table();
 
-// The statements of a lot file about a device. Only devices of one compound and one size are compared. An empty text is
-// a compound or size like any other.
+// The compound and size that a lot file states for a device. Only devices that agree in both are compared with one
+// another. An empty text is a compound or size like any other.
 struct StatedDevice {
   std::string compound, size;
 
@@ -29,19 +29,19 @@ struct StatedDevice {
 };
 std::span<Option<StatedDevice> const> compared_devices_table();
 
-struct StatedTest {                                      // about one test of a device
-  std::optional<int> order;                              // place among all tests of the device
+struct StatedTest {                                      // what a lot file states about one test of a device
+  std::optional<int> order;                              // place of the test in the sequence of the device's tests
   std::string started;                                   // date and time, as in "2026-03-01T09:00:00"; or empty
-  std::optional<double> temperature_C, load_kN, rest_h;  // rest_h: since the end of the test before
-  std::string temperature_of;                            // core, surface or chamber; empty if it is not stated
+  std::optional<double> temperature_C, load_kN, rest_h;  // rest_h: time since the end of the previous test
+  std::string temperature_of;                            // "core", "surface" or "chamber"; empty if it is not stated
   std::optional<double> conditioned_h;                   // time in a chamber at the temperature, before the test
   std::optional<StatedAgeing> aged = {};
-  bool is_acceptance = false;  // its record stands for the device everywhere else, as stated or as the reader chose
+  bool is_acceptance = false;  // its record represents the device outside [conditions]; stated, or chosen by the reader
   bool takes_part_in_fit = false;
   bool is_scaled = false;  // the specimen is a scaled model of the device
   std::optional<double> scale = {};
 };
-// The rows for these keys, but for `aged`. A row alone judges a value.
+// The rows for the keys of StatedTest, except `aged`. Only the row checks whether a value is allowed.
 std::span<Option<StatedTest> const> test_table();
 // The start of a test in hours since 1970, or nothing for a text that is no date with a time of day.
 std::optional<double> start_h(std::string_view started);
@@ -55,8 +55,8 @@ struct ConditionRange {
 struct StatedConditions {  // the table [conditions]
   std::string text;        // this table as TOML, from which read_conditions() makes the other members
   std::string rules;       // the rule set that says how effects combine; empty: that of the acceptance, if there is one
-  StatedDevice compared;   // the devices meant, if the lot has several compounds or sizes
-  std::vector<std::string> assume;  // effects for which a default of the rule set may stand in
+  StatedDevice compared;   // compound and size of the devices to compare, if the lot has several
+  std::vector<std::string> assume;  // effects for which the rule set's default factors may replace missing tests
   struct {
     double temperature_C = 20.0;
     std::optional<double> frequency_Hz, load_kN, strain_percent, disp_mm;
@@ -64,8 +64,8 @@ struct StatedConditions {  // the table [conditions]
   } reference;
   struct {
     std::optional<ConditionRange> temperature_C, frequency_Hz, load_kN;
-    bool full_rest = false;             // rest = "full": the device is as new
-    std::optional<double> rest_h = {};  // or so many hours after the last motion
+    bool full_rest = false;             // rest = "full": the device has rested until it is as new
+    std::optional<double> rest_h = {};  // or the time at rest since the last motion
     std::optional<int> cycles = {};
     std::optional<StatedAgeing> aged = {};
     std::optional<double> years = {}, service_temperature_C = {};

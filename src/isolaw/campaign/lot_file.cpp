@@ -72,7 +72,7 @@ void require_rules(TomlTable& table, toml::node const& node, std::string const& 
         near.empty() ? "isolaw rules lists the sets, isolaw rules template prints a file to start from" : near);
 }
 
-// The table [conditions] names a built-in rule set only.
+// Complains if the table [conditions] names a rule set that is not built in.
 void require_built_in(toml::table const& conditions, std::string const& file, std::vector<std::string> const& built_in,
                       std::string const& name, std::vector<Complaint>& complaints) {
   if (name.empty() || built_in.empty() || is_among(built_in, name)) return;
@@ -152,8 +152,8 @@ void read_vertical_input(TomlTable& table, std::filesystem::path const& director
   if (inside.find("file") == nullptr) inside.complain("a vertical test without a file", "file = \"...\"");
 }
 
-// Makes a name for a device that the lot file gives none: the name of the first file of its only test, or a name made
-// of the names of its tests.
+// Makes a name for a device to which the lot file gives none: the name of the first file of its only test, or a name
+// made of the names of its tests.
 std::string name_of(std::vector<TestInput> const& tests) {
   if (tests.size() == 1) return tests.front().files.empty() ? std::string() : name_of_file(tests.front().files.front());
   std::vector<data::TestSource> sources;
@@ -270,7 +270,7 @@ class DeviceReader {
   TestInput named_test(toml::table const& source, data::ReadOptions const& defaults, std::string const& file) {
     TomlTable table(source, file, "[[device.test]]", complaints_);
     auto test = test_in(table, defaults, false);
-    // Tables of Python have no lines.
+    // Tables from a Python program have no line numbers.
     if (auto const line = source.source().begin.line; line > 0)
       test.place = fmt::format("{}:{}", std::filesystem::path(file_).filename().string(), line);
     find_columns(table, source, test);
@@ -353,7 +353,7 @@ class DeviceReader {
                    conditions_->tolerance.temperature_C;
       });
     if (acceptance == all.end()) acceptance = all.begin();
-    if (acceptance == all.end()) return;  // no test: a complaint says so
+    if (acceptance == all.end()) return;  // there is no test, about which a complaint was made already
     acceptance->stated.is_acceptance = true;
     device.tests.push_back(*acceptance);
     for (auto const& test : all)
@@ -368,7 +368,7 @@ class DeviceReader {
     if (std::ranges::none_of(all, states_start)) return;
     bool const has_orders =
         std::ranges::any_of(all, [](TestInput const& test) { return test.stated.order.has_value(); });
-    if (has_orders && all.size() > 1) return;  // the orders count, and the starts give the rests
+    if (has_orders && all.size() > 1) return;  // the stated order counts; starts only give the times at rest
     if (!std::ranges::all_of(all, states_start))
       return table.complain(source, "some tests of a device have neither an order nor a start",
                             "order in every test, or started in every test");
@@ -553,8 +553,8 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files) {
     DeviceInput device;
     auto const stem = name_of_file(file);
     device.name = stem;
-    // If two files have the same name, the second gets its folder's name in front or, if that name is taken too, a
-    // number behind.
+    // If two files have the same name, the second device gets the name of its folder in front or, if that name is taken
+    // too, a number after it.
     if (names.contains(device.name))
       device.name = trimmed(printable(file.parent_path().filename().string()) + "/" + stem);
     for (int i = 2; !names.insert(device.name).second; ++i) device.name = fmt::format("{} ({})", stem, i);

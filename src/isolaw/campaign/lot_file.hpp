@@ -99,10 +99,10 @@ StatedFacts make_one_device(Lot& lot);
 
 struct LotFileRemarks {             // comments for the person who edits the file
   bool open_keys = false;           // list, as comments, the keys of a device that have no value yet
-  std::vector<StatedFacts> stated;  // for each device, statements of its file that could not be taken over
+  std::vector<StatedFacts> stated;  // for each device, facts that its record states but that could not be used
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
-  // For each device, the test of another device that its name proposes it to be; empty if there is no proposal. It is
-  // written with this reference, as a TOML table.
+  // If the names of the devices read like conditions, each device is written as a test of the device that tests[i]
+  // names. `reference` is then the TOML table of the reference conditions. Both are empty otherwise.
   std::vector<ProposedTest> tests = {};
   std::string reference = {};
 };
@@ -111,7 +111,8 @@ struct LotFileRemarks {             // comments for the person who edits the fil
 // names below `directory` are relative to it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
 
-// Copies statements of a record's file into empty fields of `info`. Returns those that cannot be used as they are.
+// Copies the facts that a record's file states into empty fields of `info`. Returns the facts that cannot be used as
+// they are.
 StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> const& device_facts, DeviceInfo& info);
 
 }  // namespace isolaw::campaign

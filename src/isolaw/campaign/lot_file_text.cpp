@@ -137,8 +137,8 @@ std::string as_comment(std::string_view text) {
   return all;
 }
 
-// The records as tests of fewer devices under several conditions. A test that may be aged is a comment within this
-// text, because its name does not say for how long.
+// The text of a lot file in which the records are tests of fewer devices under several conditions. A test of an aged
+// device is written as a comment of the file, because the name of the record does not say how long it was aged.
 std::string proposed_tables(Lot const& lot, std::filesystem::path const& directory, Json const& shared_reading,
                             LotFileRemarks const& remarks) {
   std::vector<std::string> devices;
@@ -148,7 +148,7 @@ std::string proposed_tables(Lot const& lot, std::filesystem::path const& directo
       "[conditions]\nreference = {}\n"
       "# design = {{ temperature-C = [-15.0, 45.0], rest = \"full\" }}  # the building's conditions; without them no bounds\n",
       remarks.reference);
-  // A device is usually tested at reference first, and aged last.
+  // A device is usually tested first at the reference temperature, and last after ageing.
   std::vector<std::size_t> order(remarks.tests.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {

@@ -38,10 +38,10 @@ class Merge {
   Merge& operator=(Merge const&) = delete;
   virtual ~Merge() = default;
 
-  // Adds the runs of the stores `parts` to the store `out` and creates `out` if it is missing. `fresh` replaces `out`
-  // once everything that takes its place was checked and copied. Calls before_replacing() before a new store takes the
-  // name `out`. The order of the parts does not matter, and a part may be given twice. All parts are checked before the
-  // first is copied. Each part is copied in one transaction, so the same call completes a merge that was stopped.
+  // Adds the runs of the stores `parts` to the store `out` and creates `out` if it is missing. If `fresh`, a new store
+  // replaces `out`, but not before all parts were checked and copied. Calls before_replacing() before a new store takes
+  // the name `out`. The order of the parts does not matter, and a part may be given twice. All parts are checked before
+  // the first is copied. Each part is copied in one transaction, so the same call completes a merge that was stopped.
   // Throws Error for a store that is damaged or of another campaign or study, build or instruction set, for runs that
   // contradict each other, and if `out` is a part itself or would lose runs.
   Merged run(Path const& out, std::vector<Path> const& parts, bool fresh,

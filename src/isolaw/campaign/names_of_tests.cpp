@@ -111,13 +111,13 @@ ConditionsInName conditions_in(std::string_view name, bool dash_separates) {
 }  // namespace
 
 std::vector<ProposedTest> propose_tests(std::span<std::string const> names) {
-  // Where one name has "P1--20C", the dash of "P1-20C" is not a minus sign.
+  // If one of the names has a double dash, as in "P1--20C", the single dash of "P1-20C" is not a minus sign.
   bool const dash_separates = std::ranges::any_of(names, [](std::string_view name) {
     auto const at = name.find("--");
     return at != std::string_view::npos && at + 2 < name.size() && is_digit(name[at + 2]);
   });
   std::vector<ProposedTest> all;
-  std::vector<std::string> devices;  // of the names that state a condition
+  std::vector<std::string> devices;  // names of the devices in those names that state a condition
   for (auto const& name : names) {
     auto found = conditions_in(name, dash_separates);
     auto const last = std::string_view(name).substr(0, found.from).find_last_not_of(separators);

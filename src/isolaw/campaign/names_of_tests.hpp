@@ -1,5 +1,5 @@
-// Reads from the names of records, such as P1_T-20C_0.1Hz_2000kN_aged, the conditions of the tests. A name can
-// mislead, so all of this is only proposed to a person.
+// Reads the conditions of tests from the names of their records, such as P1_T-20C_0.1Hz_2000kN_aged. A name can
+// mislead, so these conditions are only proposed to the user.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ struct ProposedTest {
   std::string device;  // the name up to the first condition in it; the whole name if it has none
   std::optional<double> temperature_C, load_kN;
   bool is_aged = false, is_virgin = false;
-  bool lacks_load = false;         // other tests have a load, and neither the name nor the record says that of this one
-  bool is_near_reference = false;  // its temperature is that of the reference
+  bool lacks_load = false;         // the reference has a vertical load, but neither name nor record states this test's
+  bool is_near_reference = false;  // its temperature agrees with that of the reference
 };
 
 // Returns a proposal for each name. The names together decide what a dash in front of a number means. A temperature is

@@ -62,7 +62,7 @@ class Observer {
   ObservedTests operator()() {
     ObservedTests all{.stated = *lot_.conditions};
     for (auto const& device : lot_.devices) {
-      std::optional<double> ended_h;  // when the test before ended
+      std::optional<double> ended_h;  // time at which the previous test ended
       for (auto const& test : device.history) {
         index_ = all.tests.size();
         all.tests.push_back(observe(device, test, ended_h));
@@ -86,7 +86,7 @@ class Observer {
       }
   }
 
-  // A record, as the hash of its file and the options that choose a part of the file.
+  // Identifies a record by the hash of its file and the options that choose a part of the file.
   static std::string identity(data::TestRecord const& record, data::ReadOptions const& read) {
     auto parts = Json{record.sha256};
     for (auto const& option : data::reading_table())
@@ -121,7 +121,8 @@ class Observer {
     return test;
   }
 
-  // `between_h` is the time from the end of the test before to the start of this one.
+  // Sets or checks the stated time at rest. `between_h` is the time from the end of the previous test to the start of
+  // this one.
   static void take_rest(double between_h, StatedTest& stated) {
     constexpr double tolerance_h = 0.25, tolerance = 0.1;
     if (between_h < -tolerance_h)
@@ -154,7 +155,7 @@ class Observer {
   }
 
   Lot const& lot_;
-  std::size_t index_ = 0;                                      // of the test that is read
+  std::size_t index_ = 0;                                      // index of the test that is being read
   std::map<std::string, std::vector<std::size_t>> of_record_;  // the tests by identity()
 };
 

@@ -16,7 +16,7 @@ struct Lot;
 
 struct ObservedCycle {
   int number = 0;  // from 1, within its block
-  // A value that is not positive is one that the cycle does not have.
+  // A value of 0 or less means that the cycle has no such value.
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0, Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
   std::optional<double> load_kN = {};  // mean vertical load, if the record has a channel for it
 };
@@ -24,9 +24,9 @@ struct ObservedCycle {
 struct ObservedBlock {
   int number = 0;
   double amplitude_mm = 0.0;
-  std::optional<double> frequency_Hz = {};  // empty: not known, or not the same in all cycles
-  std::string fault = {};                   // why no cycle of the block counts, if its signals cannot be true
-  std::vector<ObservedCycle> cycles = {};   // those that count
+  std::optional<double> frequency_Hz = {};  // empty if it is not known or not the same in all cycles
+  std::string fault = {};                   // the impossible signal because of which no cycle counts; empty if none
+  std::vector<ObservedCycle> cycles = {};   // the counted cycles
   // The loop of the reference cycle, or of the last one before it, for drawing only: at most 120 points.
   std::vector<double> loop_mm = {}, loop_kN = {};
 };
@@ -38,22 +38,22 @@ struct ObservedTest {
   std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
   StatedTest stated = {};
   std::string refusal = {};                // why the record cannot be used; its device's later tests still count
-  std::vector<Finding> doubts = {};        // about its record, as `inspect` has them
-  std::optional<double> farthest_mm = {};  // from the middle of the record; empty if it cannot be read
+  std::vector<Finding> doubts = {};        // about its record, as the command `inspect` reports them
+  std::optional<double> farthest_mm = {};  // largest displacement from the record's middle; empty if it cannot be read
   std::vector<ObservedBlock> blocks = {};
 };
 
-// All tests of all devices, in the order in which each device was tested, with the table [conditions] that they are
-// compared by.
+// All tests of all devices, in the order in which each device was tested, and the table [conditions] of the lot file.
 struct ObservedTests {
   StatedConditions stated;
   std::vector<ObservedTest> tests;
 };
 
-// Reads the records of a lot with a table [conditions]. A test that cannot be used says why.
+// Reads the records of a lot with a table [conditions]. If a test cannot be used, its `refusal` says why.
 ObservedTests observe_tests(Lot const& lot);
 
-// As text, for a campaign's store. tests_of_text() throws Error or a nlohmann::json::exception for other text.
+// text() makes the text that a campaign's store holds, and tests_of_text() reads it. For any other text, this throws
+// Error or a nlohmann::json::exception.
 std::string text(ObservedTests const& observed);
 ObservedTests tests_of_text(std::string_view text);
 

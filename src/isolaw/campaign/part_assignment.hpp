@@ -1,6 +1,6 @@
-// Assigns the runs and analyses of a campaign to its parts, so that parts cost about the same. Runs are sorted by
-// estimated cost and dealt in turn. The costs are estimated from the settings and records and not measured, so that
-// every machine finds the same assignment.
+// Assigns the runs and analyses of a campaign to its parts, so that the parts take about equally long. Runs are sorted
+// by estimated cost and given to the parts in turn. The costs are estimated from the settings and records and not
+// measured, so that every machine finds the same assignment.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ class RunAssignment {
 };
 
 // For each of contents.searches the part that analyses the device for the law (campaign/analyse.hpp), or 0 if the
-// search was refused. The costliest analyses are assigned first, each to the part with the least load.
+// search was refused. The costliest analyses are assigned first, each to the part with the least work so far.
 std::vector<int> assign_analyses(Contents const& contents, int parts);
 // For each of settings.laws the part that fits the law to the lot, and to the lot without each device.
 std::vector<int> assign_laws(Contents const& contents, int parts);

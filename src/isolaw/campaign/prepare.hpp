@@ -11,15 +11,15 @@
 
 namespace isolaw::campaign {
 
-// The first finding of a record has a word with this key. It holds the options with which the record was read, as a
-// JSON object.
+// The first finding about how a record was read has a word (Finding::words) with this key. The word is a JSON object of
+// the options with which the record was read.
 inline constexpr std::string_view given_options = "given_options";
 
 // A device that cannot be used is kept, with the reason. Throws Error if no device is usable or a setting is not
 // allowed.
 Contents prepare(Lot const& lot);
 
-struct NamedRecord {  // a record in memory; its name must suit a lot file
+struct NamedRecord {  // a record in memory; a lot file must be able to hold its name
   std::string name;
   data::TestRecord record;
   data::TestRecord uncorrected = {};  // see Device::uncorrected; also empty if the uncorrected record is not known

@@ -67,7 +67,7 @@ void set_seed(S& s, Json const& value) {
   s.seed = *seed;
 }
 
-// A setting that is a number, or a word that stands for no number. `type` is its type in Python.
+// A setting that is a number or, if no number is set, `word`, for example "all". `type` is its type in Python.
 template <class Access>
 Setting number_or(std::string_view word, std::string_view type, Access place, Option<S> row) {
   row.get = [=](S const& s) { return place(s) ? Json(*place(s)) : Json(word); };
@@ -220,13 +220,14 @@ std::vector<Setting> make_settings() {
   };
 }
 
-// Reads design values. A table {"K_eff": 1.2, "damping": 15} adds to the values given so far; a text replaces them.
+// Sets the design values, from a text or from a table such as {"K_eff": 1.2, "damping": 15}. They replace all design
+// values of a lot file or a campaign.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");
     return void(to.design = text_in(value));
   }
-  std::string design;  // replaces the values that a lot file or a campaign states
+  std::string design;
   for (auto const& [key, item] : value.items()) {
     if (!item.is_number())
       throw Error({.where = {},

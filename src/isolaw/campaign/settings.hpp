@@ -32,11 +32,12 @@ struct Settings {
   fit::BoxKind box = fit::BoxKind::scaled;
   std::vector<fit::Override> overrides;
   data::CleanOptions clean;
-  bool analysis = true;  // also analyse what the tests determine, make intervals, and fit one law to the lot
+  bool analysis = true;  // also find which parameters the tests determine, their intervals, and laws of the whole lot
   int replicates = 100;  // bootstrap replicates of an analysis
   bool springs = false;  // the analyses also fit spring models for laws that have no coupled two-dimensional form
-  // Sets what was left open. The number of runs becomes 2 for `best`, whose runs differ only in the last digits, and 20
-  // for `genetic`. Samples get weights by time, as in Cucuzza et al. 2025, if the algorithm or the boxes are theirs.
+  // Chooses the settings that the user left open. The number of runs becomes 2 for `best`, whose runs differ only in
+  // the last digits, and 20 for `genetic`. Samples get weights by time, as in Cucuzza et al. 2025, if the algorithm or
+  // the boxes are those of that paper.
   void complete();
   void validate() const;  // throws Error
 };

@@ -46,7 +46,8 @@ class StoreKind {
   // Says what is lost if `file` is replaced: "" for a store of isolaw and for no file, else a sentence about a file
   // that is empty or damaged. Throws Error for a database of another program, which isolaw does not replace.
   std::string lost_with(std::filesystem::path const& file) const;
-  // Writes the log that a killed program left into the file, or undoes the transaction that was not finished.
+  // Completes a file beside which a killed program left a log: writes the log into the file, or undoes the transaction
+  // that was not finished.
   void fold_log(std::filesystem::path const& file) const;
   // Rewrites a store that has no log, with its rows in the order of their keys. Equal results then give equal files,
   // byte by byte, in whatever order and on however many machines they were computed. Does nothing if the rows are in
