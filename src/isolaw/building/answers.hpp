@@ -71,11 +71,11 @@ struct Answers {
   // Whether the building keeps its limits. nullopt if the file sets none, or if the draws or the tests cannot tell.
   std::optional<bool> holds;
   std::vector<Finding> about_bounds;  // whether the bound analyses cover the draws
-  // Whether they cover enough of the draws. nullopt if no bearing is drawn, or if the draws are too few to tell.
+  // Whether the bound analyses cover enough of the draws. nullopt if no bearing is drawn or the draws are too few.
   std::optional<bool> bounds_are_enough;
   std::vector<Finding> warnings;     // about the analyses of the building
-  std::vector<Finding> calibration;  // doubts about the laws' calibration, each once
-  std::vector<std::string> assumed;  // the assumptions of the study, a sentence each
+  std::vector<Finding> calibration;  // doubts about the laws' calibration, without repetitions
+  std::vector<std::string> assumed;  // the assumptions of the study, one sentence for each
   std::vector<Point> corners;        // corners of the base slab; the largest displacement of a corner is measured there
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.

@@ -126,7 +126,8 @@ class RestingSprings final : public Bearing {
   struct Spring {
     std::array<double, 2> along;
     laws::Online law;
-    // Whether the spring has moved more than rest_ since the start: in the committed motion, and if the trial is added.
+    // Whether the spring has moved more than rest_ since the start: `went` in the committed motion, `goes` in the last
+    // trial or before.
     bool went = false, goes = false;
   };
   std::vector<Spring> springs_;

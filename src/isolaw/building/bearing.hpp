@@ -14,7 +14,7 @@ using Vector = laws::plane::Vector<double>;
 
 struct BearingForce {
   Vector force;
-  // The derivatives of the force's x and y (rows) by the displacement's, and by the velocity's, x and y (columns).
+  // Derivatives of the force (rows: x and y) by the displacement and by the velocity (columns: x and y).
   double by_displacement[2][2] = {};
   double by_velocity[2][2] = {};
 };
@@ -33,8 +33,8 @@ class Bearing {
 enum class Coupling {
   coupled,  // the law's own two-dimensional form, with the same parameters
   springs,  // a set of springs around the circle, each with the law
-  separate  // the law once along x and once along y, independently: exact for motions along x or y alone, and also
-            // taken for laws whose force is not the same in both directions
+  separate  // the law once along x and once along y, independently. This is exact for motions along x or y alone, and
+            // also used for laws whose force differs between the two sides (laws::springs_follow)
 };
 // Coupling::coupled if the law has a two-dimensional form with these parameters, else Coupling::springs.
 Coupling coupling_of(std::string_view law, std::span<double const> parameters);

@@ -56,8 +56,9 @@ void take_part(std::string_view part, Json const& factor, PartFactors& to) {
     refuse(std::string(part), "elastic and hysteretic");
 }
 
-// A factor, "conditions", or a factor for each part of the force: as a table, which a file gives as it grows
-// (TomlTable::json()), or as the text that factors_of() makes.
+// Reads a factor on the whole force, the word "conditions", or a factor for each part of the force. The latter two
+// factors come as a text that factors_of() made, or as a table. TomlTable::json() passes a table twice: first with its
+// first factor only, then with both.
 void take_factors(Json const& value, Limits const& limits, std::optional<PartFactors>& to) {
   if (value == "conditions") return to.reset();
   auto const text = value.is_string() ? value.get<std::string>() : std::string();
@@ -471,7 +472,8 @@ namespace {
 
 constexpr TomlMessages messages{.kind = "building file", .advice = "isolaw building --template"};
 
-// A bound with two factors states both, and they do not both lie on the other side of 1.
+// Complains if a bound has a factor on one part of the force only, or if both factors of the lower bound are above 1 or
+// both of the upper bound below 1.
 void require_both_parts(TomlTable& root, Settings const& settings) {
   auto const require = [&](std::string_view key, std::optional<PartFactors> const& factors, double sign) {
     if (!factors || factors->is_whole()) return;

@@ -49,14 +49,15 @@ struct ResponseLimits {
   std::optional<double> bearing_mm, clearance_mm, base_shear_over_weight, floor_acceleration_g;
 };
 
-// A bearing is a draw from the lot, the lot's law, a tested device, or the lot's law times the lower or upper factor.
+// Which bearing stands on a place: a draw from the lot, the lot's law, a tested device, or the lot's law times the
+// lower or upper factor.
 enum class Stands { draw, lot, device, lower, upper };
-// The word for it in building files, but "tested device" for a device.
+// The word for it in building files. Where these have a device's name, it is "tested device".
 std::string_view name(Stands stands);
 struct BearingPlace {
   Point at;
   Stands stands = Stands::draw;
-  std::string device;  // the device's name if Stands::device, else empty
+  std::string device;  // the device's name if `stands` is Stands::device, else empty
 };
 
 struct BuildingFile {
@@ -73,10 +74,10 @@ struct BuildingFile {
   Plan plan() const;
 };
 
-// Slab to FileTables: the tables of a building file, in the file's units. FileTables has one member for each table. For
-// a list such as [[floor]] it holds the one table of the list that is being read or written. The members of required
-// keys begin with the values that building_template() shows, except for the files of motions and the factors of
-// [building].
+// The structs from Slab to FileTables are the tables of a building file, in the file's units. FileTables has one member
+// for each table. For a list such as [[floor]] it holds the one table of the list that is being read or written. The
+// initial values of required keys are those that building_template() shows, except for the files of motions and the
+// factors of [building].
 struct Slab {
   double mass_Mg = 700.0, gyration_m = 9.0, x_m = 0.0, y_m = 0.0;
 };
@@ -147,7 +148,7 @@ void require_sound(Motion const& motion);
 BuildingFile read_building(std::filesystem::path const& file, ReplacedKeys const& in_place = {});
 BuildingFile read_building_text(std::string_view text, std::string const& name, std::filesystem::path const& folder,
                                 ReplacedKeys const& in_place = {});
-// Reads the tables from JSON, by name as in a file. Paths of motions are relative to the working directory.
+// Reads the tables from JSON, with names as in a file. Paths of motions are relative to the working directory.
 BuildingFile building_of(Json const& tables, ReplacedKeys const& in_place = {});
 std::string building_template(int motions = 1);
 

@@ -21,7 +21,8 @@ struct Coverage {
   std::string_view quantity;  // Quantity::key of the response that is compared
   double inside = 0.0;        // share of the draws whose response lies between those of the two bound analyses, 0 to 1
   double interval_low = 0.0, interval_high = 0.0;  // 95 % confidence interval of `inside`, Clopper and Pearson 1934
-  // Shares of the draws with a response below both bounds, and above both. A response that is not finite is above.
+  // Shares of the draws with a response below both bounds, and above both. A response that is not finite counts as
+  // above.
   double below = 0.0, above = 0.0;
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
@@ -39,9 +40,9 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
 
 // Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);
-// The number of draws that would show that at least wanted_share of all buildings keep a limit, if the share that keeps
-// it stays at found / trials: with so many draws, the confidence interval of this share begins at wanted_share or
-// above. nullopt if a hundred thousand are too few.
+// The number of draws that would be enough to show that at least wanted_share of all buildings keep a limit, if the
+// share of draws that keep it stays at found / trials: the least number for which the confidence interval of this share
+// begins at wanted_share or above. nullopt if a hundred thousand draws are too few.
 std::optional<std::size_t> draws_that_tell(std::size_t found, std::size_t trials);
 
 }  // namespace isolaw::building

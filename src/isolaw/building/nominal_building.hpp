@@ -38,8 +38,8 @@ struct Checked {
   std::string outcome;
   Coupling coupling = Coupling::coupled;
   double step_s = 0.0;
-  // Empty if the analysis stopped before its end. `missed_mm` is the error of isolator_mm that is due to the step, by
-  // richardson(). `draws_error_percent` is how far the value of the draws' integrator is from isolator_mm.
+  // Empty if the analysis stopped before its end. `missed_mm` is the error of isolator_mm due to the length of the
+  // step, by richardson(). `draws_error_percent` is how far the result of the draws' integrator is from isolator_mm.
   std::optional<double> isolator_mm = {}, balance = {}, missed_mm = {}, draws_error_percent = {};
   // Results of the equivalent linear analysis; `equivalent_mm` is the displacement of the centre. Empty if
   // equivalent_linear() has no result.

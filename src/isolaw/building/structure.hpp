@@ -87,8 +87,8 @@ class Structure {
   // A floor's centre of mass has the absolute acceleration rigid A + shape q''. [floor][3][mode] and [floor][3][3].
   std::vector<double> const& shape() const { return shape_; }
   std::vector<double> const& rigid() const { return rigid_; }
-  // If a mode has the amplitude 1: the drifts and the twist of each storey at Storey::centre, and its shears [kN] and
-  // its moment [kN mm]. [storey][3][mode].
+  // For a mode of amplitude 1: the drifts and the twist of each storey at Storey::centre, and the storey's shears [kN]
+  // and moment [kN mm]. [storey][3][mode].
   std::vector<double> const& deformation() const { return deformation_; }
   std::vector<double> const& shear() const { return shear_; }
 
