@@ -10,11 +10,11 @@ namespace isolaw::conditions {
 
 struct AtReference {
   std::optional<double> ln = {};          // natural logarithm of the value at reference; empty: see `obstacle`
-  std::optional<double> half_width = {};  // of the 95 % interval for this device, in ln; empty if a factor has none
+  std::optional<double> half_width = {};  // of this device's 95 % interval, in ln; empty if a factor has no interval
   std::optional<Effect> obstacle = {};    // the first effect whose factor is neither shown nor interpolated
 };
-// Divides a measured value by the factors of all conditions in which the test differs from the reference. Only tests
-// at such conditions or on both sides of them convert a value, so any other factor is an obstacle.
+// Divides a measured value by the factors of all conditions in which the test differs from the reference. A factor may
+// be used only if devices were tested at its condition or on both sides of it. Any other factor is an obstacle.
 AtReference at_reference(double ln_measured, std::span<Part const> factors);
 
 }  // namespace isolaw::conditions

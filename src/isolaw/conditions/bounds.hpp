@@ -1,6 +1,6 @@
 // The law of a device under the conditions that make its properties largest or smallest: the law at reference, with its
-// elastic part times a and its hysteretic part times b (laws::LawEntry::with_factors). a and b are those with which
-// K_eff and the energy of the reference cycle become the wanted multiples of their values at reference.
+// elastic part times a and its hysteretic part times b (laws::LawEntry::with_factors). a and b are chosen so that K_eff
+// and the energy of the reference cycle become the wanted multiples of their values at reference.
 #pragma once
 
 #include <optional>
@@ -34,16 +34,17 @@ struct CycleCurve {
 };
 // The first of the block's reference cycles, for drawing.
 CycleCurve cycle_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
-// The loop with a doubled part less the loop as it is.
+// For each part of the force: the loop with this part doubled minus the loop as it is.
 LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
 
 struct PartFactors {
   double a = 1.0, b = 1.0;
 };
-// The factors on the parts with which their sum becomes `target`. They are not finite if the parts have the same loop.
+// The factors a and b with which the sum of the two parts becomes `target`. They are not finite if the loops of the
+// parts are proportional to one another.
 PartFactors factors_for(LoopParts const& parts, Loop const& target);
 
-// Why a bound law has one factor on all forces.
+// Why a bound law multiplies all forces by one factor, instead of the parts by a and b.
 enum class OneFactor {
   inseparable,   // no parameters of the law tell the parts apart
   not_positive,  // a or b would not be above 0
@@ -62,8 +63,8 @@ struct BoundLaw {
   double energy_off_percent = 0.0;
 };
 
-// K_eff and energy are to be C_K and C_E times those at reference, both above 0. Empty if the law has no finite force
-// in the block, or if its K_eff or energy is not above 0 there.
+// Makes the law whose K_eff and energy are C_K and C_E times those at reference; both factors are above 0. nullopt if
+// the given law has no finite force in the block, or if its K_eff or energy there is not above 0.
 std::optional<BoundLaw> bound_law(laws::LawEntry const& law, std::span<double const> parameters,
                                   ReferenceBlock const& block, double C_K, double C_E);
 

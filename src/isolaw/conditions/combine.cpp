@@ -9,7 +9,7 @@ namespace isolaw::conditions {
 namespace {
 
 double lambda_of(Part const& part) {
-  return part.factor.lambda();  // of an effect that is not covered: as far as it is known, else 1
+  return part.factor.lambda();  // if the effect is not covered: as much of the factor as is known, else 1
 }
 
 bool counts(Part const& part, Form form) {
@@ -36,7 +36,7 @@ double value_of(Combination const& how, std::span<Part const> parts) {
   return 1.0;
 }
 
-// d ln C / d ln l of one part.
+// Derivative of ln C by ln l, with the combined factor C = `value` and the factor l of one part.
 double slope(Combination const& how, std::span<Part const> parts, Part const& part, double value) {
   double const l = lambda_of(part), f = how.adjust;
   double product = 1.0, environment = 1.0;

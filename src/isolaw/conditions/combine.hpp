@@ -21,24 +21,24 @@ struct Part {
 
 struct Combination {
   Form form = Form::product;
-  double adjust = 1.0;  // f
-  double margin = 1.0;  // of Form::sum
+  double adjust = 1.0;  // the number f in the formula of the form (rules/effects.hpp)
+  double margin = 1.0;  // the number `margin` in the formula of Form::sum
   double supply = 1.0;  // S, the factor of the scatter between devices that the rule set or the contract states
 };
 
 struct Combined {
   double factor = 1.0;
   std::optional<Interval> interval = {};
-  double se = 0.0, df = 0.0;      // of ln factor, from the factors that tests show
-  Status status = Status::shown;  // the weakest of its parts
-  double share_shown = 0.0;       // part of the sum of |ln lambda| that is shown or interpolated
+  double se = 0.0, df = 0.0;      // standard error and degrees of freedom of ln factor, from factors that tests show
+  Status status = Status::shown;  // the weakest status of its parts
+  double share_shown = 0.0;       // share of the sum of |ln lambda| that comes from factors shown or interpolated
   std::vector<Effect> assumed = {}, not_covered = {}, without_interval = {};
-  bool complete() const { return not_covered.empty(); }  // otherwise the factor is "at least" or "at most" this
+  bool complete() const { return not_covered.empty(); }  // if false, reports say "at least" or "at most" this factor
 };
 
-// Factors that are not covered count as far as they are known, else as 1. Those that are assumed are constants without
-// an interval. If a factor from tests has no interval, the combined factor has none. The degrees of freedom are those
-// of Welch and Satterthwaite.
+// A factor that is not covered counts with as much of it as is known, or as 1. An assumed factor is a constant without
+// uncertainty. If a factor from tests has no interval, or if one is not covered, the combined factor has no interval.
+// The degrees of freedom are those of Welch and Satterthwaite.
 Combined combine(Combination const& how, std::span<Part const> parts);
 
 }  // namespace isolaw::conditions

@@ -9,7 +9,7 @@
 
 namespace isolaw::conditions {
 
-struct Ageing {  // kept in an oven before the test
+struct Ageing {  // the device was kept in an oven of `at_C` for `days` before the test
   double days = 0.0, at_C = 0.0;
 };
 
@@ -18,21 +18,21 @@ struct Condition {
   std::optional<Ageing> ageing = {};  // empty: not aged
 };
 
-// Two values of a condition within these limits are the same. Percentages are of the value compared with.
+// Two values of a condition that differ by no more than this count as equal. Percentages relate to the reference value.
 struct Tolerance {
   double temperature_C = 2.0, frequency_percent = 10.0, load_percent = 10.0, strain_percent = 5.0;
 };
 
 using rules::Effect;
 
-// Whether `value` is `reference` within the tolerance. A value that is not known agrees only with another such value.
+// Whether `value` equals `reference` within the tolerance. An unknown value agrees only with an unknown value.
 bool agrees(std::optional<double> value, std::optional<double> reference, double percent);
 bool agrees(Ageing const& ageing, Ageing const& reference);  // days within 1 %, temperatures within 2 degrees
-// Whether two tests agree in the condition that belongs to the effect, one of the first four.
+// Whether two tests agree in the condition that belongs to the effect: temperature, rate, load or ageing.
 bool agree_in(Effect effect, Condition const& test, Condition const& reference, Tolerance const& tolerance);
 
-// In which conditions a test differs from the reference: in none, it is a reference test; in one, it shows this effect;
-// in two or more, it shows none.
+// The effects in whose conditions a test differs from the reference. If there is none, the test is a reference test. If
+// there is one, the test shows this effect. With two or more, it shows no single effect.
 std::vector<Effect> differences(Condition const& test, Condition const& reference, Tolerance const& tolerance);
 
 }  // namespace isolaw::conditions

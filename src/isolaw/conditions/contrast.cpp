@@ -31,7 +31,7 @@ double condition_of(Effect effect, Condition const& condition) {
   }
 }
 
-Condition with_value(Effect effect, double value) {  // a condition in which only the effect's value is known
+Condition with_value(Effect effect, double value) {  // conditions of which only that of the effect is known
   Condition condition;
   (effect == Effect::temperature ? condition.temperature_C
    : effect == Effect::rate      ? condition.frequency_Hz
@@ -212,7 +212,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
   levels_.insert(std::ranges::find_if(levels_, [&](Level const& level) { return level.at > own.at; }), std::move(own));
   auto const inner = paired_levels();
   for (std::size_t i = 1; i + 1 < inner.size(); ++i) {
-    // Compared are the devices that were tested at the level and on both sides of it.
+    // Only devices that were tested at the level and on both sides of it are compared.
     std::vector<double> errors;
     for (auto const& ratio : inner[i]->ratios)
       if (auto const line = line_of(ratio.device, inner[i]->at, inner[i]); line && !line->beyond)
@@ -309,7 +309,7 @@ std::vector<Response::Line> Response::lines_at(double condition) const {
     if (!(beyond <= 1.0 + rounding)) return {};
   }
   std::vector<Line> lines;
-  // Every device with a factor has a reference test, so the level of the reference names them all.
+  // Every device with a ratio has a reference test, so the reference level lists all these devices.
   for (auto const& ratio : std::ranges::find_if(levels_, &Level::reference)->ratios)
     if (auto const line = line_of(ratio.device, condition, nullptr);
         line && (is_between ? !line->beyond : line->first == outermost || line->second == outermost))

@@ -9,7 +9,7 @@ namespace isolaw::conditions {
 namespace {
 
 struct Line {
-  double start = 0.0, slope = 0.0, residual = 0.0;  // y = start + slope x; sum of squares
+  double start = 0.0, slope = 0.0, residual = 0.0;  // y = start + slope x; `residual` is the sum of squares
 };
 Line line_through(std::span<double const> x, std::span<double const> y) {
   double const n = static_cast<double>(x.size());

@@ -9,28 +9,30 @@
 
 namespace isolaw::conditions {
 
-// The exponent b of exp(b (T - T_ref)) in 1/K, or of (f/f_ref)^b, by least squares of the means of all levels through
-// the reference. Empty for other effects, and without a level beside the reference.
+// The exponent b of exp(b (T - T_ref)) for temperature [1/K], or of (f/f_ref)^b for rate. Fitted by least squares to
+// the means of all levels; the curve goes through the reference. nullopt for other effects, and if the reference is the
+// only level.
 std::optional<double> exponent(Response const& response);
 
-// K_0 (1 - (N/N_cr)^2) over the vertical load N. The stiffness would vanish at N_cr.
+// Stiffness K_0 (1 - (N/N_cr)^2) as a function of the vertical load N. It would vanish at N_cr.
 struct LoadCurve {
-  double unloaded = 0.0, critical_kN = 0.0;  // K_0, over the stiffness at reference, and N_cr
+  double unloaded = 0.0, critical_kN = 0.0;  // K_0 divided by the stiffness at reference; N_cr
 
   double at(double load_kN) const;
 };
-// By least squares in N^2 of the means of all levels. Empty with fewer than two levels, and if the stiffness does not
-// fall with the load.
+// Fits the curve to the means of all levels by least squares, linearly in N^2. nullopt with fewer than two levels, and
+// if the stiffness does not fall with the load.
 std::optional<LoadCurve> load_curve(Response const& load);
 
-// P_n = last + (first - last) n^-p for the cycle n = 1, 2, ...; `last` is no limit that tests have shown.
+// P_n = last + (first - last) n^-p for the cycle n = 1, 2, ... No test has shown the limit `last`.
 struct Softening {
   double first = 0.0, last = 0.0, p = 0.0;
 
   double at(double cycle) const;
 };
 inline constexpr std::size_t fewest_cycles = 5;
-// By least squares of the values of cycles 1, 2, ..., with p from 0.2 to 3. Empty with fewer than `fewest_cycles`.
+// Fits the curve to the values of cycles 1, 2, ... by least squares, with p from 0.2 to 3. nullopt with fewer than
+// `fewest_cycles` values.
 std::optional<Softening> softening(std::span<double const> values);
 
 }  // namespace isolaw::conditions

@@ -9,7 +9,7 @@
 namespace isolaw::conditions {
 namespace {
 
-constexpr double kelvin = 273.15, gas_constant = 8.314462618e-3, year_days = 365.25;  // kJ/(mol K)
+constexpr double kelvin = 273.15, gas_constant = 8.314462618e-3, year_days = 365.25;  // gas_constant in kJ/(mol K)
 
 }  // namespace
 

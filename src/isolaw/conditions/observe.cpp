@@ -54,7 +54,7 @@ std::vector<double> largest_before(std::span<Block const> blocks) {
 }
 
 double heating_K(double energy_kN_mm, double capacity_MJ_per_m3K, double rubber_area_mm2, double rubber_thickness_mm) {
-  constexpr double per_mm3 = 1e-3;  // MJ/(m3 K) in J/(mm3 K)
+  constexpr double per_mm3 = 1e-3;  // 1 MJ/(m3 K) in J/(mm3 K)
   return energy_kN_mm / (capacity_MJ_per_m3K * per_mm3 * rubber_area_mm2 * rubber_thickness_mm);
 }
 

@@ -28,7 +28,7 @@ std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candi
   for (auto const& end : ends) {
     auto shown_on = static_cast<int>(end.shown_on.size());
     bool const of_rest = end.effect == Effect::scragging && end.rest_h;
-    // The first test of a new device shows it, and no later test of a device.
+    // Only the first test of a new device shows scragging itself, without recovery at rest.
     bool const of_first_test = end.effect == Effect::scragging && !of_rest;
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candi
                          .rest_h = is_reference ? std::nullopt : end.rest_h,
                          .before = end.status,
                          .devices_before = end.devices};
-        // A reference test alone may leave the end as it is.
+        // If the reference test alone does not show this end, its status stays.
         test.after = shown_on > 0 ? Status::shown : end.status;
         test.devices_after = shown_on > 0 ? shown_on : end.devices;
         planned.push_back(std::move(test));
@@ -68,7 +68,7 @@ std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candi
       if (!reference_shows)
         add(false, true);
       else if (!needs_reference)
-        ++shown_on;  // its reference test is planned for another effect
+        ++shown_on;  // only a reference test was missing, and it is planned already for another effect
       candidate.has_reference = true;
     }
   }

@@ -1,4 +1,4 @@
-// Which tests are missing until enough devices show every condition of the design.
+// Plans the tests that are missing until enough devices show every condition of the design.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@ namespace isolaw::conditions {
 
 struct Candidate {  // a device that can be tested again
   std::string device;
-  bool has_reference = false;       // it has a reference test with which a new test of it can be compared
-  bool was_new = false;             // in its first reference test it had not been stretched before
-  std::optional<Ageing> aged = {};  // so far; ageing cannot be undone
+  bool has_reference = false;       // the device has a reference test with which its new tests can be compared
+  bool was_new = false;             // the device had not been stretched before its first reference test
+  std::optional<Ageing> aged = {};  // the device's ageing so far, which cannot be undone
 };
 
 // One end of the design range of an effect.
 struct DesignEnd {
   Effect effect = Effect::temperature;
-  Condition condition = {};             // of a test that shows it: at reference in all but this effect
-  int cycles = 3;                       // of this test, at least
-  std::optional<double> rest_h = {};    // before this test, if the effect is what comes back in such a rest
-  Status status = Status::not_covered;  // now, and the number of devices behind it
+  Condition condition = {};             // condition of a test that shows this end: the reference except in this effect
+  int cycles = 3;                       // least number of cycles of such a test
+  std::optional<double> rest_h = {};    // rest before such a test, if the effect is the recovery at rest
+  Status status = Status::not_covered;  // present status, and below it the number of devices that it rests on
   int devices = 0;
   std::vector<std::string> shown_on = {}, tested = {};  // devices that show it, and those with any test of the effect
-  // Devices that were tested there and have no reference test, but could have one that is comparable.
+  // Devices that were tested at this end and have no reference test, but could still get one that is comparable.
   std::vector<std::string> without_reference = {};
 };
 
@@ -34,18 +34,19 @@ struct PlannedTest {
   std::string device;
   bool is_new = false;                  // the device is not one of the lot: one of the same type that was never tested
   bool is_reference = false;            // a reference test, without which the device's other tests cannot be compared
-  Effect effect = Effect::temperature;  // that the test helps to show
+  Effect effect = Effect::temperature;  // the effect that the test helps to show
   Condition condition = {};
-  int cycles = 3;                                              // at least
-  std::optional<double> rest_h = {};                           // before the test; empty: any
-  Status before = Status::not_covered, after = Status::shown;  // of the end of the design, with the devices behind them
+  int cycles = 3;                     // least number of cycles
+  std::optional<double> rest_h = {};  // rest before the test; empty: any
+  // Status of the end of the design before and after the planned test, and the numbers of devices that it rests on.
+  Status before = Status::not_covered, after = Status::shown;
   int devices_before = 0, devices_after = 0;
 };
 
-// Every end shall be shown on so many devices. The tests of the devices that do not show it yet are listed until it is:
-// first of devices with tests of this effect, then of others with a reference test, then of those that need a reference
-// test too, then of new devices, which are called "new 1", "new 2". The candidates are in the order of the file. A
-// device that was aged is taken only for a longer ageing in the same oven.
+// Lists tests until every end of the design is shown on `devices` devices. For each end it takes devices that do not
+// show it yet: first those with tests of this effect, then others with a reference test, then those that need a
+// reference test too, then new devices, which are called "new 1", "new 2". The candidates are in the order of the lot
+// file. An aged device is taken only for a longer ageing in the same oven.
 std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candidate> candidates, int devices,
                               Condition const& reference, int reference_cycles);
 
