@@ -100,7 +100,7 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
   return any ? std::optional(std::move(contents)) : std::nullopt;
 }
 
-// Takes over the bound laws over the design conditions that the building file asks for.
+// If the building file asks for the bound laws over the design conditions, takes them over.
 void take_bounds(building::LawSource& source, Summary const& summary, building::Settings const& asked,
                  std::string_view where) {
   auto const bounds = design_bounds(summary, laws::find_law(source.law), source.lot);
@@ -121,7 +121,7 @@ void take_bounds(building::LawSource& source, Summary const& summary, building::
   if (!asked.upper) take("upper", *bounds.upper, &building::LawSource::upper);
 }
 
-// A law whose parameters change both parts of the force alike cannot have two factors.
+// Throws Error if the building file states two factors for a law whose parameters scale both parts of the force alike.
 void require_one_factor(laws::LawEntry const& law, building::Settings const& asked, std::string_view where) {
   for (auto const& factors : {asked.lower, asked.upper})
     if (law.one_factor && factors && !factors->is_whole())

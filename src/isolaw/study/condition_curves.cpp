@@ -21,8 +21,8 @@ std::optional<double> ln_of(Level const& level, std::string const& device) {
   return found == level.ratios.end() ? std::nullopt : std::optional(found->ln);
 }
 
-// Appends the straight line between two places. It is curved over the load itself, since it is straight over its
-// square.
+// Appends the line between two places. Over the load it is drawn as a curve, since it is straight over the square of
+// the load.
 void append_line(ConditionCurve& curve, Response const& response, Place const& from, Place const& to) {
   int const steps = response.effect() == Effect::load ? 12 : 1;
   for (int i = curve.at.empty() ? 0 : 1; i <= steps; ++i) {
@@ -69,8 +69,8 @@ void add_curves(std::vector<ConditionCurve>& curves, EffectResponse const& of, C
     keep(std::move(curve));
   }
 
-  // Between two levels the mean is a straight line too, because the lines of the same devices go through. It need not
-  // meet the mean at a level at which other devices were tested.
+  // Between two levels the mean is a straight line too, because it is the mean of the same devices' lines. It need not
+  // meet the mean at either level, where other devices may have been tested as well.
   auto const mean_at = [&](double condition) {
     double sum = 0.0;
     auto const lines = response.lines_at(condition);

@@ -12,7 +12,7 @@ namespace isolaw::study {
 
 enum class CurveKind {
   device,        // one device, through the levels at which it was tested
-  mean,          // the devices tested at both of two neighbouring levels
+  mean,          // mean over the devices that were tested at both of two neighbouring levels
   extrapolated,  // from the outermost level to an end of the design range
   smooth,        // a CurveRow, from which no factor is taken
 };
@@ -22,7 +22,7 @@ struct ConditionCurve {
   rules::Quantity quantity;
   conditions::Effect effect;
   CurveKind kind;
-  std::string device;              // of CurveKind::device, and of CurveKind::smooth over cycles
+  std::string device;              // for CurveKind::device, and for CurveKind::smooth over cycles
   std::vector<double> at, lambda;  // the condition in C, Hz or kN, or the cycle, and the factor
 };
 

@@ -21,7 +21,7 @@ using conditions::Factor;
 using rules::Quantity;
 
 constexpr Effect of_tests[]{Effect::temperature, Effect::rate, Effect::load, Effect::ageing};
-// Damping follows from stiffness and energy, so it is shown and not combined.
+// The quantities that get bounds. Damping gets none, since it follows from stiffness and energy.
 constexpr Quantity combined[]{Quantity::K_eff, Quantity::energy, Quantity::Q_d, Quantity::K_d};
 
 class Builder {
@@ -51,7 +51,7 @@ class Builder {
     return {};
   }
 
-  double strength_share() const {  // the part of K_eff that Q_d gives, as a mean over the reference tests
+  double strength_share() const {  // share of Q_d / D in K_eff, with the amplitude D; mean over the reference tests
     std::vector<double> shares;
     for (auto const& test : out_.tests)
       if (test.role == TestRole::reference && test.K_eff_kN_per_mm && test.K_d_kN_per_mm)
@@ -59,9 +59,9 @@ class Builder {
     return shares.empty() ? 0.0 : num::moments(shares).mean;
   }
 
-  // The tests that show an effect, and the reference tests of the same devices. Of each device only tests are taken
-  // whose reference cycle has one history: of the histories that a reference test has too, the one of most tests. Scaled
-  // specimens are taken only if no device of full size shows the effect.
+  // The tests that show an effect, and the reference tests with which they are compared. From each device only tests
+  // with one and the same history of the reference cycle are taken: the history that most tests of the effect share
+  // with a reference test of the device. Scaled specimens are taken only if no device of full size shows the effect.
   struct Compared {
     std::vector<conditions::Sample> reference, others;
     std::vector<Observed const*> without_reference;  // tests in `others` of devices without a reference test
@@ -122,7 +122,8 @@ class Builder {
     return is_scaled(true) && !is_scaled(false);
   }
 
-  // Tests of devices without a reference test show an effect where no device with one was tested.
+  // At a level where no device with a reference test was tested, the tests of the other devices show the effect. Gives
+  // them this role.
   void mark_unpaired(Compared const& tests, conditions::Response const& response) {
     for (auto const* seen : tests.without_reference)
       for (auto const& level : response.levels())
@@ -191,7 +192,7 @@ class Builder {
   }
 
   void add_value_at_reference(BoundRow& row) const {
-    std::map<std::string, std::vector<double>> lns;  // of each device
+    std::map<std::string, std::vector<double>> lns;  // for each device, ln of the values in its reference tests
     auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
     bool const scaled = only_scaled(is_reference);
     for (auto const& seen : all_)
@@ -249,7 +250,7 @@ class Builder {
 
   static Factor as_reference() { return {.se = 0.0, .df = 1.0}; }
 
-  // Scragging, its recovery, and the softening over many cycles.
+  // Adds scragging, its recovery, and the softening over many cycles.
   void add_history(Quantity quantity, auto const& add) {
     std::vector<conditions::ReferenceTest> first, again;
     std::vector<conditions::DeviceRatio> first_ratios, after_ratios;  // in cycle 1, and in the design's cycle
@@ -321,7 +322,7 @@ class Builder {
       auto factor = share ? conditions::scragging_factor(first, share) : Factor::without(conditions::Lack::no_rest);
       bool const is_tested =
           std::ranges::find(recovered_, *design.rest_h, &conditions::Recovered::rest_h) != recovered_.end();
-      // The interval would have to contain that of the recovery, which few devices show.
+      // There is no interval: it would have to allow for the uncertainty of the recovery, which few devices show.
       factor.se = factor.df = std::nullopt;
       for (auto const& each : recovered_) factor.devices = std::min(factor.devices, each.devices);
       if (factor.status == conditions::Status::shown && !is_tested) factor.status = conditions::Status::interpolated;

@@ -20,15 +20,15 @@ namespace isolaw::study {
 
 // How a block of a test is used.
 enum class TestRole {
-  reference,      // it agrees with the reference in everything
-  effect,         // it differs in one condition, and shows the effect of this condition
-  combined,       // it differs in two conditions or more, so it shows no single effect
-  other_strain,   // it has another strain than the reference
-  cycle_missing,  // it has no cycle with the number of the reference cycle
+  reference,      // the block agrees with the reference in all conditions
+  effect,         // the block differs in one condition, and shows the effect of this condition
+  combined,       // the block differs in two conditions or more, so it shows no single effect
+  other_strain,   // the block has another strain than the reference
+  cycle_missing,  // the block has no cycle with the number of the reference cycle
   other_history,  // no reference test of the device has a cycle with the same history
-  unpaired,       // the device has no reference test, and devices with one show the effect
+  unpaired,       // the device has no reference test; the effect is taken from devices that have one
   other_device,   // the device has another compound or size than [conditions] names
-  scaled,         // a scaled specimen, and devices of full size show the effect
+  scaled,         // the specimen is scaled; the effect is taken from devices of full size
 };
 std::string_view name(TestRole role);
 
@@ -42,7 +42,7 @@ struct ConditionsCycle {
 struct ConditionsTest {                           // one block of one test
   std::string device, test, file, sha256, place;  // place: its table in the lot file, such as "lot.toml:38"
   campaign::StatedDevice of_device = {};
-  std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not
+  std::string temperature_of;  // where the temperature was measured, as stated; empty if it is not stated
   bool is_scaled = false, is_acceptance = false;
   int order = 0, block = 0;
   double amplitude_mm = 0.0;
@@ -51,27 +51,27 @@ struct ConditionsTest {                           // one block of one test
   std::optional<double> rest_h = {};
   std::optional<conditions::History> history = {};  // of the reference cycle; empty if there is no such cycle
   TestRole role = TestRole::reference;
-  std::optional<conditions::Effect> effect = {};  // that it shows
-  // In the reference cycle.
+  std::optional<conditions::Effect> effect = {};  // the effect that the block shows, if it shows one
+  // Values in the reference cycle.
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
-  std::optional<double> heating_K = {};  // at most, in that cycle
+  std::optional<double> heating_K = {};  // upper bound of the temperature rise in the reference cycle
   // For a test at another temperature than the reference, in a chamber whose temperature is stated: how long the rubber
   // takes to come to it, and how long it was there.
   std::optional<double> warming_h = {}, conditioned_h = {};
   std::vector<ConditionsCycle> cycles = {};
-  std::vector<double> loop_mm = {}, loop_kN = {};  // of that cycle, for drawing
+  std::vector<double> loop_mm = {}, loop_kN = {};  // the loop of one cycle (ObservedBlock), for drawing
 };
 
 struct RefusedTest {  // a test, or one block of it
   std::string device, test, place, reason;
 };
 
-struct DoubtedTest {  // a test whose record is read with a doubt
+struct DoubtedTest {  // a test about whose record there is a doubt
   std::string device, test, place;
   Finding doubt;
 };
 
-struct LacksTests {  // a device whose orders leave numbers out, so that some of its tests are not in the lot file
+struct LacksTests {  // a device whose last test has an order above the number of its tests: the lot file lacks some
   std::string device;
   int tests = 0, last_order = 0;
 };
@@ -103,7 +103,7 @@ struct CurveRow {  // the parameter of a smooth curve through what tests showed 
   std::string parameter;  // "exponent", "critical load" or "p"
   double value = 0.0;
   std::string unit;
-  std::string device = {};                   // of the curve over the cycles of one test; else empty
+  std::string device = {};                   // the tested device, if the curve is over the cycles of one test
   std::vector<double> at = {}, lambda = {};  // points of the curve: condition or cycle, and factor
 };
 
@@ -119,11 +119,11 @@ struct DesignRow {  // the largest and the smallest factor of an effect in the d
   std::optional<AssumedFrom> assumed = {};
 };
 
-struct BoundRow {  // all effects together
+struct BoundRow {  // the bounds of a property from all effects together
   rules::Quantity quantity;
   conditions::Combined max, min;
-  // The value that the factors multiply: the mean over the devices of their reference tests, in logarithms, in the
-  // quantity's unit, and the number of these devices.
+  // The value that the factors multiply, in the quantity's unit: the geometric mean of the reference tests over the
+  // devices. `devices` is the number of these devices.
   double value_at_reference = 0.0;
   int devices = 0;
 };
@@ -140,9 +140,9 @@ struct HowCombined {  // how the factors of all effects make a bound
 // over the design conditions.
 struct MeanProperties {
   rules::MeanAnalysisRule rule;
-  std::optional<bool> permitted;                      // empty: factors that no test shows decide
+  std::optional<bool> permitted;                      // empty: the answer depends on factors that no test shows
   rules::Quantity quantity = rules::Quantity::K_eff;  // K_eff or energy, whichever changes more
-  double farthest_percent = 0.0;                      // its change from the value at reference
+  double farthest_percent = 0.0;                      // largest change of `quantity` from its value at reference
 };
 
 // Says in print how sure a factor is: a word of the status, in capitals if no test shows it, or "reference".
@@ -155,15 +155,15 @@ struct RecoveryRow {
 
 struct ConditionsDevice {  // a device of the lot, in the order of the file
   std::string name;
-  double largest_percent = 0.0;  // strain that it went to, in any test; infinite if one of them could not be read
-  std::optional<conditions::Ageing> aged = {};  // in its last test
+  double largest_percent = 0.0;  // largest strain in any of its tests; infinite if a test could not be read
+  std::optional<conditions::Ageing> aged = {};  // ageing in its last test
   bool is_scaled = false, is_compared = true;   // is_compared: it has the compound and size that [conditions] names
 };
 
 struct ConditionsResult {
   std::string title;
   campaign::StatedConditions stated;
-  // With the value in which all tests agree, for a condition that is not stated.
+  // The reference conditions. If the lot file does not state one of them, it is the value in which all tests agree.
   conditions::Condition reference;
   conditions::Tolerance tolerance;
   std::vector<ConditionsDevice> devices;
@@ -180,11 +180,11 @@ struct ConditionsResult {
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
   std::vector<CurveRow> curves;
-  std::optional<int> installed;  // devices of the production lot
-  // Effects that were tested on devices without a second reference test, and effects with too few levels to tell how
-  // straight the line between them is.
+  std::optional<int> installed;  // number of devices in the production lot
+  // Tested effects for which no device has a second reference test, and those with too few levels to tell whether the
+  // response between two levels is a straight line.
   std::vector<conditions::Effect> drift_not_checked, straightness_not_checked;
-  // The ageing test that stands for the design's years, and the years for which it stands.
+  // The ageing test that represents the design's years in service, and the years for which it stands.
   std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
   std::vector<DependenceRow> dependence;

@@ -1,5 +1,5 @@
-// The values that stand for devices whose acceptance test was made under other conditions than the reference: as
-// measured, and as they would have been at reference.
+// For devices whose acceptance test was made under other conditions than the reference: the measured values, and the
+// values that they would have had under reference conditions.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct ConditionsResult;
 struct ConvertingFactor {
   conditions::Effect effect;
   conditions::Factor factor;
-  std::vector<std::string> records;  // SHA-256 of those that show it
+  std::vector<std::string> records;  // SHA-256 of the records that show the factor
 };
 
 struct AtReferenceRow {  // one property in one block of an acceptance test
@@ -25,10 +25,10 @@ struct AtReferenceRow {  // one property in one block of an acceptance test
   conditions::Condition condition;
   rules::Quantity quantity = rules::Quantity::K_eff;
   std::optional<double> measured = {}, at_reference = {};
-  std::optional<conditions::Interval> interval = {};  // of 95 % for this device
+  std::optional<conditions::Interval> interval = {};  // 95 % interval of `at_reference` for this device
   std::vector<ConvertingFactor> factors = {};
-  // Why there is no value at reference: the effect whose factor is neither shown nor interpolated, or, if the test cannot
-  // be compared with reference tests at all, the name of its TestRole.
+  // Why there is no value at reference: the effect whose factor is neither shown nor interpolated, or, if the test
+  // cannot be compared with reference tests at all, the name of its TestRole.
   std::optional<conditions::Effect> obstacle = {};
   std::string not_comparable = {};
 };

@@ -21,7 +21,8 @@ bool is_covered(DesignRow const& row) {
   return row.max.status != Status::not_covered && row.min.status != Status::not_covered;
 }
 
-// The form that the rule set states, that of its factors, or the product of all effects.
+// The form that the rule set states. If it states only property modification factors, Form::asce; otherwise the product
+// of all effects.
 HowCombined how_combined(rules::RuleSet const& rules) {
   HowCombined how;
   if (auto const& stated = rules.combination)
@@ -149,7 +150,7 @@ std::optional<MeanProperties> BoundMaker::mean_properties(std::vector<BoundRow> 
       double const change_percent = 100.0 * (side->factor - 1.0);
       if (std::abs(change_percent) > std::abs(found.farthest_percent))
         found.quantity = row.quantity, found.farthest_percent = change_percent;
-      // Factors that are not covered can only move a bound farther from 1. Those that are assumed prove nothing.
+      // Factors that are not covered yet can only move a bound farther from 1. Assumed factors prove nothing.
       if (side->assumed.empty() && std::abs(change_percent) > found.rule.within_percent) exceeds = true;
       if (!side->assumed.empty() || !side->complete()) is_open = true;
     }

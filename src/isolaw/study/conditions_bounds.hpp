@@ -1,5 +1,5 @@
-// How the factors of all effects make the bounds of a property: the form that the rule set states, its default factors,
-// and the limits that it sets to the bounds.
+// Makes the bounds of a property from the factors of all effects, with what the rule set states: the form in which they
+// are combined, default factors, and limits on the bounds.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ class BoundMaker {
 
   HowCombined const& how() const { return how_; }
 
-  // `shown` has a row for each effect that the tests or the design concern. Adds the effects that only the rule set asks
-  // for, and puts its default factors in place of effects that no test covers: those that [conditions] assumes, and the
-  // factors of the environment if no test covers an effect of this group. `strength_share` is the part of K_eff that Q_d
-  // gives.
+  // `shown` has a row for each effect that the tests or the design concern. Adds the effects that only the rule set
+  // asks for. If no test covers an effect that [conditions] assumes, its row gets the rule set's default factors. If no
+  // test covers any effect of the environment, one row with the default factors of the environment replaces the rows of
+  // this group. `strength_share` is the share of Q_d / D in K_eff, with the amplitude D.
   std::vector<DesignRow> completed(std::vector<DesignRow> shown, rules::Quantity quantity, double strength_share) const;
 
   // `bounds` has a row for K_eff and energy if the design has conditions.

@@ -14,7 +14,7 @@ using conditions::Effect;
 using rules::Verdict;
 
 // Whether the reference tests are those that the set asks for: its cycles, strain, frequency, displacement and load.
-// For design values that nobody states, the reference counts as the design.
+// A design value that is not stated is taken from the reference.
 bool are_as_asked(ConditionsResult const& result, rules::RuleSet const& rules, rules::Design design) {
   auto const& from = result.stated.reference;
   if (from.first_cycle != rules.cycles.first || from.last_cycle != rules.cycles.last) return false;
@@ -57,7 +57,7 @@ conditions::Response const* response_of(ConditionsResult const& result, Effect e
   return found == result.responses.end() ? nullptr : &found->response;
 }
 
-// The difference between the values of each device at both ends of the design loads, as a limit on its ratio.
+// Judges the difference between the values of each device at the two ends of the design's range of loads.
 DependenceRow load_variation(ConditionsResult const& result, rules::LoadVariation const& rule, bool verified,
                              bool as_asked) {
   DependenceRow row{.limit = {.effect = Effect::load,
@@ -80,7 +80,7 @@ DependenceRow load_variation(ConditionsResult const& result, rules::LoadVariatio
   for (auto const& high : at(loads->high)) {
     auto const own = std::ranges::find(low, high.device, &DeviceDependence::device);
     DeviceDependence both{.device = high.device};
-    // An end that is the reference itself has no entry, and the ratio 1.
+    // If an end is the reference itself, judge_dependence() leaves it out, and its ratio is 1.
     auto const ln_low = own == low.end() ? std::optional(0.0)
                         : own->ratio     ? std::optional(own->ratio->ln)
                                          : std::nullopt;
@@ -127,7 +127,7 @@ std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rule
           {.limit = limit,
            .devices = judge_dependence(limit, rules.verified(), *response, asked(result, limit.effect), as_asked)});
   if (rules.load_variation) rows.push_back(load_variation(result, *rules.load_variation, rules.verified(), as_asked));
-  // A limit that holds at the reference only is kept by definition.
+  // A limit that concerns only the reference condition is always kept, so it gets no row.
   std::erase_if(rows, [](DependenceRow const& row) { return row.devices.empty(); });
   return rows;
 }

@@ -14,18 +14,19 @@ struct ConditionsResult;
 
 struct DependenceRow {
   rules::DependenceLimit limit;
-  // The limit is on the difference between the values at the least and the largest load of the design, in percent of the
-  // value at reference (rules::LoadVariation); the ratio of a device is then 1 plus this difference.
+  // True if the limit is on the difference between the values at the least and the largest load of the design, in
+  // percent of the value at reference (rules::LoadVariation). The ratio of a device is then 1 plus this difference.
   bool is_load_variation = false;
   std::vector<conditions::DeviceDependence> devices = {};
 
-  // Fail if one device fails; not assessed if one is not; information if the set is not verified.
+  // The verdict on all devices: fail if one fails; else "not assessed" if one is not assessed; else information if the
+  // set is not verified; else pass.
   rules::Verdict verdict() const;
-  // The result farthest from 1 among those that have the verdict; nullptr if none has a ratio.
+  // Among the devices that were assessed, the one whose ratio is farthest from 1; nullptr if none was assessed.
   conditions::DeviceDependence const* worst() const;
 };
 
-// `result` has its responses, its design and its tests.
+// `result` must already hold its responses, its design and its tests.
 std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules,
                                             rules::Design const& design);
 

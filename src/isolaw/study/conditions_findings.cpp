@@ -53,14 +53,14 @@ Finding bound(rules::Quantity quantity, std::string which, conditions::Combined 
   return finding;
 }
 
-// Tests whose numbers can hardly be those of such a device, and devices that do not agree with one another.
+// Doubts tests whose numbers can hardly be those of such a device, and devices that do not agree with one another.
 void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<double> at_reference;
   for (auto const& test : result.tests)
     if (test.role == TestRole::reference && test.K_eff_kN_per_mm) at_reference.push_back(*test.K_eff_kN_per_mm);
   if (!at_reference.empty()) {
     double const median = num::median(at_reference);
-    constexpr double most_times = 4.0;  // a wrong unit of force changes the values more, and no condition as much
+    constexpr double most_times = 4.0;  // conditions change the values less than this, a wrong unit of force more
     for (auto const& test : result.tests) {
       bool const is_compared = test.role != TestRole::other_device && test.role != TestRole::scaled && !test.is_scaled;
       if (!is_compared || !test.K_eff_kN_per_mm) continue;
@@ -97,7 +97,7 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
   }
 }
 
-// Tests whose name, or whose record's name, states another temperature, load or ageing than the lot file.
+// Doubts tests whose name, or whose record's name, states another temperature, load or ageing than the lot file.
 void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<std::string> tests, files;
   for (auto const& test : result.tests) {
@@ -135,7 +135,7 @@ void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings
   }
 }
 
-// Temperatures that may be interchanged.
+// Temperatures may have been interchanged if devices are stiffer at a higher temperature.
 void add_stiffer_when_warm(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<std::pair<double, double>> factors{{result.stated.reference.temperature_C, 1.0}};
   for (auto const& row : result.levels)
@@ -143,7 +143,7 @@ void add_stiffer_when_warm(ConditionsResult const& result, std::vector<Finding>&
         row.factor.status != Status::not_covered)
       factors.emplace_back(row.factor.at, row.factor.lambda());
   auto const [cold, warm] = std::ranges::minmax_element(factors);
-  constexpr double much = 1.02;  // devices differ so much without a cause
+  constexpr double much = 1.02;  // scatter alone may cause differences up to this factor
   if (warm->second > much * cold->second)
     findings.push_back(
         {.kind = FindingKind::stiffer_when_warm,
@@ -159,7 +159,7 @@ void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& fin
          .numbers = {{"last_order", static_cast<double>(last_order)}, {"tests", static_cast<double>(tests)}}});
 }
 
-// Names the effects of the design, and the reference, if one of the findings doubts a test that they rest on.
+// Names the effects, and the reference, that rest on a test which another finding doubts.
 void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   if (result.bounds.empty()) return;
   auto const is_doubt = [](Finding const& finding) {
@@ -167,7 +167,7 @@ void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& f
     return finding.kind == condition_test_unlike || finding.kind == condition_load_unlike ||
            finding.kind == condition_name_differs || finding.kind == condition_test_doubt;
   };
-  std::map<std::string, std::vector<std::string>> tests;  // of each effect
+  std::map<std::string, std::vector<std::string>> tests;  // for each effect, the tests that are doubted
   for (auto const& test : result.tests) {
     bool const is_used = test.role == TestRole::reference ||
                          (test.role == TestRole::effect &&
@@ -187,9 +187,9 @@ void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& f
     findings.push_back({.kind = FindingKind::bounds_rest_on_doubts, .words = {{"named", joined(named)}}});
 }
 
-// Reference tests with more than one history of their reference cycle.
+// Warns if the reference cycles of the reference tests do not all have the same history.
 void add_histories(ConditionsResult const& result, std::vector<Finding>& findings) {
-  std::map<std::string, std::string> histories;  // of the devices, each that of its first reference test
+  std::map<std::string, std::string> histories;  // for each device, the history in its first reference test
   for (auto const& test : result.tests)
     if (test.role == TestRole::reference && test.history)
       histories.try_emplace(test.device, std::string(name(*test.history)));
@@ -201,7 +201,7 @@ void add_histories(ConditionsResult const& result, std::vector<Finding>& finding
   findings.push_back({.kind = FindingKind::histories_differ, .words = {{"named", joined(named)}}});
 }
 
-// Effects that tests show and the design does not ask for.
+// Names the effects that tests show but the design does not ask for.
 void add_left_out(ConditionsResult const& result, std::vector<Finding>& findings) {
   if (result.bounds.empty()) return;
   std::map<Effect, LevelRow const*> largest;
@@ -226,7 +226,7 @@ void add_left_out(ConditionsResult const& result, std::vector<Finding>& findings
   }
 }
 
-// One finding for each role of tests that show no effect.
+// Adds one finding for each role of tests that show no effect.
 void add_unused(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::map<TestRole, std::vector<std::string>> unused;
   for (auto const& test : result.tests)
@@ -259,7 +259,7 @@ Finding not_covered(ConditionsResult const& result, Effect effect, conditions::F
   return finding;
 }
 
-// Effects that only one device shows, and whose interval is that of this device alone.
+// Names the effects that only one device shows, so that the interval holds for this device alone.
 void add_intervals_of_one(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<Effect> alone;
   for (auto const& row : result.design)
@@ -390,7 +390,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
       findings.push_back(std::move(finding));
     }
   }
-  // An effect mostly lacks the same for all quantities.
+  // An effect that is not covered has equal findings for most quantities. Each is kept once, after all others.
   auto const covered = std::ranges::stable_partition(
       findings, [](Finding const& finding) { return finding.kind != FindingKind::effect_not_covered; });
   std::vector<Finding> lacking;

@@ -178,7 +178,8 @@ class Planner {
     ends_.push_back(std::move(end));
   }
 
-  // The weaker one of the two factors of an effect that the bounds are made of.
+  // The present factor on K_eff of an effect: the largest in the design range or, if this is the reference itself, the
+  // smallest.
   Factor now(Effect effect) const {
     for (auto const& row : result_.design)
       if (row.quantity == rules::Quantity::K_eff && row.effect == effect)

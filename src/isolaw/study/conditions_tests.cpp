@@ -87,7 +87,7 @@ class TestReader {
 
   void read(std::span<campaign::ObservedTest const> of_device) {
     std::vector<Observed> own;
-    campaign::ObservedTest const* aged = nullptr;  // the last one of an aged device
+    campaign::ObservedTest const* aged = nullptr;  // the last test so far before which the device was aged
     if (*of_device.back().stated.order > static_cast<int>(of_device.size()))
       out_.lacks_tests.push_back({.device = of_device.back().device,
                                   .tests = static_cast<int>(of_device.size()),
@@ -161,11 +161,11 @@ class TestReader {
             within.strain_percent, "strain-percent or disp-mm");
   }
 
-  // Devices of several compounds or sizes are not compared, so the user says which ones are meant.
+  // Devices of several compounds or sizes are not compared with one another, so the user must say which ones are meant.
   void require_one_kind() const {
     for (auto const& option : campaign::compared_devices_table()) {
       if (!option.get(stated_.compared).is_null()) continue;
-      std::map<std::string, std::string> kinds;  // each with the first device of it
+      std::map<std::string, std::string> kinds;  // each compound or size, with the first device that has it
       for (auto const& test : out_.tests) {
         auto const kind = option.get(test.of_device);
         kinds.try_emplace(kind.is_null() ? "none" : kind.get<std::string>(), test.device);
@@ -204,8 +204,8 @@ class TestReader {
     });
   }
 
-  // The strain in percent of the rubber's thickness, or the amplitude in mm if the reference is one. Empty if the
-  // reference is a strain and the thickness is not known.
+  // The strain in percent of the rubber's thickness; if the reference states a displacement, the amplitude in mm
+  // instead. nullopt if the reference states a strain and the thickness is not known.
   std::optional<double> strain_of(campaign::ObservedTest const& test, double amplitude_mm) const {
     if (stated_.reference.disp_mm) return amplitude_mm;
     if (!test.rubber_thickness_mm) return stated_.reference.strain_percent ? std::nullopt : std::optional(amplitude_mm);

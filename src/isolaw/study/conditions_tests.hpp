@@ -1,5 +1,5 @@
-// The observed tests of a lot as rows of the results: each block with its condition, its values in the reference cycle,
-// the history of its cycles and its role.
+// Turns the observed tests of a lot into rows of the results: each block with its condition, its values in the
+// reference cycle, the history of its cycles and its role.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace isolaw::study {
 struct Observed {  // a block with the history of its cycles
   conditions::Block block;
   double largest_before_percent = 0.0;
-  // In ConditionsResult::tests; empty for a block that only belongs to the history.
+  // Index in ConditionsResult::tests; empty for a block that only belongs to the device's history.
   std::optional<std::size_t> row = {};
   std::vector<conditions::Effect> differs = {};  // the conditions in which it differs from the reference
   bool usable = false;                           // it has the reference strain and the reference cycles
@@ -31,7 +31,7 @@ conditions::Condition stated_reference(campaign::StatedConditions const& stated)
 std::optional<double> ln_at_reference(conditions::Block const& block, rules::Quantity quantity,
                                       campaign::StatedConditions const& stated);
 
-// The history of a cycle; empty if the block does not have it, or if its strain is not known.
+// The history of a cycle; nullopt if the block does not have this cycle, or if the block's strain is not known.
 std::optional<conditions::History> history_of(Observed const& seen, int cycle, conditions::Tolerance const& tolerance);
 
 }  // namespace isolaw::study

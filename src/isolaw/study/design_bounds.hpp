@@ -15,8 +15,8 @@ namespace isolaw::study {
 
 struct DesignBound {
   double C_K = 1.0, C_E = 1.0;                            // factors on K_eff and energy at reference
-  conditions::Status status = conditions::Status::shown;  // the weaker one of the two factors
-  double share_shown = 1.0;                               // the smaller one of the two factors
+  conditions::Status status = conditions::Status::shown;  // the weaker status of the two factors
+  double share_shown = 1.0;                               // the smaller Combined::share_shown of the two factors
   conditions::BoundLaw law;
 };
 
@@ -32,7 +32,7 @@ DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, st
 // The bound laws of a fitted law, for the outputs of a campaign.
 struct LawBounds {
   std::string law = {};
-  std::string device = {};  // whose parameters the fitted law has; empty: those of the lot
+  std::string device = {};  // the device whose parameters the fitted law has; empty if it has those of the lot
   DesignBounds bounds = {};
   // A reference cycle of the fitted law, and the forces of the bound laws at its displacements. Empty without bounds.
   conditions::CycleCurve reference = {};

@@ -51,8 +51,8 @@ bool concerns_answer(Summary const& summary, Recommendation const& answer, Findi
 // Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
-// The largest displacement in mm at which a law was shown to hold: in the whole tests if its prediction is fair or
-// better, otherwise in the part that it was fitted to. Empty if it was identified on no device.
+// The largest displacement in mm at which a law was shown to hold: that of the whole tests if its prediction is fair or
+// better, otherwise that of the part to which it was fitted. nullopt if the law was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
 // Groups of two or more devices with one record: the one that counts and its copies (DeviceResult::copy_of).
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
@@ -62,7 +62,7 @@ std::vector<std::size_t> by_objective(Summary const& summary);
 std::vector<std::string> device_names(Summary const& summary);
 // Returns nullptr if the law was not tried on the device.
 DeviceFit const* fit_of(LawResult const& law, std::string_view device);
-// A law's parameters as they are listed for the first device on which the law was identified; empty without one.
+// A law's parameters as they are listed for the first device on which the law was identified; empty if there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 // The index of a parameter in the vectors of a population, which is not its index in the law. Returns nullopt for a
 // parameter that is fixed, tied to another, or redundant if the population uses the form without it.

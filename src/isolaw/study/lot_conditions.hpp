@@ -33,7 +33,8 @@ struct UsualAmplitude {
 UsualAmplitude usual_amplitude(std::vector<double> amplitudes_mm, rules::RuleSet const& rules,
                                campaign::Alike const& alike);
 
-// Makes the verdicts on the lot itself (sample size, means) "not assessed", as its devices' conditions differ.
+// Makes the verdicts on the lot itself (sample size, means) "not assessed", because its devices were tested under
+// different conditions.
 void withhold_lot_verdicts(LotAcceptance& acceptance);
 
 }  // namespace isolaw::study

@@ -118,7 +118,8 @@ std::optional<Finding> fault_of_shape(Cycles const& law, Tested const& tested, M
   });
 }
 
-// A fault within the tested displacements, which makes a law useless for any analysis and not only for a building.
+// Returns a fault within the tested displacements, if there is one. It makes the law useless for any analysis, and not
+// only for a building.
 std::optional<Finding> fault_inside(Cycles const& law, Tested const& tested, Measured const& measured) {
   auto found = first_inside(law, tested, [](SteadyCycle const& cycle, double mm) { return breach_of(cycle, mm); });
   return found ? found : fault_of_shape(law, tested, measured);

@@ -68,7 +68,7 @@ std::optional<double> share_open(LawResult const& law) {
   return examined > 0 ? std::optional(static_cast<double>(open) / examined) : std::nullopt;
 }
 
-// The number of devices to which laws can be fitted, each record once.
+// The number of devices to which laws can be fitted. Devices with the same record count once.
 std::size_t counting_devices(Summary const& summary) {
   return static_cast<std::size_t>(std::ranges::count_if(
       summary.devices, [](DeviceResult const& device) { return device.status == "ok" && device.counts(); }));

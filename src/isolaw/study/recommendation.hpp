@@ -21,9 +21,9 @@ std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  // Errors as means over the devices: `fits` on the tests, or the part of them, that the law was fitted to;
-  // `new_device` on devices that it was not fitted to; `predicts` on larger swings, or on blocks of larger amplitude,
-  // that it was not fitted to.
+  // Errors of the law, as means over the devices: `fits` on the tests, or the part of them, to which it was fitted;
+  // `new_device` on devices to which it was not fitted; `predicts` on larger swings, or on blocks of larger amplitude,
+  // to which it was not fitted.
   std::optional<double> fits, new_device, predicts;
   // The error that decides which law is taken: the mean of `predicts` and of the error on devices, which is
   // `new_device` if there are three devices or more, else `fits`. If only one of the two is known, it is that one.
@@ -49,7 +49,7 @@ struct Recommendation {
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
-  std::vector<Finding> reach;       // the largest displacement where the tests show the law, how far laws differ beyond
+  std::vector<Finding> reach;       // up to which displacement the tests show the law, how far laws differ beyond it
   std::optional<double> valid_mm;   // largest_displacement() of the law
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
@@ -57,7 +57,7 @@ struct Recommendation {
 };
 
 bool compares_laws(Summary const& summary);
-// The command that writes the law that is taken for an analysis program; "" if none is taken. `campaign` is the
+// The command that writes the recommended law for an analysis program; "" if no law is recommended. `campaign` is the
 // directory of the campaign.
 std::string export_command(Summary const& summary, Recommendation const& advice, std::string_view campaign);
 Finding finding_of(LawSpread const& spread);
@@ -66,8 +66,8 @@ std::optional<Recommendation> recommendation(Summary const& summary);
 
 inline constexpr double tie_share = 0.10;     // laws tie with the least error if theirs is at most this share larger
 inline constexpr double usable_error = 0.30;  // no law is recommended if the least error is larger
-// Beyond these limits the choice is weak. Errors of stiffness, energy and damping are the means over the devices of the
-// magnitudes of DeviceFit::K_eff_error_percent and its neighbours.
+// Beyond these limits the choice is weak. Errors of stiffness, energy and damping are means over the devices of the
+// magnitudes of DeviceFit::K_eff_error_percent, energy_error_percent and damping_error_percent.
 inline constexpr double doubtful_error = 0.20;
 inline constexpr double doubtful_times = 2.0;  // error on larger swings or other blocks / error of the fit
 inline constexpr double doubtful_stiffness_percent = 15.0, doubtful_energy_percent = 30.0;

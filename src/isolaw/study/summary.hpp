@@ -95,7 +95,8 @@ struct DeviceFit {
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
   std::optional<double> lot_objective;  // objective with the parameters that fit the lot best on average
-  // Objective with the lot's other parameter set, which makes the largest objective over the devices least.
+  // Objective with the lot's other parameter set, with which the largest objective of any device is as small as
+  // possible.
   std::optional<double> worst_objective;
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
   // Objective on the large swings of the test with parameters fitted to its small swings. Several fits to the small
@@ -119,8 +120,8 @@ inline std::string_view fit_status(DeviceFit const& fit) {
   return fit.objective.mean ? "ok" : "failed";
 }
 
-// Two parameter sets for all devices, in the law's order: `parameters` has the least mean objective over the devices,
-// and with `worst_parameters` the largest objective of any device is least.
+// Two parameter sets for all devices, in the law's order: with `parameters` the mean objective over the devices is
+// least, and with `worst_parameters` the largest objective of any device is least.
 struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
@@ -166,9 +167,9 @@ struct LawResult {
   // The first two are the means over the devices of the members of the same names in DeviceFit, for the devices that
   // have them. The third is the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;  // empty if no parameters are there for it (see BeyondTests)
-  // Faults of the law inside the tested displacements. Each names the device with whose parameters the law has it; a
-  // fault of the law of the lot names none.
+  std::optional<BeyondTests> beyond;  // empty if no parameters are known with which to compute it
+  // Faults of the law inside the tested displacements. Each names the device with whose parameters it occurs; a fault
+  // that occurs with the lot's parameters names none.
   std::vector<Finding> faults_inside = {};
   std::optional<Finding> runs_away = {};  // FindingKind::law_runs_away: why the law is not recommended for a building
   std::optional<lot::Population> population;
@@ -236,7 +237,7 @@ struct Summary {
   std::optional<Finding> not_compared;         // devices whose measured values were not compared to find outliers
   std::vector<OutlyingDevice> outliers;
   std::optional<ConditionsResult> conditions;  // if the lot file has a table [conditions]
-  std::string no_conditions;                   // why its tests cannot be compared; else empty
+  std::string no_conditions;                   // why the tests of this table cannot be compared; else empty
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
   std::optional<campaign::Part> part;       // the part that the store holds; nullopt: the whole campaign
@@ -249,8 +250,8 @@ struct Summary {
 
 // True if a test under other conditions was refused, or if the tests could not be compared at all.
 bool conditions_refused(Summary const& summary);
-// True if a device or the lot does not keep some limit of a verified rule set: that of the acceptance or that of the
-// table [conditions].
+// True if a device or the lot does not keep a limit of a verified rule set, either the one of the acceptance or the one
+// of the table [conditions].
 bool acceptance_failed(Summary const& summary);
 // Assesses the devices and the lot. Throws Error if the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,

@@ -73,8 +73,8 @@ void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_
     for (auto const& limit : quantity.mean_limits) add_line(fmt::format("mean {}", name(quantity.quantity)), limit);
 }
 
-// Limits on how properties change with conditions. The rule set of the table [conditions] is named if it is another
-// one.
+// Adds the limits on how properties change with conditions. If the table [conditions] has another rule set, this is
+// named.
 void add_dependence(OverallVerdict& overall, Summary const& summary) {
   if (!summary.conditions) return;
   auto const& rules = summary.conditions->rules;
