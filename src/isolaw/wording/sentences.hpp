@@ -1,5 +1,5 @@
-// Functions for rows of the table whose wording depends on the findings (`compose` in table.hpp). Each gets the
-// findings of one group and returns their sentence without its subject, "device-01: ".
+// Functions for those rows of the table whose wording depends on the findings (`Row::compose` in table.hpp). Each
+// function gets the findings of one group and returns their sentence without its subject, such as "device-01: ".
 #pragma once
 
 #include <string>

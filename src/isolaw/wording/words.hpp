@@ -40,8 +40,8 @@ std::string range(Group group, std::string_view name, Print print) {
 // Prints the numbers with this many significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
-// Calls say_one for each finding: "sample 151 on device-01, sample 421 on device-02 and 3 more". If all findings are
-// about one device, the text does not name it, since the sentence begins with its name.
+// Joins the texts that say_one makes for the findings: "sample 151 on device-01, sample 421 on device-02 and 3 more".
+// If all findings are about one device, the text does not name it, since the sentence begins with its name.
 template <class Say>
 std::string each(Group group, Say say_one, std::size_t most = 4) {
   if (group.size() == 1) return say_one(group.front());
