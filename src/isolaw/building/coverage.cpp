@@ -12,7 +12,8 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
                  std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}};
-  // The nominal response may be off the range of the two bounds by this fraction: equal responses differ by rounding.
+  // The nominal response may lie outside the range of the two bounds by this fraction, because responses that should be
+  // equal differ by rounding.
   constexpr double rounding = 1e-9;
   bool const known = std::isfinite(d.lower) && std::isfinite(d.upper);
   if (known && (d.nominal < least - rounding * std::abs(least) || d.nominal > most + rounding * std::abs(most))) {

@@ -50,10 +50,10 @@ struct Judged {
   // `no` if the nominal building or a bound analysis breaks the limit, or if fewer than wanted_share of the draws keep
   // it. `open` if the draws are too few to tell whether wanted_share of all buildings keep it.
   Keeps keeps = Keeps::open;
-  // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed" if
-  // this analysis gave no finite numbers. Empty if the limit is kept or open.
+  // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed"
+  // if this analysis gave no finite numbers. Empty if the limit is kept or open.
   std::string_view broken_by = {};
-  std::optional<std::size_t> draws_wanted = {};  // if open: about how many draws would tell, draws_that_tell()
+  std::optional<std::size_t> draws_wanted = {};  // draws_that_tell() if `keeps` is open: how many draws would be enough
 };
 // Judges one limit. If `places` is given, `responses` holds all cases of places->cases. If not, `responses` holds the
 // nominal building only, and only this is judged.

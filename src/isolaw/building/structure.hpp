@@ -41,8 +41,8 @@ struct Diaphragm {
 };
 
 struct Storey {
-  // Derivatives of the storey's forces and moment by its drifts along x and y [kN/mm] and its twist about `centre`
-  // [kN mm]; kN between a drift and a twist.
+  // Derivatives of the storey's forces and moment by its drifts along x and y and its twist about `centre`. Units:
+  // kN/mm for force by drift, kN mm for moment by twist, kN for force by twist and moment by drift.
   Matrix3 stiffness = Matrix3::Zero();
   Point centre = {};  // centre of stiffness in plan
 };

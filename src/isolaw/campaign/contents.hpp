@@ -96,8 +96,8 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
   int refinement = 1;  // refinement of the run at which the analysis starts
   analysis::Determination determination;
   analysis::Intervals intervals;
-  // The law fitted as springs around a circle (fit/as_springs.hpp). Only if the settings ask for it, and if the law has
-  // no two-dimensional form with the parameters of the optimum.
+  // The law fitted as springs around a circle (fit/as_springs.hpp). Present only if the settings ask for it and the law
+  // has no two-dimensional form with the parameters of the optimum.
   std::optional<fit::AsSprings> springs = {};
   std::optional<analysis::LargerSwings> larger_swings =
       {};  // empty if the test shows nothing about larger swings, or if no force is finite

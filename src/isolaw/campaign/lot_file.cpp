@@ -408,7 +408,8 @@ void refuse_settings(TomlTable const& reader, toml::table const& table, Settings
   }
 }
 
-// A table whose name is nearly "conditions". It is read as this table, so that only its name is complained about.
+// Finds a table whose name is nearly "conditions". It is read as the table [conditions], so that only its name is
+// complained about.
 toml::table const* misspelt_conditions(toml::table const& root) {
   for (auto const& [key, node] : root)
     if (node.is_table() && !nearest_word(key.str(), std::vector<std::string>{"conditions"}, most_wrong_letters).empty())

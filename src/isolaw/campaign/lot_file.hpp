@@ -101,8 +101,8 @@ struct LotFileRemarks {             // comments for the person who edits the fil
   bool open_keys = false;           // list, as comments, the keys of a device that have no value yet
   std::vector<StatedFacts> stated;  // for each device, facts that its record states but that could not be used
   std::vector<std::pair<std::filesystem::path, std::string>> left_out;  // files that are no devices, and why
-  // If the names of the devices read like conditions, each device is written as a test of the device that tests[i]
-  // names. `reference` is then the TOML table of the reference conditions. Both are empty otherwise.
+  // If the names of the records state conditions, record i is written as a test of the device tests[i].device, and
+  // `reference` is the TOML table of the reference conditions. Otherwise both members are empty.
   std::vector<ProposedTest> tests = {};
   std::string reference = {};
 };

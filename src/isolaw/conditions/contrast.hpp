@@ -39,7 +39,7 @@ struct Level {
 
   std::vector<double> lns() const;  // DeviceRatio::ln of each device
   double mean() const;
-  double std() const;  // over the devices; 0 for a single one
+  double std() const;  // standard deviation over the devices; 0 for a single device
 };
 
 // How sure a factor is, from the strongest status to the weakest. shown: devices were tested at the condition;

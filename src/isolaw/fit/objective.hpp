@@ -95,7 +95,7 @@ class LawOnRecord {
   // their values. `parameters` are in the law's order and units; `work` is scratch space. Thread-safe.
   double objective(std::span<double const> parameters, std::vector<double>& work) const;
   // Computes the objectives of `count` candidates in blocks; candidate(i, values) writes the parameters of candidate i.
-  // Objectives above 1e-3 agree with objective() within block_tolerance, wherever a candidate is in its block.
+  // Objectives above 1e-3 agree with objective() within block_tolerance, whatever a candidate's place in its block.
   void objectives(std::size_t count, std::function<void(std::size_t, std::span<double>)> const& candidate,
                   std::span<double> values, InstructionSet set = instruction_set()) const;
   // Writes (measured - computed force) / standard deviation of the measured force, for sample j of candidate i, to

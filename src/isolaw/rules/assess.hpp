@@ -1,8 +1,8 @@
 // Compares one device with a rule set. Each limit gives a measured value, its deviation from the design value and a
-// verdict.
-// Only a set that somebody verified gives pass or fail, and only under the conditions that it asks for. Otherwise the
-// verdict is information or not assessed. A value on the limit passes. Values are compared as measured, not rounded,
-// but with a slack of 1e-12 of the bound, since in binary 1.2 times a value is rarely exactly 20 % more.
+// verdict. Only a set that somebody verified gives pass or fail, and only under the conditions that it asks for.
+// Otherwise the verdict is information or not assessed. A value equal to the limit passes. Values are compared as
+// measured, not rounded, but with a slack of 1e-12 of the bound, since in binary 1.2 times a value is rarely exactly
+// 20 % more.
 #pragma once
 
 #include <optional>

@@ -113,7 +113,7 @@ struct CombinationRule {  // how the factors of all effects make one
   std::string clause;
 };
 
-// An effect that a set asks for. If it states a quantity, it also has factors that may stand in for tests.
+// An effect that a set asks for. If it states a quantity, it also has default factors that may replace tests.
 struct EffectRule {
   Effect effect = Effect::temperature;
   std::optional<Group> group = {};  // as stated; see RuleSet::group_of()

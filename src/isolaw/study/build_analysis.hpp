@@ -20,7 +20,8 @@ inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_predi
 // reasons.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
-// `constant`: no better on some block than a constant force. `far`: much worse on predicted blocks than on fitted ones.
+// `constant`: on some predicted block the law does worse than a constant force. `far`: it does much worse on predicted
+// blocks than on fitted ones.
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);

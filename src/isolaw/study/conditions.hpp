@@ -153,7 +153,7 @@ struct RecoveryRow {
   int devices = 0;
 };
 
-struct ConditionsDevice {  // a device of the lot, in the order of the file
+struct ConditionsDevice {  // a device of the lot, in the order of the lot file
   std::string name;
   double largest_percent = 0.0;  // largest strain in any of its tests; infinite if a test could not be read
   std::optional<conditions::Ageing> aged = {};  // ageing in its last test
@@ -172,7 +172,7 @@ struct ConditionsResult {
   std::vector<DoubtedTest> doubted;
   std::vector<LacksTests> lacks_tests;
   std::vector<LevelRow> levels;
-  std::vector<EffectResponse> responses;  // of every measured quantity to the four conditions of a test
+  std::vector<EffectResponse> responses;  // one for each measured quantity and each of the four conditions of a test
   std::vector<EndRow> ends;
   std::vector<DesignRow> design;
   std::string rules;  // id of the rule set; empty if there is none

@@ -12,7 +12,7 @@ struct ConditionsResult;
 
 inline constexpr int usual_planned_devices = 2, most_planned_devices = 100;
 
-enum class NoPlan {  // why no test can be named for an effect
+enum class NoPlan {  // why no test can be planned for an effect
   no_condition,      // the design does not state the condition of the effect
   no_reference,      // the reference does not state this condition
   no_energy,         // the design states years in service, but no activation energy is stated

@@ -126,7 +126,7 @@ struct LotLaw {
   std::vector<double> parameters, worst_parameters;
   double mean = 0.0, worst = 0.0;  // mean and largest objective with `parameters`
   std::string worst_device = {};
-  double least_worst = 0.0, least_worst_bound = 0.0;  // largest with `worst_parameters`, and a lower bound for it
+  double least_worst = 0.0, least_worst_bound = 0.0;  // largest objective with `worst_parameters`; a lower bound for it
   std::vector<std::pair<std::string, fit::AtBound>> at_bound = {};  // entries of `parameters` that lie at a bound
 };
 
