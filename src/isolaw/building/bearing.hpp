@@ -32,7 +32,7 @@ class Bearing {
 // How a law of one direction is used in the plane (laws/plane/in_plane.hpp).
 enum class Coupling {
   coupled,  // the law's own two-dimensional form, with the same parameters
-  springs,  // a set of springs around the circle, each with the law
+  springs,  // springs at equal angles around a circle, each of which follows the law
   separate  // the law once along x and once along y, independently. This is exact for motions along x or y alone, and
             // also used for laws whose force differs between the two sides (laws::springs_follow)
 };

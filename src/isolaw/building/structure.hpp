@@ -61,7 +61,7 @@ std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double
 struct Frame {
   Diaphragm base;
   std::vector<Floor> floors;         // from the lowest up; empty: the building is only the base slab on its bearings
-  std::vector<double> damping = {};  // damping ratios of the modes on a fixed base; the last holds for all further ones
+  std::vector<double> damping = {};  // damping ratios of the modes on a fixed base; higher modes have the last one
 };
 
 // A frame and its modes on a fixed base. The arrays are row-major.

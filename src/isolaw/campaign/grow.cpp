@@ -42,8 +42,8 @@ std::optional<std::size_t> place_of(Contents const& contents, std::string_view d
 }
 
 bool same_record(Device const& there, Device const& now) {
-  // The hash alone is not enough: it may be the same whether several files were joined to one history or read as
-  // several tests. The starts differ then.
+  // The hash alone is not enough: it is the same if several files were joined to one history and if they were read as
+  // several tests. In these two cases `starts` differs.
   return there.raw.sha256 == now.raw.sha256 && there.raw.starts == now.raw.starts && there.refusal == now.refusal;
 }
 

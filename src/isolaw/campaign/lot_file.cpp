@@ -25,7 +25,7 @@ namespace isolaw::campaign {
 namespace {
 
 constexpr std::size_t longest_path = 4096;
-constexpr std::size_t most_wrong_letters = 2;  // in a misspelt name
+constexpr std::size_t most_wrong_letters = 2;  // in a misspelt name that is still recognised
 
 bool is_among(std::vector<std::string> const& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();

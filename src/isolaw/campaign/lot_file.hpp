@@ -91,7 +91,7 @@ Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices a
 // "a + b", "a + b + c", or "a and 3 more tests".
 std::string name_of_tests(std::span<data::TestSource const> tests);
 
-using StatedFacts = std::map<std::string, std::string>;  // by key, what a record's file states about its device
+using StatedFacts = std::map<std::string, std::string>;  // facts that a record's file states about its device, by key
 
 // Makes all records of a lot tests of one device, which is named after them. Returns the facts that the records state
 // differently, with the name of each record. The device gets no value for such a fact.

@@ -73,7 +73,7 @@ class Observer {
   }
 
  private:
-  // Nobody knows which one of several tests a record belongs to, so none of them can use it.
+  // If several tests have the same record, it is unknown to which of them it belongs, so none of them can use it.
   void refuse_same_records(std::vector<ObservedTest>& tests) const {
     for (auto const& [record, same] : of_record_)
       for (auto const index : same) {

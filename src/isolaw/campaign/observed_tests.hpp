@@ -15,7 +15,7 @@ namespace isolaw::campaign {
 struct Lot;
 
 struct ObservedCycle {
-  int number = 0;  // from 1, within its block
+  int number = 0;  // number of the cycle within its block, from 1
   // A value of 0 or less means that the cycle has no such value.
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0, Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
   std::optional<double> load_kN = {};  // mean vertical load, if the record has a channel for it

@@ -22,7 +22,7 @@ class StoreKind {
     std::string_view store;      // "campaign store"
     std::string_view file;       // "campaign.sqlite of a campaign"
     std::string_view whole;      // "campaign"
-    std::string_view same;       // what its parts share: "the same lot, settings and records"
+    std::string_view same;       // what the parts of a campaign share: "the same lot, settings and records"
     std::string_view command;    // "isolaw calibrate"
     std::string_view input;      // "LOT"
     std::string_view once_more;  // "calibrate again"

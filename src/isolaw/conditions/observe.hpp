@@ -18,7 +18,7 @@ namespace isolaw::conditions {
 inline constexpr std::size_t quantities = 5;  // those of rules::measured_quantities(), in their order
 
 struct CycleValues {
-  int number = 0;                              // from 1, within its block
+  int number = 0;                              // number of the cycle within its block, from 1
   std::array<double, quantities> values = {};  // kN/mm, %, kN mm, kN, kN/mm; 0 or less: the cycle has no such value
 
   // The natural logarithm of a value; empty if the cycle has no such value.

@@ -42,7 +42,7 @@ struct Bound {         // factors on the design value (or the lot's mean), and t
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
   Spread spread = Spread::device;
   FactorPair spec;                  // lambda_spec; without a lower bound all minima and `lower` are NaN
-  CombinedFactors combined;         // with ageing, environment and test; see combine()
+  CombinedFactors combined;         // `spec` combined with the factors of environment and test; see combine()
   double lower = 0.0, upper = 0.0;  // combined factors times the design value or the mean
   std::string note;                 // explains the source
   bool is_tolerance = false;        // a tolerance limit: holds 95 % of the devices with confidence 95 %
@@ -68,7 +68,7 @@ struct LotQuantity {
   std::vector<Outlier> outliers;
   std::string outlier_note;      // why no outliers are named, or which devices were not searched for outliers
   std::string limit_individual;  // the rule set's limit on every single device
-  std::optional<double> lower_percent, upper_percent;  // that limit, relative to the design value
+  std::optional<double> lower_percent, upper_percent;  // limit_individual as deviations from the design value
   std::vector<Assessment> mean_limits;                 // the rule set's limits on the lot's mean
   std::optional<TestFactors> test_factors;             // extremes of lambda_test over the devices
   std::string test_min_device, test_max_device;

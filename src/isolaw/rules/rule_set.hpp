@@ -116,7 +116,7 @@ struct CombinationRule {  // how the factors of all effects make one
 // An effect that a set asks for. If it states a quantity, it also has default factors that may replace tests.
 struct EffectRule {
   Effect effect = Effect::temperature;
-  std::optional<Group> group = {};  // as stated; see RuleSet::group_of()
+  std::optional<Group> group = {};  // the group that the set states, if any; see RuleSet::group_of()
   std::optional<Quantity> quantity = {};
   double default_max = 1.0, default_min = 1.0;
   std::string clause = {};
@@ -127,7 +127,7 @@ struct DependenceLimit {
   Effect effect = Effect::temperature;  // temperature, rate, load or ageing
   Quantity quantity = Quantity::K_eff;
   double within_percent = 0.0;
-  std::vector<double> levels = {};  // in C, Hz or kN; empty: the conditions of the design
+  std::vector<double> levels = {};  // conditions at which the limit holds, in C, Hz or kN; empty: those of the design
   std::string clause = {};
 };
 

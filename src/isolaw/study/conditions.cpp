@@ -253,7 +253,8 @@ class Builder {
   // Adds scragging, its recovery, and the softening over many cycles.
   void add_history(Quantity quantity, auto const& add) {
     std::vector<conditions::ReferenceTest> first, again;
-    std::vector<conditions::DeviceRatio> first_ratios, after_ratios;  // in cycle 1, and in the design's cycle
+    // The value in cycle 1, and in the cycle that the design states, relative to the value in the reference cycle.
+    std::vector<conditions::DeviceRatio> first_ratios, after_ratios;
     auto const is_reference = [](Observed const& seen) { return seen.usable && seen.differs.empty(); };
     bool const scaled = only_scaled(is_reference);
     for (auto const& seen : all_) {

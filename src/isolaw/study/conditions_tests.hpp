@@ -16,7 +16,7 @@ struct Observed {  // a block with the history of its cycles
   // Index in ConditionsResult::tests; empty for a block that only belongs to the device's history.
   std::optional<std::size_t> row = {};
   std::vector<conditions::Effect> differs = {};  // the conditions in which it differs from the reference
-  bool usable = false;                           // it has the reference strain and the reference cycles
+  bool usable = false;                           // the block has the reference strain and the reference cycles
   bool is_scaled = false;
 };
 

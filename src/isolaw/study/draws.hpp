@@ -33,7 +33,7 @@ void require_draws(int count);  // throws Error about --count unless it is a num
 // with `where`, if the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
-std::vector<std::string> warnings(Draws const& draws);   // sentences about a sample that limits or few devices shape
+std::vector<std::string> warnings(Draws const& draws);   // sentences, if limits or too few devices shape the sample
 std::vector<std::string> sentences(Draws const& draws);  // what was drawn, and the warnings
 
 }  // namespace isolaw::study
