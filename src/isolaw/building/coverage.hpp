@@ -29,7 +29,7 @@ struct Coverage {
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic = {};  // the sentence that says so, in kN and mm; empty without `monotony`
+  std::string not_monotonic = {};  // the sentence of the finding `monotony`, in kN and mm; empty without it
 };
 Finding covering_factors(Coverage const& coverage);
 

@@ -33,7 +33,7 @@ struct Motion {
 struct Options {
   double longest_step_s = 0.005;
   double rest_s = 0.0;  // how long to integrate after the end of the ground motion
-  // Whether Response::history is kept, and History::bearing_kN in it.
+  // `histories`: whether Response::history is kept. `bearing_forces`: whether it includes History::bearing_kN.
   bool histories = false, bearing_forces = false;
   Vector pulled_to = {0.0, 0.0};  // displacement [mm] to which the base is pulled before the motion, then released
   int most_halvings = 10;         // how often a step that does not converge may be halved; after that the run fails

@@ -25,8 +25,8 @@ std::vector<double> respond(Model const& model, std::string_view law, std::span<
                             num::InstructionSet set = num::instruction_set());
 
 // The longest step dt [s] of the explicit integration on bearings with this stiffness at rest ([bearing], 2 x 2 by
-// rows): dt^2 K = m / 2, with that stiffness K and the base slab's mass m. Steps are stable for dt^2 K < 4 m, which
-// leaves a margin for draws that are stiffer.
+// rows). It follows from dt^2 K = m / 2, with the stiffness K of the bearings and the mass m of the base slab. Steps
+// are stable for dt^2 K < 4 m, so there is a margin for draws that are stiffer.
 double longest_explicit_step(Model const& model, std::span<std::array<double, 4> const> first_stiffness);
 
 }  // namespace isolaw::building

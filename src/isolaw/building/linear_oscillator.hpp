@@ -20,7 +20,8 @@ Effective effective(std::string_view law, std::span<double const> parameters, do
 // the parameters of all bearings, one after the other.
 Effective effective(Devices const& devices, std::span<double const> bearings, double amplitude_mm, double period_s);
 
-// The linear oscillator whose stiffness and damping are the bearings' effective ones at its own peak displacement.
+// The linear oscillator whose stiffness and damping equal the effective stiffness and damping that the bearings have at
+// the oscillator's own peak displacement.
 struct EquivalentLinear {
   double displacement_mm = 0.0, period_s = 0.0, damping = 0.0;
 };

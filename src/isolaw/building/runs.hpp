@@ -151,7 +151,7 @@ struct RunAllOptions {
   std::function<bool()> interrupted = {};  // asked between and during runs, from any thread; true ends the runs
 };
 // Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
-// constructor of Runs. If a run throws, run_all() first stores the runs that have finished and then throws on.
+// constructor of Runs. If a run throws, run_all() first stores the runs that have finished and then rethrows.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
 // The options of a law's runs under a motion. The step is the smaller of the settings' step and longest_explicit_step()
 // for the bearings of the upper bound analysis at rest. Throws Error if a run would take more than most_steps.

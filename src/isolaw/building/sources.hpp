@@ -35,7 +35,7 @@ struct LawSource {
   std::vector<Finding> doubts = {};  // about the law's calibration and its bounds; no number depends on them
 };
 
-// Which bearings an analysis has. In all kinds, a bearing that is not a draw has the same parameters, except that
+// Which bearings an analysis has. A bearing that is not a draw has the same parameters in all kinds of analysis, but
 // `lower`, `upper` and `factor` multiply its forces too.
 enum class CaseKind {
   nominal,   // bearings that are draws have the population's median parameters

@@ -1,5 +1,5 @@
 // The conditions under which devices were tested, as a lot file states them: the keys of [[device.test]] and the table
-// [conditions]. Whether tests agree with a reference, and what they show, is the business of the module `conditions`.
+// [conditions]. The module `conditions` decides whether tests agree with a reference and what they show.
 #pragma once
 
 #include <optional>

@@ -48,7 +48,7 @@ class Merge {
              std::function<void()> const& before_replacing);
 
  protected:
-  // The differences of the campaigns or studies in `first` and `file`, a text each; empty if there are none.
+  // Returns a text for each difference between the campaigns or studies in `first` and `file`.
   virtual std::vector<std::string> differences(Path const& first, Path const& file) = 0;
   // Makes a store with the settings and inputs of the store `first`. It belongs to no part and has no runs.
   virtual void create(Path const& file, Path const& first, std::function<void()> const& before_replacing) = 0;

@@ -16,7 +16,7 @@ namespace isolaw::rules {
 
 double peak_to_peak(data::Cycle const& cycle, Quantity quantity);  // NaN for K_v
 
-struct VerticalValue {  // from the device's compression test
+struct VerticalValue {  // the vertical stiffness that the device's compression test gives
   std::optional<double> K_v_kN_per_mm;
   std::string formula = "F_v/d_v";
   std::string reason = "no vertical test is given";  // why there is no value
