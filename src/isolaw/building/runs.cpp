@@ -166,7 +166,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// Such a hash for a text that RunStore::keep() stores.
+// A hash with the same purpose, for a text that RunStore::keep() stores.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }

@@ -61,7 +61,7 @@ std::size_t Contents::expected_runs() const {
 std::size_t Contents::expected_here() const {
   auto const all = expected_runs();
   if (!part) return all;
-  // The runs are dealt to the parts in turn (part_assignment.hpp), so the first parts may have one run more.
+  // The parts get the runs in turn (part_assignment.hpp), so the first parts may have one run more.
   auto const number = static_cast<std::size_t>(part->number), of = static_cast<std::size_t>(part->of);
   return all < number ? 0 : (all - number) / of + 1;
 }

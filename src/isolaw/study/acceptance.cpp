@@ -105,8 +105,9 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
   return fmt::format("{} has lost {:.0f} % of the force", failure->word("where"), 100.0 - failure->number("percent"));
 }
 
-// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. A failure
-// stays, since it may be due to the fault itself: a loss of force may exceed a limit on the change from cycle to cycle.
+// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. Also gives this
+// reason where a value is missing. A failure stays, since it may be due to the fault itself: a loss of force may exceed
+// a limit on the change from cycle to cycle.
 void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {
   for (auto& a : assessments) {
     bool const without = a.verdict == rules::Verdict::not_assessed && !a.value && a.subject != rules::Subject::loads;

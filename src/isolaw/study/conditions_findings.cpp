@@ -374,7 +374,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     if (auto const* factor = row.max.status == Status::not_covered   ? &row.max
                              : row.min.status == Status::not_covered ? &row.min
                                                                      : nullptr) {
-      // Damping is not combined, and the rule set may have no default for it.
+      // The rule set may have default factors for other quantities but none for damping, which no bound needs.
       bool const is_assumed = std::ranges::any_of(
           result.design, [&](DesignRow const& other) { return other.effect == row.effect && other.assumed; });
       if (!is_assumed) add_not_covered(result, row, *factor, findings);

@@ -21,8 +21,8 @@ bool is_outside(Group group) {
   return !group.front().word("outside").empty();
 }
 
-// Says which properties are lost because of a fault of the signal. If the findings state the blocks in which the fault
-// lies, the text says that no cycle of these blocks counts.
+// Says what a fault of the signal means for the results. If a single finding states the blocks in which the fault lies,
+// the text adds that no cycle of these blocks counts.
 std::string of_no_use(Group group) {
   if (is_outside(group)) return std::string(outside_text);
   auto const& blocks = group.front().blocks;
