@@ -23,6 +23,7 @@
 #include "isolaw/base/printable.hpp"
 #include "isolaw/building/building_file.hpp"
 #include "isolaw/campaign/setting_table.hpp"
+#include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/model.hpp"
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/study/draws.hpp"
@@ -90,6 +91,13 @@ nb::tuple exported(Campaign const& campaign, std::string const& law, std::string
                               .model = given_of(programs::model_table(), given),
                               .seed = seed_in(given),
                               .anyway = anyway};
+  try {
+    programs::find_target(to);
+  } catch (Error const& error) {
+    auto complaints = error.complaints();
+    complaints.front().where = "to";  // the option --to of the readers has another keyword
+    throw Error(std::move(complaints));
+  }
   auto const result = [&] {
     nb::gil_scoped_release const released;
     return export_law(campaign.contents, options);

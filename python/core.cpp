@@ -74,10 +74,22 @@ nb::object view_or_none(std::vector<double> const& values, nb::handle owner) {
 // Reads numbers that the caller gives. An array of doubles in C order is not copied. NumPy converts all else.
 Rows rows_of(nb::handle given, char const* what, std::string allowed = "an array of numbers") {
   Rows rows;
+  auto const numpy = nb::module_::import_("numpy");
+  auto const refuse = [&](std::string found, std::string advice) {
+    throw Error(
+        {.where = what, .found = std::move(found), .allowed = "an array of numbers", .advice = std::move(advice)});
+  };
+  if (nb::cast<bool>(numpy.attr("ma").attr("is_masked")(given)))
+    refuse("an array with masked values", "the values without them");
   if (nb::try_cast(given, rows, false)) return rows;
   try {
-    auto const numpy = nb::module_::import_("numpy");
-    if (nb::try_cast(numpy.attr("asarray")(given, "float64", "C"), rows, false)) return rows;
+    nb::object const array = numpy.attr("asarray")(given);
+    // NumPy would make nanoseconds of times, and drop imaginary parts.
+    auto const kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
+    if (kind == "m" || kind == "M") refuse("dates or times", "seconds as numbers, such as times.dt.total_seconds()");
+    if (kind == "c") refuse("complex numbers", "");
+    if (kind == "U" || kind == "S") refuse("texts", "numbers, such as values.astype(float)");
+    if (nb::try_cast(numpy.attr("asarray")(array, "float64", "C"), rows, false)) return rows;
   } catch (nb::python_error& error) {
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
   }
@@ -626,7 +638,8 @@ nb::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t
 // The Python class isolaw.Error. This reference is never released, because exceptions may live longer than the module.
 nb::handle error_type;
 
-// Replaces the names of command-line options in complaints by the names of the Python keywords.
+// Replaces the names of command-line options in complaints by the names of the Python keywords. An option that is in
+// no table, such as --count, has the keyword of its name.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   auto const rename = [](auto const& rows, std::string& where) {
     auto const end = std::min(where.find(' '), where.size());
@@ -645,6 +658,12 @@ std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
     if (complaint.where == "--part") {
       complaint.where = "part";
       complaint.advice = "part=(1, 4) to part=(4, 4), for four machines";
+    }
+    if (complaint.where.starts_with("--")) {
+      complaint.where.erase(0, 2);
+      auto const end = std::min(complaint.where.find(' '), complaint.where.size());
+      std::ranges::replace(complaint.where.begin(), complaint.where.begin() + static_cast<std::ptrdiff_t>(end), '-',
+                           '_');
     }
   }
   return complaints;

@@ -222,7 +222,7 @@ def read_record(path, *, name=None, **reading):
 
     Returns a Record; ``record.recognised`` says what was recognised and why. Raises one Error with all problems.
     """
-    return _core.read(path, False, name, reading)
+    return _core.read(_os.fspath(path), False, name, reading)
 
 
 @_with_keywords(_motion_reading())
@@ -232,7 +232,7 @@ def read_motion(path, *, name=None, **reading):
     The keywords are those of read_record, without its corrections. Returns a Record whose ``force_kN`` is None. Raises
     Error as read_record does, and for a record of acceleration.
     """
-    return _core.read(path, True, name, reading)
+    return _core.read(_os.fspath(path), True, name, reading)
 
 
 def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
@@ -301,6 +301,11 @@ def box(law, record, *, kind="auto", method="best"):
     return _core.box(law, record, {"box": kind, "method": method})
 
 
+def _by_name(parameters):
+    """Makes a dict of what has names, such as a pandas Series or lmfit's Parameters."""
+    return dict(parameters) if hasattr(parameters, "keys") else parameters
+
+
 @_with_keywords(_settings("integration", "turning_points"))
 def force(law, parameters, motion, *, refinement=1, out=None, **how):
     """Force of a law under a displacement history, in kN: a float64 array of shape (samples,).
@@ -315,13 +320,13 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
     """
     if not isinstance(motion, Record):
         motion = _core.record("motion", motion, None, None, None)
-    return _core.force(law, parameters, motion, how, refinement, out)
+    return _core.force(law, _by_name(parameters), motion, how, refinement, out)
 
 
 class Model(_Unchanging):
     """A law on a record, with the same objective as in calibrate, for your own optimisers and studies.
 
-    law: an id. record: a Record with force. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
+    law: an id. record: a Record with force, or its file. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
     (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is taken over
     ``fit_blocks`` and ``fit_cycles``, and ``weights`` decides how much a sample counts in it. integration,
     turning_points, refinement: as in force. Raises Error for wrong input, as calibrate does.
@@ -332,8 +337,11 @@ class Model(_Unchanging):
         | _settings("fit_blocks", "fit_cycles")
     )
     def __init__(self, law, record, *, refinement=1, **how):
+        record = _a_record(record)
         self._core = _core.Model(law, record, _all_samples(how), refinement)
-        self._given = law, record, {"refinement": refinement, **how}
+        stated = _inspect.signature(type(self).__init__).parameters.values()
+        defaults = {one.name: one.default for one in stated if one.kind is one.KEYWORD_ONLY}
+        self._given = law, record, defaults | {"refinement": refinement} | _numbered(how)
         self._law = law
         self._box = box(law, record)
         self._names = list(self._box)
@@ -361,6 +369,7 @@ class Model(_Unchanging):
 
     def _whole(self, parameters):
         """Adds the values of the fixed parameters if only the free ones are given."""
+        parameters = _by_name(parameters)
         if self._is_free.all() or isinstance(parameters, _Mapping) or _np.shape(parameters) != (self._is_free.sum(),):
             return parameters
         whole = _np.array([_np.nan if entry["free"] else entry["value"] for entry in self._box.values()])
@@ -432,11 +441,16 @@ class Model(_Unchanging):
     def objectives(self, population, out=None):
         """Objectives of many candidates at once, from the vector kernels: a float64 array of shape (candidates,).
 
-        population: float64 of shape (candidates, parameters) in the law's order and units; a contiguous array is read
-        without a copy. No limits are checked. out: a contiguous float64 array that receives the values. The values
+        population: float64 of shape (candidates, parameters) in the law's order and units, or a DataFrame with a column
+        for each parameter; a contiguous array is read without a copy. No limits are checked. out: a contiguous float64 array that receives the values. The values
         agree with objective() to about 1e-11; a candidate without a finite force gets infinity. Raises Error for other
         shapes.
         """
+        if hasattr(population, "columns"):  # a pandas DataFrame, whose columns may be in any order
+            if sorted(map(str, population.columns)) != sorted(self._names):
+                found, allowed = ", ".join(map(str, population.columns)), ", ".join(self._names)
+                raise Error(f"population: the columns {found}; allowed: {allowed}")
+            population = population[self._names].to_numpy(float)
         return self._core.objectives(population, out)
 
     def force(self, parameters, out=None):
@@ -464,6 +478,12 @@ class Fit:
         self._campaign = campaign
         self._law = law
         self._results = results
+
+    def __eq__(self, other):
+        return isinstance(other, Fit) and (self.law, self.results) == (other.law, other.results)
+
+    def __hash__(self):
+        return hash((self.law, self.device))
 
     def __repr__(self):
         head = f"<isolaw.Fit of {self._law} to {self.device}: "
@@ -577,6 +597,12 @@ class LawFits(_Mapping):
     def __len__(self):
         return len(self._fits)
 
+    def __eq__(self, other):
+        return isinstance(other, LawFits) and self.results == other.results
+
+    def __hash__(self):
+        return hash((self.law, tuple(self._fits)))
+
     def __repr__(self):
         return f"<isolaw.LawFits of {self.law} to {', '.join(self._fits)}>"
 
@@ -652,15 +678,15 @@ class Campaign(_Unchanging, _Mapping):
     def __repr__(self):
         state = "" if self.complete else ", not complete"
         objectives = ", ".join(f"{law} {value}" for law, value in self._rows())
-        return f"<isolaw.Campaign of {len(self.devices)} devices{state}; least objectives: {objectives}>"
+        return f"<isolaw.Campaign of {_show.counted(len(self.devices), 'device')}{state}; least objectives: {objectives}>"
 
     def _repr_html_(self):
-        title = f"{self.summary['title'] or 'Campaign'}: least objective of each law, {len(self.devices)} devices"
+        title = f"{self.summary['title'] or 'Campaign'}: least objective of each law, {_show.counted(len(self.devices), 'device')}"
         return _show.page(title, self._rows())
 
     @property
     def summary(self):
-        """All numbers of the campaign, as the dict that summary.json holds."""
+        """All numbers of the campaign, as the dict that summary.json holds. It is made once: do not change it."""
         if self._summary is None:
             self._summary = _json.loads(self._core._summary_json())
         return self._summary
@@ -682,7 +708,7 @@ class Campaign(_Unchanging, _Mapping):
         """Draws the measured loop of a device and that of a law with Matplotlib. Returns the axes."""
         return self[law][device].plot(ax)
 
-    def plot_front(self, kind="runs", ax=None):
+    def plot_front(self, ax=None, *, kind="runs"):
         """Draws accuracy against robustness with Matplotlib: a point for each law, filled if it is on the front.
 
         kind: as in front(). Returns the axes; ax: draws into these.
@@ -694,7 +720,7 @@ class Campaign(_Unchanging, _Mapping):
             at = row["robustness"], row["accuracy"]
             ax.plot(*at, "o", color="C0", fillstyle="full" if row["on_front"] else "none")
             ax.annotate(row["law"], at, xytext=(5, 5), textcoords="offset points")
-        ax.margins(0.15)  # room for the names
+        ax.margins(0.2)  # room for the names
         robustness = "Objective on devices that were left out" if kind == "loo" else "Robustness index beta, Eq. (31)"
         ax.set(xlabel=robustness, ylabel="Mean objective, Eq. (27)" if kind == "runs" else "Objective of the best fits")
         return ax
@@ -820,6 +846,12 @@ class Export:
         self._text = text
         self._warnings = warnings
 
+    def __eq__(self, other):
+        return isinstance(other, Export) and (self.text, self.warnings) == (other.text, other.warnings)
+
+    def __hash__(self):
+        return hash(self._text)
+
     def __str__(self):
         return self._text
 
@@ -883,8 +915,23 @@ def _adapted(progress):
     return report
 
 
+def _numbered(how):
+    """Replaces numbers of blocks and cycles, 2 or (1, 2), by their texts, "2" or "1-2"."""
+
+    def text(value):
+        if value is None or isinstance(value, str):
+            return value
+        numbers = [_operator.index(one) for one in ([value] if hasattr(value, "__index__") else value)]
+        if not numbers or numbers != list(range(numbers[0], numbers[-1] + 1)):
+            raise Error(f"blocks or cycles: {value!r}; allowed: a number, numbers that follow one another, or text such as '2-'")
+        return str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}-{numbers[-1]}"
+
+    return {key: text(value) if key in ("fit_blocks", "fit_cycles", "score_blocks") else value for key, value in how.items()}
+
+
 def _all_samples(how):
     """Replaces samples_per_cycle=None by "all". Otherwise the compiled part would take None as the default."""
+    how = _numbered(how)
     return how | {"samples_per_cycle": "all"} if how.get("samples_per_cycle", 0) is None else how
 
 
@@ -922,7 +969,10 @@ def calibrate(
     device is refused in the summary; the others are fitted. Raises Error for wrong input, and if no device is usable.
     """
     devices = _records(records)
-    given = _all_samples(given) | {"laws": laws if isinstance(laws, str) else list(laws)}
+    laws = laws if isinstance(laws, str) else list(laws)
+    if not laws:
+        raise Error("laws: there are none; allowed: ids of laws, 'paper', 'usual' or 'all'")
+    given = _all_samples(given) | {"laws": laws}
     if not isinstance(given.get("set", ""), str):
         given["set"] = list(given["set"])
     tests = {name: _vertical(test) for name, test in (vertical or {}).items()}
@@ -939,7 +989,14 @@ def _records(records):
     for one in records:
         if isinstance(one, (str, _os.PathLike)) and _os.fspath(one).endswith(".toml"):
             raise Error(f"{one}: a lot file; allowed: records; try: isolaw calibrate {one} --out DIR, then isolaw.load(DIR)")
-    return [one if isinstance(one, Record) else read_record(one) for one in records]
+    return [_a_record(one) for one in records]
+
+
+def _a_record(one):
+    """Reads a record from a file if it is not one already."""
+    if isinstance(one, (Record, str, _os.PathLike)):
+        return one if isinstance(one, Record) else read_record(one)
+    raise Error(f"record: {type(one).__name__}; allowed: a Record or a file; try: isolaw.record(disp_mm, force_kN, time_s)")
 
 
 def _part(part):
@@ -986,7 +1043,7 @@ class Building(_Unchanging):
         self._results = None
 
     def __repr__(self):
-        return f"<isolaw.Building under {len(self.motions)} motions, with {', '.join(self.laws)}>"
+        return f"<isolaw.Building under {_show.counted(len(self.motions), 'motion')}, with {', '.join(self.laws)}>"
 
     def _repr_html_(self):
         law = self.results["laws"][0]
@@ -1115,6 +1172,9 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     if isinstance(motions, (str, _os.PathLike)):
         motions = [motions]
     motions_given = [_motion_input(motion) for motion in motions or ()]
+    of_files = [name for name in ("motion_dt", "motion_unit") if given.get(name) is not None]
+    if of_files and motions_given and not any(isinstance(motion, str) for motion in motions_given):
+        raise Error(f"{of_files[0]}: is given, and no motion is a file; allowed: arrays with the step in s, in m/s2")
     with _reporting(progress) as told:
         core = _core.building(file, source, motions_given, given, jobs, out, bool(fresh), told)
     return Building(core)

@@ -22,7 +22,7 @@ def needed(module, what):
 
 
 def axes(ax):
-    return needed("matplotlib.pyplot", "a plot").gca() if ax is None else ax
+    return needed("matplotlib.pyplot", "a plot").subplots()[1] if ax is None else ax
 
 
 def frame(rows, index=None):
@@ -58,6 +58,10 @@ def _svg(x, curves, titles):
         + "".join(lines)
         + f'<g fill="#404040">{ends}</g></svg>'
     )
+
+
+def counted(number, thing):
+    return f"{number} {thing}" + ("" if number == 1 else "s")
 
 
 def escaped(text):

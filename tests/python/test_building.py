@@ -93,6 +93,7 @@ class Study(InFolder):
 
         refused("building: draws: -1", draws=-1)
         refused("no law 'bilinaer'|bilinaer", laws="bilinaer")
+        refused("motion_unit: is given, and no motion is a file", motion_unit="g")
         refused("unknown key 'colour'", plan=PLAN | {"base": SLAB | {"colour": 1}})
         refused("mass_Mg.*a number above 0", plan=PLAN | {"base": SLAB | {"mass_Mg": -1.0}})
         refused("no \\[base\\]", plan={k: v for k, v in PLAN.items() if k != "base"})

@@ -26,6 +26,18 @@ class Campaigns(InFolder):
         self.assertTrue(self.campaign.complete)
         self.assertEqual(self.campaign.summary, self.printed)
 
+    def test_blocks_and_cycles_may_be_numbers(self):
+        how = {"runs": 1, "analysis": False}
+        fits = [isolaw.calibrate(self.files[0], "bilinear", fit_cycles=cycles, **how) for cycles in ("2-3", (2, 3), range(2, 4))]
+        self.assertEqual(fits[0], fits[1])
+        self.assertEqual(fits[0], fits[2])
+        with self.assertRaisesRegex(isolaw.Error, "numbers that follow one another"):
+            isolaw.calibrate(self.files[0], "bilinear", fit_cycles=[1, 3], **how)
+        with self.assertRaisesRegex(isolaw.Error, "^laws: there are none"):
+            isolaw.calibrate(self.files[0], [], **how)
+        with self.assertRaisesRegex(isolaw.Error, "^record: int; allowed: a Record or a file"):
+            isolaw.calibrate([5], "bilinear", **how)
+
     def test_the_genetic_algorithm_too(self):
         how = {"method": "ga", "runs": 2, "population": 20, "generations": 5, "box": "published", "smooth": 3}
         campaign = isolaw.calibrate(self.files, "bouc-wen", analysis=False, title="r", set=["bouc-wen.A=1:2"], **how)

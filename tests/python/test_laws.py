@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import isolaw
-from devices import arrays, program, write_csv
+from devices import arrays, needs, program, write_csv
 
 BILINEAR = {"K1": 2.5, "K2": 0.5, "xy": 10.0}
 
@@ -81,6 +81,23 @@ class Laws(unittest.TestCase):
         expected = isolaw.objectives("bilinear", population, self.record)
         np.testing.assert_array_equal(isolaw.objectives("bilinear", np.asfortranarray(population), self.record), expected)
         np.testing.assert_array_equal(isolaw.objectives("bilinear", population.tolist(), self.record), expected)
+
+    @needs("pandas")
+    def test_names_of_pandas_decide_and_not_the_place(self):
+        import pandas as pd
+
+        model = isolaw.Model("bilinear", self.record)
+        series = pd.Series(BILINEAR)[["xy", "K1", "K2"]]
+        self.assertEqual(model(series), model(BILINEAR))
+        np.testing.assert_array_equal(
+            isolaw.force("bilinear", series, self.record), isolaw.force("bilinear", BILINEAR, self.record)
+        )
+        frame = pd.DataFrame([series, 1.1 * series])
+        np.testing.assert_array_equal(model.objectives(frame), model.objectives(frame[["K1", "K2", "xy"]].to_numpy()))
+        with self.assertRaisesRegex(isolaw.Error, "the columns xy, K1, K; allowed: K1, K2, xy"):
+            model.objectives(frame.rename(columns={"K2": "K"}))
+        with self.assertRaisesRegex(isolaw.Error, "K"):
+            model(series.rename({"K2": "K"}))
 
     def test_wrong_parameters_are_said_at_once(self):
         with self.assertRaises(isolaw.Error) as caught:

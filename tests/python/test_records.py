@@ -96,6 +96,23 @@ class Records(unittest.TestCase):
             with self.assertRaisesRegex(isolaw.Error, said):
                 isolaw.record(*given)
 
+    def test_arrays_that_numpy_would_change_are_refused(self):
+        t, x, f = arrays()
+        for wrong, said in (
+            ((t * 1e9).astype("timedelta64[ns]"), "time_s: dates or times"),
+            ((t * 1e9).astype("datetime64[ns]"), "time_s: dates or times"),
+            (t + 0j, "time_s: complex numbers"),
+            (t.astype(str), "time_s: texts"),
+            (np.ma.masked_greater(t, 5.0), "time_s: an array with masked values"),
+        ):
+            with self.assertRaisesRegex(isolaw.Error, said):
+                isolaw.record(x, f, wrong)
+        self.assertEqual(isolaw.record(x, f, np.ma.array(t)), isolaw.record(x, f, list(t)))
+
+    def test_units_that_cannot_be_are_asked_about_by_their_names(self):
+        t, x, f = arrays()
+        self.assertIn("displacements really in mm and forces in kN", isolaw.record(x / 1000, f, t).warnings[0])
+
     def test_a_motion_needs_no_force(self):
         t, x, f = arrays()
         write_csv(self.path / "m.csv", t, x, header="time [s],displacement [mm]")

@@ -44,7 +44,8 @@ TEST(Confined, NoEndIsTheFailure) {
         }
       },
       limits);
-  EXPECT_EQ(busy.failure, "takes longer than 1 s");
+  // The limit is 1 s of processor time, or 5 s by the clock on a machine that is busy with other things.
+  EXPECT_TRUE(busy.failure == "takes longer than 1 s" || busy.failure == "takes longer than 5 s") << busy.failure;
   auto const asleep = run_confined([](auto const&) { ::sleep(60); }, limits);
   EXPECT_EQ(asleep.failure, "takes longer than 5 s");
 }

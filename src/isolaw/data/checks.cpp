@@ -69,7 +69,8 @@ void warn_about_magnitude(TestRecord& record) {
   if (plausible && largest_x - least_x <= widest_mm) return;
   auto const unit = [&](Channel channel) {
     auto const found = record.layout.units.find(channel);
-    return found == record.layout.units.end() ? std::string("?") : found->second;
+    if (found != record.layout.units.end()) return found->second;
+    return std::string(channel == Channel::disp ? "mm" : "kN");  // values that did not come from a file
   };
   record.warnings.push_back({.kind = FindingKind::units_implausible,
                              .numbers = {{"force_kN", largest_F - least_F},
