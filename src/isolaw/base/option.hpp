@@ -76,7 +76,8 @@ std::string text_of(Json const& value);
 // The words of the command line that set the option to `value`. There are none for null, false and an empty list.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge() and collects the complaints of its Error. Those that name no option become complaints about `where`.
+// Calls judge(). If it throws an Error, appends its complaints to `complaints`. A complaint whose place is no option
+// gets the place `where`.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -94,8 +95,8 @@ void lay_over(Rows const& rows, Values const& given, Target& target) {
   });
 }
 
-// These functions convert a value. They throw Error without `where` if the value is not allowed; refuse() always throws
-// it.
+// The first four functions convert a value from JSON. If the value is not allowed, they throw an Error that names no
+// place (Complaint::where), which the caller adds. refuse() only throws this Error.
 int whole_of(Json const& value, Limits const& limits);
 double real_of(Json const& value, Limits const& limits);
 bool flag_of(Json const& value);

@@ -52,7 +52,8 @@ class InputFile {
   int descriptor_;
 };
 
-// Replaces a file, but not where a link leads, and returns when all bytes are on the disk.
+// Replaces the contents of a file and returns when all bytes are on the disk. On POSIX systems it fails if the name is
+// a symbolic link.
 std::error_code write_to_disk(std::filesystem::path const& file, std::string_view text);
 // Makes a directory for this user alone. Its name begins like `name`. Returns an empty path if that fails.
 std::filesystem::path make_private_directory(std::filesystem::path const& name);

@@ -118,7 +118,8 @@ toml::array array_of(Json const& value, int depth) {
   return array;
 }
 
-// The name of a file, with that of one of its tables if the table has no line.
+// Where a table is, for messages: the name of the file. A table that was not parsed from text has no line number; the
+// value of its key `name` or `file` is then added.
 std::string place_of(toml::table const& table, std::string file, std::string_view name) {
   if (name.empty() || table.source().begin.line != 0) return file;
   for (auto const* key : {"name", "file"})

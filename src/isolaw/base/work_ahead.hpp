@@ -15,9 +15,8 @@ namespace isolaw {
 class WorkAhead;
 
 // A thread makes a HelpListener to be told when other threads compute items of its work. A helping thread calls
-// help_begins() before each such item and help_ends() after it. The listener hears of every WorkAhead that its thread
-// makes while the listener exists, and of those that helping threads make while they compute an item of its thread's
-// work.
+// help_begins() before each such item and help_ends() after it. This holds for every WorkAhead that the thread makes
+// while its listener exists, and for every WorkAhead that a helping thread makes within such an item.
 class HelpListener {
  public:
   HelpListener();

@@ -10,6 +10,7 @@ void write_file(std::filesystem::path const& path, std::string_view text);  // t
 // Creates the folder if it is missing. Throws Error if that fails or if the name is a symbolic link.
 void make_folder(std::filesystem::path const& folder);
 
-void remove_unfinished_files(std::filesystem::path const& folder);  // removes what killed processes left
+// Removes the temporary files of write_file() whose process ended before it could rename them.
+void remove_unfinished_files(std::filesystem::path const& folder);
 
 }  // namespace isolaw
