@@ -102,7 +102,7 @@ std::size_t cell_of(std::array<Dual<N>, Count> const& nodes, Dual<N> const& x) {
   }
   return first;
 }
-// The nodes of this table are plain numbers, since they do not depend on the candidate parameter set.
+// cell_of() for nodes without derivatives: nodes that do not depend on the candidate parameter set.
 template <std::size_t N, std::size_t Count>
 std::size_t cell_of(std::array<double, Count> const& nodes, Dual<N> const& x) {
   return cell_of(nodes, x.value);

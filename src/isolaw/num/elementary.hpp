@@ -150,8 +150,9 @@ template <class T>
   return L::select(exponent >= L::all(highest_exponent), L::all(infinity), y);
 }
 
-// Splits a positive normal x into 2^whole * m with m from sqrt(1/2) to sqrt(2). The result holds the bits of whole and
-// m; whole_of() and mantissa_of() extract them. GCC 12 would copy a struct of the two numbers through memory.
+// Splits a positive normal x into 2^whole * m with m from sqrt(1/2) to sqrt(2). The result is an integer with the bits
+// of whole and of m, which whole_of() and mantissa_of() extract. A struct of two numbers would be slower, because GCC 12
+// would copy it through memory.
 template <class T>
 [[gnu::always_inline]] inline auto split(T const& x) {
   return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);

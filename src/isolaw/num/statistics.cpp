@@ -55,7 +55,8 @@ double median(std::span<double const> values) {
   return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
 }
 
-// P(|t| > q) = I(freedom/(freedom + q^2); freedom/2, 1/2), the incomplete beta function.
+// Solves P(|t| > q) = 0.05 for q. With x = freedom / (freedom + q^2), this probability is the regularised incomplete
+// beta function I(x; freedom/2, 1/2), which ibeta_inv() inverts.
 double student_97_5(double freedom) {
   double const x = boost::math::ibeta_inv(0.5 * freedom, 0.5, 0.05);
   return std::sqrt(freedom * (1.0 - x) / x);
