@@ -151,8 +151,8 @@ template <class T>
 }
 
 // Splits a positive normal x into 2^whole * m with m from sqrt(1/2) to sqrt(2). The result is an integer with the bits
-// of whole and of m, which whole_of() and mantissa_of() extract. A struct of two numbers would be slower, because GCC 12
-// would copy it through memory.
+// of whole and of m, which whole_of() and mantissa_of() extract. A struct of two numbers would be slower, because GCC
+// 12 would copy it through memory.
 template <class T>
 [[gnu::always_inline]] inline auto split(T const& x) {
   return Lanes<T>::bits(x) + (bits_of_one - bits_of_root_half);
