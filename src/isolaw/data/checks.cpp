@@ -49,8 +49,8 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   }
   loop.slope_kN_per_mm = xF / xx;
   loop.correlation = xF / std::sqrt(xx * FF);
-  // equivalent_damping compares the energy with the area of ellipses, one for each cycle, with the same standard
-  // deviations of x and F. An ellipse is widest, with an area of 2 pi sigma_x sigma_F, if x and F are uncorrelated.
+  // equivalent_damping divides the energy by the area of ellipses, one for each cycle, that have the record's standard
+  // deviations of x and F. The widest such ellipse is taken, in which x and F are uncorrelated: 2 pi sigma_x sigma_F.
   double const fullest = 2.0 * std::numbers::pi * std::sqrt(xx * FF) / count * static_cast<double>(cycles.size());
   loop.equivalent_damping = loop.energy_kN_mm / fullest;
   return loop;

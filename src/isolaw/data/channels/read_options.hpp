@@ -48,9 +48,9 @@ struct ReadOptions {
   bool operator==(ReadOptions const&) const = default;
 };
 
-// The same options without the corrections that the user asked for, to read the record as it was measured. nullopt if
-// there are no corrections. Keeps the factor of the force, because it says what the rig measures. Switches the check of
-// physics off, because the loops may be possible only with the corrections.
+// Returns options that read the record as it was measured, without the corrections that the user asked for; nullopt if
+// there are no corrections. The factor of the force stays, because it says what the rig measures. The check of physics
+// (checks_physics) is off, because without the corrections the loops may be impossible.
 std::optional<ReadOptions> without_corrections(ReadOptions options);
 
 // Parses "time=1,disp=Displacement,force=3" (option --columns). The column "none" leaves out time or load, even if the

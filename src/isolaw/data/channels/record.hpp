@@ -72,8 +72,8 @@ struct FitRecord {
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
-  std::vector<double> weights = {};      // relative weight of each sample in the objective; empty: the time around it
-  std::vector<double> block = {};        // number of each sample's block if only some blocks are fitted, else empty
+  std::vector<double> weights = {};  // weight of each sample in the objective, to any scale; empty: the time around it
+  std::vector<double> block = {};    // number of each sample's block if only some blocks are fitted, else empty
   std::vector<std::size_t> starts = {};  // as in TestRecord: laws begin anew at each test
   double dead_band_mm = 0.0;             // laws that remember turning points ignore smaller reversals
   std::vector<Finding> cleaning = {};    // each step of cleaning, with its numbers

@@ -16,14 +16,14 @@ namespace {
 constexpr double nominal = 0.05;       // fraction of the block's amplitude; a counted cycle differs by less
 constexpr double least_change = 0.05;  // fraction of the period; a larger change splits a block
 constexpr double clear_change = 0.20;  // fraction of the period; used if only one cycle precedes the change
-constexpr double agreement = 0.25;     // fraction of the change; periods before it scatter by less, and those after it
+constexpr double agreement = 0.25;     // fraction of a change of period; the periods on each side of it scatter by less
 constexpr std::size_t compared = 3;    // at most this many cycles before a change are compared
-constexpr double far_period = 1.4;     // ratio to the block's period; a cycle farther off does not count
+constexpr double far_period = 1.4;     // ratio of a cycle's period and its block's; with a larger one it does not count
 constexpr double other_load = 0.1;     // fraction of the vertical load; a larger change splits a block
-constexpr double build_up = 0.15;    // fraction of the amplitude; a lone cycle this close to a run's amplitude joins it
-constexpr double symmetric = 0.05;   // Shape::unevenness; a lone cycle that is more even is a block of its own
-constexpr double lopsided = 0.25;    // fraction of the amplitude; between regular cycles, the middle shifts less
-constexpr std::size_t sure_run = 3;  // cycles; the amplitudes of fewer may agree by chance
+constexpr double build_up = 0.15;   // fraction of the amplitude; a lone cycle this close to a run's amplitude joins it
+constexpr double symmetric = 0.05;  // Shape::unevenness; a lone cycle that is more even is a block of its own
+constexpr double lopsided = 0.25;   // fraction of the amplitude; the middles of two regular cycles in a row differ less
+constexpr std::size_t sure_run = 3;       // cycles; the amplitudes of fewer may agree by chance
 constexpr std::size_t longest_taper = 2;  // cycles; a test builds up or fades within this many
 
 struct Run {

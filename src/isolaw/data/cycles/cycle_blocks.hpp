@@ -25,7 +25,7 @@ struct Shape : CycleCut {
   bool jumps = false;            // the logger left out cycles within this one, so its loop is made of two cycles
   double rest_before = 0.0;      // time near the centre before the cycle, in the unit of period
   bool regular = false;          // set by number_cycles(): the cycle repeats a neighbour's amplitude or is symmetric
-  bool has_gap = false;          // the time jumps within the cycle
+  bool has_gap = false;          // the clock jumps within the cycle, so samples are missing
   bool taper = false;            // set by number_cycles(): the cycle grows into a run of cycles or fades out of one
 
   double amplitude() const { return largest / 2.0 - least / 2.0; }
@@ -37,8 +37,8 @@ struct Shape : CycleCut {
 // amplitude. A change of frequency splits a block if the period changes by 5 % and keeps its new value for two cycles;
 // the periods before the change, and those after it, must scatter by less than a quarter of the change. A block also
 // ends where the vertical load changes by a tenth, and at a rest longer than the period if three or more cycles without
-// such a rest lie on each side of it. A cycle does not count if its period is over 1.4 times the block's, or the
-// block's over 1.4 times its own. `unit` is the unit of periods in messages.
+// such a rest lie on each side of it. A cycle does not count if its period and that of its block differ by a factor of
+// more than 1.4. `unit` is the unit of periods in messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 
 }  // namespace isolaw::data

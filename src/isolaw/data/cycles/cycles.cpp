@@ -21,7 +21,7 @@ namespace {
 constexpr double least_floor = 0.01;      // times the half range; the noise band is at least this
 constexpr double largest_floor = 0.05;    // times the half range; the noise band is at most this: no rig has more noise
 constexpr double noise_deviations = 5.0;  // standard deviations of the noise; one sample in a million lies beyond
-constexpr double interruption = 0.04;     // times the smaller swing beside it; a smaller swing is only an interruption
+constexpr double interruption = 0.04;     // times the smaller neighbouring swing; a swing below this is an interruption
 constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
 constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
 constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
@@ -34,7 +34,7 @@ constexpr double least_regular_share = 0.8;
 // largest_growth. A ground motion does not grow like this over fewest_growing half cycles.
 constexpr std::size_t fewest_growing = 6;
 constexpr double least_growth = 1.02, largest_growth = 1.5;
-constexpr double at_start = 0.05;  // times the smallest peak; one-sided tests come back to their start within it
+constexpr double at_start = 0.05;  // times the smallest peak; a one-sided test returns as close as this to its start
 constexpr double one_stage = 1.1;  // ratio of the largest to the smallest peak; a one-sided test in stages has more
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 

@@ -51,12 +51,12 @@ struct Segmentation {
 
 struct FurtherChannels {                      // the channels may be empty
   std::span<double const> load_kN = {};       // vertical load; where it changes, a new block begins
-  std::span<double const> logged_cycle = {};  // the logger's number of the cycle at each sample; cycles take it over
+  std::span<double const> logged_cycle = {};  // the logger's number of the cycle at each sample; used to number cycles
   bool half_cycles = false;                   // swings that belong to no full cycle become half cycles, which count
 };
-// If time_s is empty, periods are in samples. If there are several tests, which begin at `starts`, each is cut by
-// itself, and block numbers go on from test to test; the record is cyclic if one of its tests is. Never throws; O(n) in
-// time and memory.
+// Cuts a record into cycles. If time_s is empty, periods are in samples. If there are several tests, which begin at
+// `starts`, each is cut by itself, and block numbers go on from test to test; the record is cyclic if one of its tests
+// is. Never throws; O(n) in time and memory.
 Segmentation segment(std::span<double const> disp_mm, std::span<double const> time_s = {},
                      std::span<std::size_t const> starts = {}, FurtherChannels const& further = {});
 

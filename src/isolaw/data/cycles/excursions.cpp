@@ -10,7 +10,7 @@ constexpr double at_rest = 0.05;   // fraction of an excursion's reach; a point 
 constexpr double alike = 0.15;     // difference of two reaches over the larger one; alike excursions differ by less
 constexpr double same_fall = 1.5;  // ratio of the times in which two excursions fall; in alike excursions it is smaller
 constexpr double slight = 0.2;     // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
-constexpr double closed_by = 1.5;  // steps between samples; a record that ends closer to the centre rests there
+constexpr double closed_by = 1.5;  // times the last step of displacement; a record that ends closer to the centre rests
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {

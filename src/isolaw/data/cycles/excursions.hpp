@@ -1,10 +1,10 @@
 // An excursion is a motion to one side of the centre and back. It ends where the motion crosses the centre, or comes
 // back to it and turns there. Its reach is the distance of its tip, the sample farthest from the centre, from the
 // centre. Two excursions to opposite sides make a cycle. Some excursions belong to no cycle:
-// - A pre-load: an excursion after the start, a rest or a turn whose reach is less than a fifth of the next one's. Also
-//   one after which two alike excursions follow, from which it differs in reach (by 15 %) or in the time in which it
-//   falls (by a factor of 1.5).
-// - Half a cycle: an excursion that ends a series of alike ones and differs in the same way from the next two.
+// - A pre-load is an excursion after the start, a rest or a turn that differs from those after it: its reach is less
+//   than a fifth of the next one's, or the next two are alike and it is not like them. Excursions are alike if their
+//   reaches differ by at most 15 % and the times in which they fall by at most a factor of 1.5.
+// - Half a cycle is an excursion that ends a series of alike ones and is not like the next two, which are alike.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct Excursion {
   bool rests = false;        // it starts after a rest
   bool starts_open = false;  // the record starts within it
   bool ends_open = false;    // the record ends within it
-  bool has_gap = false;      // the time jumps within it, so its tip may be missing
+  bool has_gap = false;      // the clock jumps within it, so the sample at its tip may be missing
 };
 
 enum class Part {

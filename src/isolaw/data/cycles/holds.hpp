@@ -1,5 +1,6 @@
 // Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement. In a
-// hold, displacement stays within half a percent of the amplitude, or within its noise, for longer than a sine would.
+// hold, displacement varies by less than half a percent of the amplitude, or only by its noise, for longer than in a
+// sinusoidal motion.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +31,8 @@ struct StillTime {
   double time = 0.0;  // in s; in samples if the record has no time
 };
 
-// `noise` is the standard deviation of the noise of disp_mm, in mm. If it is too large, no holds are found. O(n log n)
-// at worst.
+// Returns for how long the device stands still within a cycle. `noise` is the standard deviation of the noise of
+// disp_mm, in mm; if it is too large, no holds are found. O(n log n) at worst.
 StillTime still_time(std::span<double const> disp_mm, std::span<double const> time_s, Piece const& piece, double noise);
 
 }  // namespace isolaw::data

@@ -28,7 +28,7 @@ struct Numbers {
   bool operator==(Numbers const&) const = default;
 };
 
-// "all" gives empty ranges. Throws an Error that names `option`.
+// Parses a selection such as "1,3-5"; "all" gives empty ranges. Throws an Error that names `option`.
 Numbers parse_numbers(std::string_view option, std::string_view text);
 
 struct Selection {

@@ -14,8 +14,9 @@ namespace isolaw::data {
 inline constexpr double small_swing = 0.7;
 
 struct SwingSizes {
-  // The weights of a test's samples within its small swings, and within its large swings. A list is empty if its swings
-  // hold less than a twentieth of the weight of all the test's swings. The test then takes no part for that size.
+  // The weights of a test's samples within its small swings, and within its large swings. If the swings of one size
+  // hold less than a twentieth of the weight of all swings of the test, the list for this size is empty, because the
+  // test shows too little about it.
   struct Test {
     std::vector<double> small, large;
   };
@@ -25,7 +26,7 @@ struct SwingSizes {
   bool tell = false;
 };
 
-// The swings of the record in which the objective counts every sample.
+// Returns those swings of the record of which the objective counts every sample.
 std::vector<Swing> scored_swings(FitRecord const& record);
 
 // Sorts the swings of `tests` by size. Leaves out swings with a sample that the objective does not count. `weighting`

@@ -57,7 +57,7 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// Whether the bytes begin with a matrix of level 4, which has no other mark.
+// Whether the bytes begin with a matrix of level 4. A file of this level cannot be recognised in any other way.
 bool is_mat4(std::string_view bytes);
 
 // `bytes` must outlive the MatFile. Throws Error if the file is damaged or has more than most_variables.

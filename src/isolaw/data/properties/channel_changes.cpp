@@ -12,19 +12,20 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_rise = 0.03;      // fraction; the force of a sound device at one amplitude rises by less
-constexpr double rise_deviations = 5.0;  // times the standard deviation that noise gives a rise; a real rise is larger
-// times the change in one cycle; if other cycles change by more, the channel drifts
+constexpr double least_rise = 0.03;      // at one amplitude, a sound device's force rises by less than this fraction
+constexpr double rise_deviations = 5.0;  // a real rise exceeds this many standard deviations of a rise by noise alone
+// If the channel changes in other cycles by more than this fraction of its change in one cycle, it drifts and no fault
+// began suddenly.
 constexpr double most_outside = 0.35;
 constexpr double least_step = 0.02;   // times the amplitude; a smaller step of the zero is not reported
 constexpr double least_ratio = 0.05;  // fraction by which the forces of the two directions must differ at least
-constexpr double better_by = 3.0;     // times; a factor is found if an offset leaves so much more residual (rms)
+constexpr double better_by = 3.0;     // a factor is the cause if its fit leaves less than 1/3 of what an offset leaves
 constexpr double same_at_peaks = 0.3;
-constexpr double same_in_disp = 0.3;   // times the asymmetry of force; if displacement has more, the motion is uneven
-constexpr double line_contrast = 4.0;  // times; a line of the spectrum must be so many times as large as its neighbours
-constexpr double lowest_line = 10.0;   // times the test's frequency; lines are sought above it
-constexpr double line_neighbours = 9.0;   // times the test's frequency; lines that are closer are neighbours
-constexpr double least_line = 0.001;      // times the amplitude; a smaller line is not reported
+constexpr double same_in_disp = 0.3;     // times the asymmetry of force; if displacement has more, the motion causes it
+constexpr double line_contrast = 4.0;    // a line of the spectrum must be this many times as high as its neighbours
+constexpr double lowest_line = 10.0;     // times the test's frequency; lines are sought above it
+constexpr double line_neighbours = 9.0;  // times the test's frequency; lines that are closer are neighbours
+constexpr double least_line = 0.001;     // times the amplitude; a smaller line is not reported
 constexpr double most_uneven_step = 0.1;  // times the sampling interval; each interval may differ from the mean by this
 constexpr std::size_t most_transformed = 65536;
 
@@ -217,8 +218,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
-  // In a symmetric loop, the value half a cycle later (`opposite`) is the negative of each value. Half the sum of both
-  // values is the asymmetry of the loop, half their difference its size. The sums serve to fit asymmetry = gain * size.
+  // In a symmetric loop, each value is the negative of the value half a cycle away (`opposite`, the mean of the values
+  // half a cycle before and after). Half the sum of the two is the asymmetry of the loop, half their difference its
+  // size. The sums serve to fit asymmetry = gain * size.
   auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {

@@ -8,12 +8,12 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_speed = 0.05;  // times the largest speed
+constexpr double least_speed = 0.05;  // times the largest speed; slower samples are left out of the fit
 constexpr double least_exponent = 0.05, largest_exponent = 3.0;
-constexpr double most_left = 0.15;    // root mean square of the logarithm of measured over fitted force
+constexpr double most_left = 0.15;    // largest rms of log(measured / fitted force) with which a fit is accepted
 constexpr double hardly_stiff = 0.1;  // times the loop's mean half height; a smaller elastic force counts as none
-constexpr double opposed = 0.05;      // fraction of the samples; in at most so many, force may act with the motion
-constexpr double at_once = 0.97;      // energy over 4 Q_d D; 1 for a device that yields at once
+constexpr double opposed = 0.05;      // largest fraction of the samples in which the force may act with the motion
+constexpr double at_once = 0.97;      // least energy / (4 Q_d D) of a slider; it is 1 for a device that yields at once
 constexpr double least_friction = 0.002, largest_friction = 0.25;
 
 std::optional<ViscousSide> fitted_side(

@@ -33,20 +33,21 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// Percentages that are lost. Sampling takes them off a loop's energy and off a sine's peak; a moving average takes them
-// off a sine.
-double energy_loss_percent(double samples_per_cycle);  // lost energy: 1 - N / (2 pi) sin(2 pi / N)
-double peak_loss_percent(double samples_per_cycle);    // lost of a peak halfway between samples: 1 - cos(pi / N)
-// The same for a triangle, whose corner may lie between two samples: at most 2 / N of the peak, and as much of the
-// energy of a device whose force changes at once when the motion turns.
+// How much smaller, in percent, a value comes out because N samples are taken per cycle: the energy of a sinusoidal
+// loop, and the peak of a sine halfway between two samples.
+double energy_loss_percent(double samples_per_cycle);  // 1 - N / (2 pi) sin(2 pi / N)
+double peak_loss_percent(double samples_per_cycle);    // 1 - cos(pi / N)
+// For a triangle, whose corner may lie between two samples, at most 2 / N of the peak is lost. A device whose force
+// changes at once when the motion turns loses the same part of its energy.
 double corner_loss_percent(double samples_per_cycle);
+// How much smaller, in percent, a moving average over `window` samples makes a sine.
 double average_loss_percent(int window, double samples_per_cycle);
 // How far the largest sample of a noisy sine lies beyond the true peak on average, for white noise of standard
 // deviation noise_mm.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle);
 // Percentage points of equivalent damping that friction adds: 200 F_f / (pi K D), where D is the amplitude.
 double friction_damping_points(double friction_kN, double K_eff_kN_per_mm, double amplitude_mm);
-// Stiffness in kN/mm by which a mass that moves in a sine lowers the measured stiffness: m (2 pi f)^2
+// How much a mass that moves sinusoidally with the device lowers the measured stiffness [kN/mm]: m (2 pi f)^2.
 double mass_stiffness_kN_per_mm(double mass_kg, double frequency_Hz);
 
 }  // namespace isolaw::data

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
 constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
-constexpr double most_lost_first = 0.5;  // the same after the first cycle, in which virgin rubber is stiffer
+constexpr double most_lost_first = 0.5;  // in place of most_lost after the first cycle: virgin rubber is stiffer there
 constexpr double clear_force = 0.3;      // times size_of(); a smaller peak force may change by any amount
 constexpr double same_amplitude = 1.05;  // ratio; a cycle is not compared with earlier cycles of larger amplitude
 constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
@@ -80,12 +80,12 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   std::vector<Cycle*> dead;
   Cycle* dying = nullptr;  // the last counted cycle, if it lost a peak force but kept its energy
   double kept_of_dying = 1.0;
-  constexpr std::size_t most_blocks = 100;  // a cycle is compared with at most so many earlier blocks
+  constexpr std::size_t most_blocks = 100;  // a cycle is compared with at most this many earlier blocks
   std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
   for (auto* each : cycles) {
     auto& cycle = *each;
     auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
-    double left = 1.0;  // force of the cycle over that of an earlier one, the least of all these ratios
+    double left = 1.0;  // the cycle's force divided by that of an earlier cycle; the smallest of these ratios
     Cycle const* stronger = nullptr;
     for (auto const* other : earlier)
       if (double const share = size_of(cycle) / size_of(*other); share < left && comparable(*other, cycle))

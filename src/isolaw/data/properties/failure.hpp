@@ -1,6 +1,6 @@
-// Finds the cycle in which a specimen, or the channel of its force, fails. There the force falls suddenly to a part of
-// its size in the cycle before. Or it is nearly gone compared with an earlier cycle under the same load, at a similar
-// pace and of no larger amplitude. A force that falls slowly over many cycles is heating or scragging and no failure.
+// Finds the cycle in which a specimen, or the channel of its force, fails. A cycle fails if its force is much smaller
+// than in the cycle before it, or nearly gone compared with an earlier cycle under the same load, at a similar pace and
+// of no larger amplitude. A slow fall of the force over many cycles is heating or scragging, not a failure.
 #pragma once
 
 #include "isolaw/data/properties/properties.hpp"

@@ -26,7 +26,7 @@ constexpr std::size_t reported_cycle = 3;
 constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
 constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
 constexpr double least_sweep = 1.2;          // largest over smallest period
-constexpr double most_steps = 0.8;           // fraction of the changes of period; in a sweep, so many go one way
+constexpr double most_steps = 0.8;           // in a sweep, this fraction of the changes of period have the same sign
 constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.
@@ -85,10 +85,10 @@ std::optional<double> at_level(std::span<double const> x, std::span<double const
   return std::nullopt;
 }
 
-// Half the loop's height where the cycle starts and ends. Leaves out a start or end at which the device rests or turns,
-// because the force there is not on the loop.
+// Half the loop's height at the displacement where the cycle starts and ends. Leaves out a start or end at which the
+// device rests or turns, because the force there is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
-  if (cycle.half) {  // the distance from the chord, halfway between the turns
+  if (cycle.half) {  // halfway between the turns, the distance of the force from the chord that joins them
     auto const halfway = at_level(x, F, cycle.first, cycle.last, (peaks.largest + peaks.least) / 2.0);
     return halfway ? std::abs(*halfway - (peaks.F_at_largest + peaks.F_at_least) / 2.0) : 0.0;
   }

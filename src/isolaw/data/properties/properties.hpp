@@ -146,8 +146,9 @@ Properties cyclic_properties(std::span<double const> disp_mm, std::span<double c
 Cycle properties_on(Cycle const& cycle, std::span<double const> disp_mm, std::span<double const> force_kN);
 
 // How a property changes over the counted cycles of one block (EN 15129 8.2.1.2.6; scragging). Ratios to cycle 3 are
-// empty if no counted cycle has the number 3, or if the property is nearly nothing in it. Extremes are over cycles 2 to
-// 10 and 1 to 10, or over fewer if the block has fewer. least_to_largest is the smallest value over the largest.
+// empty if no counted cycle has the number 3, or if the property is nearly zero in it. Names that end in 2_10 or 1_10
+// are about cycles 2 to 10 or 1 to 10, or fewer if the block has fewer. least_to_largest is the smallest value divided
+// by the largest.
 struct Stability {
   int cycles = 0;  // number of counted cycles
   std::vector<double> ratio_to_third;

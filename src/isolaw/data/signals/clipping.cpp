@@ -25,9 +25,9 @@ constexpr std::size_t least_plateau = 3;   // fewest samples of a plateau of dis
 constexpr std::size_t least_evidence = 9;  // fewest samples of all plateaus at one end of the channel together
 // The depth of a plateau exceeds this fraction of the half range of displacement.
 constexpr double least_depth = 0.001;
-// The depth exceeds so many steps of the digitiser, because rounding to these steps makes a plateau of a smooth peak.
+// The depth exceeds this many steps of the digitiser, because rounding to these steps makes a plateau of a smooth peak.
 constexpr double depth_quanta = 2.5;
-// The samples of a plateau lie at most so many standard deviations of the channel's noise below its highest sample.
+// The samples of a plateau lie at most this many standard deviations of the channel's noise below its highest sample.
 constexpr double noise_width = 7.0;
 // The hump (see Plateau) of a noisy plateau is below this fraction of the hump of a smooth peak, which is
 // flat_thirds times the depth.
@@ -48,7 +48,7 @@ constexpr double short_plateau = 0.24;
 constexpr double past_the_tip = 0.006;
 
 // Clipped force in noise. All plateaus have one level in common, at which the force was clipped.
-// A sample of a plateau lies at most so many standard deviations of the noise off the level.
+// A sample of a plateau lies at most this many standard deviations of the noise off the level.
 constexpr double top_deviations = 4.0;
 // Cut the way of displacement from a plateau's start to its peak into thirds: all plateaus together have at least so
 // many samples in each third.
@@ -66,8 +66,8 @@ constexpr double same_level = 0.002;
 // A clipped force stays level until displacement has come back from its peak by the depth divided by the slope after
 // the plateau. While on the plateaus, displacement comes back, on average, by more than this fraction of that distance.
 constexpr double least_return = 0.12;
-// The force rises evenly up to a plateau: the slope in the second window before it is at most so many times that in
-// the window next to it. While a device yields, its slope falls.
+// The force rises evenly up to a plateau: the slope in the second window before it is at most this many times the slope
+// in the window next to it. While a device yields, the slope falls.
 constexpr double most_bend = 1.5;
 // A plateau begins at a corner: with the slopes before (in the second window), near (in the window next to the plateau)
 // and flat (on the plateau), near^2 / (before flat) exceeds this number. Without a corner, slopes fall by equal factors
@@ -292,8 +292,8 @@ class Clipping {
     // All numbers below are sums over the plateaus. Displacement is in mm and force in kN, both positive towards the
     // plateaus. The way of displacement from a plateau's start to its peak, and from there back to the plateau's end:
     double way = 0.0, returned = 0.0;
-    // Rise of force in the second window of displacement before a plateau and in the window next to the plateau, both
-    // per slope times `window`, and the length of such a window.
+    // The rise of force over a way of `window` in displacement: with the slope in the second window before a plateau
+    // (`rise_before`), and with the slope in the window next to the plateau (`rise`).
     double rise_before = 0.0, rise = 0.0, window = 0.0;
     // Rise of force, and way of displacement, over the step to a plateau's first sample.
     double rise_last = 0.0, last_way = 0.0;

@@ -12,7 +12,7 @@
 namespace isolaw::data {
 namespace {
 
-// The outline of a record (see Trace) has so many values of force between one pass and the next.
+// The outline of a record (see Trace) has this many values of force from one pass to the next.
 constexpr std::size_t outline_points = 16;
 // A record with fewer passes is not compared; passes after the most are not looked at.
 constexpr std::size_t fewest_passes = 4, most_passes = 64;
@@ -23,7 +23,8 @@ constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096
 constexpr double outlines_alike = 0.03;
 // If the error of the same fit between all forces of two records is below this, the records differ by rounding only.
 constexpr double rounding_apart = 1e-4;
-// Two records have the same noise if it correlates, in step, more than so many times as strongly as out of step.
+// Two records have the same noise if their noises correlate in step more than this many times as strongly as out of
+// step.
 constexpr double noise_stands_out = 5.0;
 
 // The value at a fractional position, by a cubic through four samples (Catmull, Rom 1974).
@@ -199,7 +200,7 @@ Trace trace_of(TestRecord const& record) {
   if (record.size() < fewest_compared_samples) return trace;
   find_passes(trace);
   if (trace.passes.empty()) return trace;
-  // A test usually has so many samples from one pass to the next. In a record with more, neighbouring samples share
+  // A test usually has this many samples from one pass to the next. In a record with more, neighbouring samples share
   // noise, so only every `stride`th sample is compared.
   constexpr double usual_samples = 64.0;
   trace.stride = std::max<std::size_t>(1, static_cast<std::size_t>(trace.samples_per_pass() / usual_samples));

@@ -9,14 +9,14 @@
 namespace isolaw::data {
 namespace {
 
-// A dropout has at least so many samples. A shorter one is left to the search for spikes.
+// A dropout has at least this many samples. A shorter one is left to the search for spikes.
 constexpr std::size_t fewest_gone = 3;
 // The channel jumps into a dropout and out of it. Each of the two jumps is larger than all of the next four limits. The
 // half range of a channel is half the difference between its largest and smallest value.
 constexpr double least_gone = 0.1;        // this fraction of the channel's half range
-constexpr double gone_deviations = 10.0;  // so many standard deviations of the channel's noise
-constexpr double gone_quanta = 4.0;       // so many steps of the channel's digitiser
-constexpr double gone_steps = 4.0;        // so many times the largest step between samples just before or after it
+constexpr double gone_deviations = 10.0;  // this many standard deviations of the channel's noise
+constexpr double gone_quanta = 4.0;       // this many steps of the channel's digitiser
+constexpr double gone_steps = 4.0;        // this many times the largest step between samples just before or after it
 // During a dropout the other channel of the device moves by more than this fraction of its own half range.
 constexpr double other_goes_on = 0.002;
 // The other channel does not jump too: its largest jump, divided by its half range, is at most this fraction of the

@@ -10,14 +10,15 @@
 namespace isolaw::data {
 namespace {
 
-// A spike is farther from the cubic through its neighbours than each of these three: a fraction of the channel's half
-// range (half the difference between its largest and smallest value), so many standard deviations of its noise, and so
-// many steps of its digitiser. At kinks of true records samples are off by 3 % of the half range.
+// A spike is farther from the cubic through its neighbours than each of these three limits: least_spike times the
+// channel's half range (half the difference between its largest and smallest value), spike_deviations standard
+// deviations of its noise, and spike_quanta steps of its digitiser. At kinks of true records, samples are off the cubic
+// by 3 % of the half range.
 constexpr double least_spike = 0.04;
 constexpr double spike_deviations = 13.0;
 constexpr double spike_quanta = 2.5;
-// Times the rms distance of the neighbours from the cubic through them; a spike is farther from this cubic. Corners
-// reach 7.4, steps 5.6.
+// A spike is also farther from the cubic than this times the rms distance of the neighbours from it. Samples at corners
+// of a signal reach 7.4 times, those at steps 5.6 times this rms distance.
 constexpr double spike_contrast = 10.0;
 // Near an end of the record, where most neighbours lie on one side, spike_contrast is multiplied by this.
 constexpr double edge_contrast = 2.0;

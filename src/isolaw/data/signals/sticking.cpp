@@ -15,10 +15,10 @@ namespace {
 // rest. The half range of a channel is half the difference between its largest and smallest value.
 constexpr std::size_t least_stretch = 4;  // fewest samples of a stretch
 // The missed motion is the way that displacement would have gone during the stretch at its speed before or after it. If
-// displacement is stuck, this way exceeds a fraction of its half range, and so many steps of its digitiser.
+// displacement is stuck, this way exceeds least_missed times its half range and missed_quanta steps of its digitiser.
 constexpr double least_missed = 0.02;
 constexpr double missed_quanta = 4.0;
-// At the end of a stretch a stuck channel jumps by more than so many times its step from sample to sample.
+// At the end of a stretch a stuck channel jumps by more than this many times its step from sample to sample.
 constexpr double least_jump = 2.0;
 // If displacement is stuck, the force changes during the stretch by more than this fraction of the stiffness times the
 // missed motion.

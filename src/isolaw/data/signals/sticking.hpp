@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// A channel that is clipped, as the arguments say, is not searched.
+// A channel is not searched if its argument says that it is clipped.
 std::vector<SignalFault> stuck_channels(SignalPair const& pair, bool clipped_disp, bool clipped_force);
 
 }  // namespace isolaw::data

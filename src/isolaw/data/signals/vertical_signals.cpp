@@ -13,10 +13,10 @@
 namespace isolaw::data {
 namespace {
 
-// A plateau is a run of at least so many samples in which a channel (vertical displacement or load) hardly changes.
+// A plateau is a run of at least this many samples in which a channel (vertical displacement or load) hardly changes.
 constexpr std::size_t fewest_standing = 4;
-// The width, by which the samples of a plateau may differ, is the larger of so many standard deviations of the
-// channel's noise and so many steps of its digitiser.
+// The width, by which the samples of a plateau may differ, is the larger of this many standard deviations of the
+// channel's noise and this many steps of its digitiser.
 constexpr double standing_noise = 6.0;
 constexpr double standing_quanta = 1.5;
 // While one channel is clipped, the other rises and falls back by more than this fraction of its own range (largest
@@ -24,7 +24,7 @@ constexpr double standing_quanta = 1.5;
 constexpr double goes_beyond = 0.03;
 // While one channel is stuck, the other moves by more than this fraction of its own range.
 constexpr double goes_on = 0.1;
-// Neither fraction counts as less than so many times width / range of the channel that has the plateau.
+// Neither fraction counts as less than this many times width / range of the channel that has the plateau.
 constexpr double width_of_both = 4.0;
 // The device is loaded if the load exceeds the least load of the record by this fraction of the load's range.
 constexpr double carries = 0.1;
