@@ -161,8 +161,9 @@ struct Abe {
     bool const tiny = value_of(length) <= std::max(1e-6 * size, smallest_power_base);
     N mean = tiny ? N(0.5) * (before + after)
                   : (rounded(N(x1) * after) - N(x0) * before) * c.per_p_plus_1 * N(1.0 / (x1 - x0));
-    // `change` is that of the straight line nearest to |x / Uh|^p over the piece. It is continuous where a piece comes
-    // to end at x = 0; the difference of the values at the two ends is not.
+    // `change` is how much |x / Uh|^p changes over the piece. Unless the piece is very short, it is taken from the
+    // straight line nearest to the curve, because this change is continuous where a piece comes to end at x = 0; the
+    // difference of the values at the two ends is not.
     N change = after - before;
     if (value_of(length) > 1e-3 * size) {
       X const begin = x0 / (x1 - x0), end = x1 / (x1 - x0);

@@ -45,9 +45,9 @@ struct LawEntry {
   std::vector<std::string_view> redundant_with = {};
   double redundant_value = 0.0;
   void (*reduce)(std::span<double> parameters) = nullptr;
-  // Multiplies the elastic part of the force by a and the hysteretic or viscous part by b, both above 0, with the
-  // parameters in place. hwang-wu does so exactly only if a = b. If `one_factor` is true, no parameters tell the two
-  // parts apart, and a multiplies the whole force.
+  // Changes `parameters` so that the elastic part of the force is a times, and the hysteretic or viscous part b times
+  // as large; a and b are above 0. For hwang-wu this is exact only if a = b. If `one_factor` is true, no parameters
+  // tell the two parts apart, and the whole force becomes a times as large.
   void (*with_factors)(std::span<double> parameters, double a, double b) = nullptr;
   bool one_factor = false;
 

@@ -122,8 +122,8 @@ struct Gallardo {
     N z = N(0.0);
     N here = N(1.0);   // strength (see strength_at) of the branch that z was on at the last turn of the motion
     N ahead = N(1.0);  // strength of the branch that z is on once it has passed 0 after that turn
-    // The travel, in yield displacements uy, from where z is 0 to the last turn, and to the present displacement. It is
-    // negative before z is 0.
+    // The travel [yield displacements uy] at the last turn and at present, counted from the place at which z passes 0.
+    // It is negative before this place.
     N from = N(0.0), way = N(0.0);
     double turn_x = 0.0;  // displacement of the last turn
     template <class Each>

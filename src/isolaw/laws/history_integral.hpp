@@ -54,8 +54,8 @@ struct HistoryIntegral {
     return NoForm{"two memories and softening with the peak so far; fitted as vaiana without them"};
   }
 
-  // The memories in mm and kN, and the elastic stiffness after a peak: the values that a high damping rubber link of
-  // other programs takes.
+  // The length [mm] and the largest force [kN] of each memory, and the elastic stiffness after a given peak. High
+  // damping rubber links of other programs take these values.
   struct Memories {
     double slow_mm, slow_kN, quick_mm, quick_kN, elastic_kN_per_mm;
   };

@@ -47,7 +47,8 @@ inline T area_left(T const& a) {
 template <class T>
 struct Constants {
   T least_area;  // area_left for the largest a
-  // With the parameter c: c log2(e), because a power of 2 takes the place of the exponential; 2 c^2; and exp(-2c).
+  // The member c is the parameter c times log2(e), because powers of 2 take the place of exponentials. The next two are
+  // 2 c^2 and exp(-2c) of the parameter c.
   T c, twice_c2, bump_end;
   T most_b;  // e min(c, 5), the limit of b (see the top of this file) without its factor 1/U - 1
 };
@@ -64,7 +65,7 @@ struct Loops {
     double x = 0.0;
     // Whether the branch from this turn has the term b s exp(-c s), with s the travel since then / the peak.
     bool bump = false;
-    // The hysteretic force at the turn, and the factor on the rise of the branch from there.
+    // The hysteretic force at the turn, and the factor by which the rise of the branch from there is multiplied.
     N force = N(0.0), scale = N(0.0);
     template <class Each>
     void members(Each& each) {
@@ -72,8 +73,8 @@ struct Loops {
     }
   };
   N hysteretic = N(0.0);
-  // At the present peak, with the force Fm there, of which u is the hysteretic share: the strength u Fm, half the
-  // elastic force, (1 - u) Fm / 2, and the exponent of the hardening part.
+  // Values at the present peak. If the force there is Fm and its hysteretic share is u, they are the strength u Fm,
+  // half the elastic force, (1 - u) Fm / 2, and the exponent of the hardening part.
   N strength = N(0.0), half_elastic = N(0.0), exponent = N(0.0);
   // a log2(e), b and 2 exp(-2a), with the a and b of the branches (see the top of this file).
   N a = N(0.0), b = N(0.0), closing = N(0.0);

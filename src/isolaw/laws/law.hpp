@@ -113,7 +113,7 @@ struct ParameterInfo {
   ScaledInterval scaled;                        // bounds of the search for a device of any size
   Scale scaled_search = Scale::linear;          // whether the search between these bounds is linear or logarithmic
   std::optional<double> fixed_by_default = {};  // the value that the parameter keeps unless the user frees it
-  std::string_view paper_name = {};             // the name in that paper's Tables 4 and A.5, if it is another one
+  std::string_view paper_name = {};             // the name in Tables 4 and A.5 of that paper, if it differs from `name`
 
   constexpr ParameterInfo in_paper(std::string_view other_name) const {
     ParameterInfo renamed = *this;
@@ -212,7 +212,8 @@ struct Memory {
   double virgin;       // (1 + N)^(-1/3); N is the travel on this side / side_peak, and fades as side_peak grows
   double log2_worn;    // log2(1 + NT); NT is the travel on both sides / the largest |x|, and fades as that grows
   double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
-  // log2 of G and of C on this side. G is half the travel outwards plus four times the travel back, C the travel back.
+  // log2 of G and log2 of C on this side. C is the travel back towards 0. G is half the travel outwards plus four times
+  // the travel back, but at most side_peak.
   double log2_softening, log2_way_back;
   std::size_t side;                  // the side on which the step ends; 0: x >= 0, 1: x < 0
   bool softens, returns;             // whether G, and C, have changed since the last step that ended on this side

@@ -64,11 +64,11 @@ struct MenegottoPinto {
   template <class N>
   struct State {
     N z = N(0.0);
-    // E times the largest and the least displacement at which the motion has turned. They start Fy above and below the
-    // elastic force at the first sample.
+    // E times the largest and the least displacement at which the motion has turned [kN]. At first they are the elastic
+    // force at the first sample plus Fy, and minus Fy.
     N top = N(0.0), bottom = N(0.0);
-    // At the last reversal: z, and its distance from the value +-Fy ahead (zr and D above). R, the sharpness of the
-    // branch that began there.
+    // Set at each reversal: z there (zr above), its distance D from the value +-Fy ahead, and the sharpness R of the
+    // branch that begins there.
     N turn_z = N(0.0), distance = N(0.0), sharpness = N(0.0);
     double turn_x = 0.0;
     template <class Each>

@@ -1,8 +1,8 @@
 // The turning points at which branches began that Masing's rules (parts/masing.hpp) have not yet closed. At most 256
 // are kept, so that the state of a trial is bounded. If one more comes, two neighbours in the list are dropped, those
-// whose loss changes the force least. Their loop then no longer closes where it began, and up to the next larger loop
-// the force is wrong: after 3000 shrinking turns by up to 0.4 % of its peak. A test record keeps a few tens of turning
-// points at most.
+// whose loss changes the force least. Their loop then no longer closes where it began, and the force is wrong up to the
+// next larger loop. In a motion of 3000 shrinking turns, the error is up to 0.4 % of the largest force. A test record
+// keeps a few tens of turning points at most.
 #pragma once
 
 #include <cmath>

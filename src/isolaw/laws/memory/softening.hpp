@@ -41,8 +41,8 @@ struct Softening {
   // Computes G and C from the start of the present motion in one direction, so that they do not depend on the number of
   // steps.
   struct SofteningSide {
-    // G and C at present, after the last step that ended on this side, and where the present motion in one direction
-    // began.
+    // G and C at present (`now`), after the last step that ended on this side (`reported`), and at the start of the
+    // present motion in one direction.
     Amounts now, reported, at_start;
     X peak = 0.0, start = 0.0, peak_at_start = 0.0;
     bool goes_out = true;

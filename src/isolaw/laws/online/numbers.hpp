@@ -70,8 +70,8 @@ inline Dual sech_squared(Dual const& u) {
 // The number 0 with `slope` as its derivative by `variable`, for a term that is 0 here and still counts in the tangent.
 inline Dual slope_alone(Dual const& variable, Dual const& slope) { return chain(variable, 0.0, slope.v); }
 
-// Limits how much `part`, a term of `result`, adds to the slope of `result` by displacement: at most the size of
-// `steepest`, upwards or downwards.
+// `part` is a term of `result`. Limits the size of its slope by displacement to the size of `steepest`, and changes the
+// slope of `result` accordingly.
 template <class Part, class Steepest>
 inline void limit_slope(Dual& result, Part&& part, Steepest&& steepest) {
   double const slope = Dual(part()).by_x, most = std::abs(Dual(steepest()).v);

@@ -49,9 +49,9 @@ struct Remembering {
     double const pulled_to = state.follower.behind.v;
     Dual F = follow(p, c, state, step);
     if (p.dead_band <= 0.0 || state.follower.behind.v != pulled_to) return F;
-    // Within the dead band the force rests, and a tangent of 0 would make the matrix of an analysis singular. The
-    // tangent is therefore taken a tenth of the band beyond the band's end in the direction of motion. At the very end
-    // of the band the slope may have no bound.
+    // Within the dead band the force does not change, and a tangent of 0 would make the matrix of an analysis singular.
+    // The tangent is therefore taken outside the band, a tenth of the band beyond its end in the direction of motion.
+    // It is not taken at the very end, because the slope may have no bound there.
     LawState beyond = state;
     Members settled([](double&) {});
     settled(beyond);

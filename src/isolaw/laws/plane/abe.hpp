@@ -65,7 +65,7 @@ struct AbeOf {
   static T yield_length(Params<T> const& p, T const& peak) {
     return p.U0 * (T(1.0) + peak / p.Us);
   }
-  // Yt / Y0
+  // The yield force Yt at this distance from the origin, divided by Y0.
   template <class T>
   static T strength(Params<T> const& p, T const& distance) {
     if constexpr (grows)
@@ -74,8 +74,8 @@ struct AbeOf {
       return T(1.0);
   }
 
-  // Moves f along the step from `begin` to `end`. If `extends` is true, the distance on this way exceeds peak0 and is
-  // itself the peak. Otherwise the peak is peak0.
+  // Integrates f over the part of the step from `begin` to `end`. If `extends` is true, the distance from the origin
+  // exceeds peak0 throughout this part, so the distance itself is the peak. Otherwise the peak is peak0.
   template <class T>
   static void move(Params<T> const& p, Split<T>& f, Split<T> const& origin, T const& begin, T const& end,
                    T const& peak0, bool extends) {
@@ -98,13 +98,13 @@ struct AbeOf {
       if (grows || extends) size = min(size, max(distance, T(least_distance) * U));
       return T(step_share) * size;
     };
-    // F2 has forgotten the motion more than longest_memory yield displacements of travel back, so the integration skips
-    // it.
+    // Motion more than longest_memory yield displacements of travel before `end` has no effect on F2 any more, so the
+    // integration skips it.
     T l = max(begin, end - T(longest_memory) * yield_length(p, max(peak0, max(distance_at(begin), distance_at(end)))));
     follow(f, l, end, slope, longest);
   }
 
-  // (F1 + F3) / distance
+  // The elastic force F1 + F3 divided by the distance from the origin.
   template <class T>
   static T radial(Params<T> const& p, T const& peak, T const& distance) {
     T const one(1.0), tiny(num::smallest_power_base);

@@ -26,7 +26,7 @@ template <class T>
 Split<T> sum(Split<T> const& q, T const&) {
   return q;
 }
-// q + h (weight k + ...)
+// Returns q + h (weight1 k1 + weight2 k2 + ...) for the slopes k of a step of length h.
 template <class T, class... Rest>
 Split<T> sum(Split<T> const& q, T const& h, double weight, Split<T> const& k, Rest const&... rest) {
   T const share = T(weight) * h;
@@ -61,7 +61,7 @@ void follow(Split<T>& q, T& l, T const& end, Slope const& slope, Longest const& 
     auto const next = sixth_order(q, l, h, slope);
     q.along = select(moves, next.along, q.along);
     q.across = select(moves, next.across, q.across);
-    // A lane arrives unless `bound` is below `left`. So a lane with a NaN arrives too, and the loop ends.
+    // A lane goes on only if `bound` is below `left`. A lane with a NaN therefore counts as arrived, and the loop ends.
     l = select(moves, select(bound < left, l + h, end), l);
   }
 }

@@ -41,7 +41,8 @@ To numbers_as(From const& from, U&& one) {
 template <class Law>
 struct Trial {
   Vector<double> force;
-  // The derivatives of the force's x and y (rows) by the x and y of the displacement at the end of the step (columns).
+  // Derivatives of the force by the displacement at the end of the step: rows are the x and y of the force, columns the
+  // x and y of the displacement.
   std::array<std::array<double, 2>, 2> tangent;
   typename Law::template State<double> after;
 };

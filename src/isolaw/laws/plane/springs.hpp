@@ -16,7 +16,8 @@ namespace isolaw::laws {
 
 inline constexpr int usual_springs = 16;
 
-// A spring's force is `force` times the law's; the law's displacement is `way` times the device's along the spring.
+// The law of a spring gets `way` times the displacement of the device along the spring; the spring's force is `force`
+// times that of the law.
 struct SpringShares {
   double force, way;  // rf and rs / rf of the text above
 };
@@ -29,7 +30,8 @@ class Springs {
 
   struct Force {
     plane::Vector<double> force;
-    // The derivatives of the force's x and y (rows) by the displacement's, and by the velocity's, x and y (columns).
+    // Derivatives of the force by the displacement and by the velocity: rows are the x and y of the force, columns the
+    // x and y of the displacement or velocity.
     std::array<std::array<double, 2>, 2> by_displacement, by_velocity;
   };
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity);
