@@ -56,15 +56,15 @@ constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: as many as a law's kernel computes at once, since fewer would cost as much.
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // times the damping, if all trial steps failed; more than the 400 just tried
+constexpr double damping_rise = 1e4;    // factor on the damping if all trial steps failed; above the 400 just tried
 constexpr int rises = 4;                // attempts in an iteration, enough to raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
-// times the largest curvature, added to all, because some coordinates have none
+// This fraction of the largest curvature is added to all curvatures, because some coordinates have no curvature.
 constexpr double least_curvature = 1e-9;
 
-constexpr double one_valley = 0.75;  // with so many hits among the scattered starts, a better valley is unlikely
+constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts, a better valley is unlikely
 // A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
 // rule missed the best valley in 1 of 380 logged searches. A rule that asked for a share of 0.3 of all descents missed
 // it in 6.
@@ -93,9 +93,9 @@ constexpr double sharp = 0.2;
 // result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
 constexpr double near_enough = 2.0;  // in hit tolerances; ends farther from the best value are in other valleys
-// times the best value; a descent with a larger value after approach() is not polished
+// A descent is not polished if its value after approach() exceeds the best value by more than this factor.
 constexpr double worth_polishing = 1.01;
-// refine() stops after so many hops in a row without gain, or after so many hops in all.
+// refine() stops after hops_in_vain hops in a row without gain, or after most_last_hops hops in all.
 constexpr int hops_in_vain = 10, most_last_hops = 40;
 constexpr double gain_of_last_hop = 0.1;     // in hit tolerances; smaller gains count as none
 constexpr double absolute_tolerance = 1e-9;  // added to relative tolerances, for a best value of zero
@@ -244,8 +244,8 @@ class Descent {
 
   // Gradient and two curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences. They are zero for a
   // coordinate if the point one difference away has no finite value. The cautious curvature is that of a parabola that
-  // touches the sum from above; steps with it are too short. The bold curvature is nearly the sum's own, to which only
-  // residuals near zero contribute; steps with it are too long.
+  // touches the sum from above; steps with it are too short. The bold curvature is nearly the sum's true curvature, to
+  // which only residuals near zero contribute; steps with it are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -282,7 +282,8 @@ class Descent {
     return result;
   }
 
-  std::pair<double, double> iterate() {  // sum of sqrt(r^2 + delta^2) before and after; equal without gain
+  // Does one iteration. Returns the sum of sqrt(r^2 + delta^2) before and after it; both are equal if no step gained.
+  std::pair<double, double> iterate() {
     using namespace tuning;
     auto const here = slopes();
     auto const stretch = [](std::size_t i) { return std::pow(damping_ratio, static_cast<double>(i / 2) - 1.0); };
