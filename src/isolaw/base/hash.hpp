@@ -9,8 +9,8 @@
 namespace isolaw {
 
 std::string sha256(std::string_view bytes);  // in lower-case hexadecimal digits
-// 64-bit FNV-1a. It must stay the same on every machine and in every version, since random numbers, and so results,
-// depend on it.
+// 64-bit FNV-1a. It must give the same hash on every machine and in every version, because the random numbers of a
+// search, and with them its result, depend on it.
 constexpr std::uint64_t stable_hash(std::string_view bytes) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (char const c : bytes) {

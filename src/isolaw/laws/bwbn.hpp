@@ -74,8 +74,8 @@ struct Bwbn {
        parameter("deta", "1/(kN mm)", "stiffness lost with work", not_negative, std::nullopt, {0.0, 2.0, per_work})},
   });
 
-  // reduced() returns parameters with A = 1 that give the same forces. They divide z by A, and therefore also psi and
-  // dpsi, the range of z that slips and its growth.
+  // reduced() returns parameters with A = 1 that give the same forces. They make z A times smaller. Therefore psi, the
+  // range of z in which the device slips, and dpsi, the growth of this range with work, are divided by A.
   static constexpr std::string_view redundant = "A";
   static constexpr double redundant_value = 1.0;
   static constexpr std::array<std::string_view, 6> redundant_with{"alpha", "ko", "beta", "gamma", "psi", "dpsi"};

@@ -1,5 +1,5 @@
 // Linear algebra on Eigen's vectors and matrices. Products and decompositions take long to compile, so only linear.cpp
-// compiles them. This also gives all callers the same order of summation in a product.
+// compiles them. All callers therefore also get the same order of summation in a product, and so the same rounding.
 #pragma once
 
 #include <Eigen/Core>

@@ -28,7 +28,7 @@ struct RowTable {
 struct NormalSums {
   double* gradient;  // [columns]: sum of weight * difference * r / size
   // [columns][columns], lower triangle: sum of curvature * difference of one column * difference of the other. The two
-  // matrices take another curvature for a row (see RowKernels::normal).
+  // matrices differ in the curvature that they take for a row (see RowKernels::normal).
   double *cautious, *bold;
   double* value;  // sum of weight * size
 };

@@ -17,8 +17,8 @@
 
 namespace isolaw::data {
 
-// The channels to look for in a file: those of a test, of its displacement history alone, of a compression test, or
-// some channels of a test.
+// The channels to look for in a file: all channels of a test, its displacement history alone, the channels of a
+// compression test, or a part of a test's channels.
 struct Wanted {
   bool time = true, disp = true, force = true, load = true;
   bool part = false;      // this file has only some of the channels

@@ -9,8 +9,8 @@
 
 namespace isolaw::data {
 
-// Moves the channels that the user takes from other files out of `options`. Returns these files, each with its own
-// options.
+// Removes from `options` the channels that the user takes from files other than `file`. Returns these other files, each
+// with options that name its channels.
 std::map<std::string, ReadOptions> other_files(std::filesystem::path const& file, ReadOptions& options);
 
 // Reads `file` and the files `others` and joins their channels. Does not check the values. Throws Error if a file

@@ -18,7 +18,7 @@ struct Gap {
   double length_s = 0.0;  // by the clock
   double taken_s = 0.0;
 };
-// If there are several tests, which begin at `starts`, the gaps of each are found with its own usual interval.
+// Finds the gaps of a record. If it holds several tests, which begin at `starts`, each test has its own usual interval.
 std::vector<Gap> time_gaps(std::span<double const> disp_mm, std::span<double const> time_s,
                            std::span<std::size_t const> starts = {});
 // The times with every gap shortened to its taken_s; empty if there are no gaps.

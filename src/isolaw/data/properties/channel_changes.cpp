@@ -44,7 +44,7 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
 // this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly
 // this ratio.
 struct Size {
-  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: the standard deviation due to noise, over kN_per_mm
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: standard deviation that noise causes, over kN_per_mm
 };
 Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
@@ -195,9 +195,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       continue;
     }
     auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
-    // The allowed rise has two more parts. A device that softens with its displacement is stiffer in a smaller cycle.
-    // And at a steep reversal, one sample more or less in a cycle changes the size by about one over the number of its
-    // samples.
+    // The allowed rise has two more parts. First, a device that softens with its displacement is stiffer in a smaller
+    // cycle. Second, one sample more or less at a steep reversal changes kN_per_mm by a share of about 1 / (number of
+    // samples in the cycle).
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
                            rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);

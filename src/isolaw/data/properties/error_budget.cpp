@@ -147,7 +147,8 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Warns if one cycle differs from its neighbours of the same amplitude: force dropped out or the device slipped.
+  // Warns if the force of one cycle differs from that of its neighbours with the same amplitude: the force channel may
+  // have dropped out, or the device may have slipped.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();

@@ -137,7 +137,7 @@ struct CycleView {
 CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
-// Also copies the faults of the record's signals. The cycles of the blocks that a fault makes unusable do not count.
+// The result also has the faults of the record's signals. Cycles in blocks that a fault makes unusable do not count.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);

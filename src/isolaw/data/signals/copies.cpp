@@ -21,7 +21,8 @@ constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096
 // One outline is fitted as a factor times the other plus an offset. The two are alike if the rms error of this fit is
 // below this fraction of the standard deviation of force along the outline.
 constexpr double outlines_alike = 0.03;
-// If the error of the same fit between all forces of two records is below this, the records differ by rounding only.
+// All forces of one record are fitted to those of the other in the same way. If the rms error of this fit is below this
+// fraction of the standard deviation of force, the records differ by rounding only.
 constexpr double rounding_apart = 1e-4;
 // Two records have the same noise if their noises correlate in step more than this many times as strongly as out of
 // step.
@@ -230,7 +231,7 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const passes = std::span(other.passes).subspan(first, count);
   auto const own_passes = std::span(one.passes).subspan(from, count);
   auto scale = fit_line(passes, own_passes);
-  // both records have the same time scale: noise at the passes makes the difference
+  // A factor so close to 1 differs from 1 only by noise at the passes: both records have the same time scale.
   if (std::abs(scale.factor - 1.0) < 0.005)
     scale = {.offset = num::moments(own_passes).mean - num::moments(passes).mean};
   auto const index = [&](double instant) { return std::ranges::lower_bound(other.time, instant) - other.time.begin(); };

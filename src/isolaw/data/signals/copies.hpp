@@ -22,7 +22,7 @@ struct Trace {
   std::vector<double> passes;   // the values of `time` at which the displacement passes through the middle of its range
   bool rises_first = true;      // whether the displacement rises at the first pass
   std::vector<double> outline;  // the force [kN] at 16 equally spaced times from each pass to the next
-  // Noise of the displacement [mm], and noise of the force [kN] without the part that follows from the former.
+  // Noise of the displacement [mm], and noise of the force [kN] without the part that the displacement's noise causes.
   std::vector<double> disp_noise, noise;
   std::size_t stride = 1;    // only every `stride`th sample is compared, because nearer samples share noise
   double noise_share = 0.0;  // rms of `noise` / standard deviation of the force

@@ -140,7 +140,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
     auto const alike = std::ranges::count(found, spike.value, &Spike::value);
     auto const all = static_cast<std::ptrdiff_t>(found.size());
     if (alike >= static_cast<std::ptrdiff_t>(fewest_texture) && alike >= all - all / 10) return found;
-    // at most a tenth of the spikes has another value, so one of those looked at has the fixed one
+    // If there is a fixed value, at most a tenth of the spikes have another one, so one spike more than that is tried.
     if (&spike - found.data() > all / 10) break;
   }
   auto const most = std::max(fewest_texture, values.size() / samples_a_spike);

@@ -42,9 +42,9 @@ struct Nodes {
   std::array<Cell, Count - 1> cells{};
 };
 
-// The nodes lie at equal distances `spacing` of a variable w, by which the functions u(w) of tabulated_flow.cpp (the
-// gradings, such as |u| = e^w) bring them closer together near 0 and near saturation. The limits of w below are those
-// of the table.
+// The nodes lie at equal distances, `spacing`, on the axis of a variable w. The functions u(w) of tabulated_flow.cpp
+// (the gradings, such as |u| = e^w) convert w to u, so that the nodes come closer together near 0 and near saturation.
+// The limits of w below are the ends of the table.
 inline constexpr double spacing = 1.0 / 3.0;
 inline constexpr double smallest_w = -12.0;  // |u| = 6e-6; between -6e-6 and 6e-6 the curve is taken as a straight line
 inline constexpr double largest_w = 16.0;    // |1 - u| = 1e-7; closer to saturation u is taken as constant

@@ -97,8 +97,8 @@ inline bool may_move(Dual const&) { return true; }
 inline bool changes(Dual const&, Dual const&) { return true; }
 inline double value_of(Dual const& a) { return a.v; }
 
-// One step of the law, in its own units: displacement and velocity before and after, the distance between, and the
-// largest displacement so far at both ends.
+// One step of a trial, in the law's units: displacement and velocity before and after, the change of displacement, its
+// size, and the largest |displacement| up to the start and up to the end of the step.
 template <>
 struct StepOf<Dual> {
   Dual x0, x1, v0, v1, dx, length;

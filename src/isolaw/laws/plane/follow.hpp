@@ -5,8 +5,8 @@
 // the distance from it, down to least_distance. The total error stays below 1e-6 of the strength for exponents of 0.01
 // or more, and below 2e-7 for exponents of 0.1 or more (tests/verification/plane_test.cpp).
 // Rejected: tables, which would need a second dimension across the motion and be copied with every trial; an embedded
-// error estimate, which takes twice the work at a kink; splitting into the flow of one direction and the rest, which
-// has a kink that the motion itself does not have.
+// error estimate, which takes twice the work at a kink; a splitting of dq/dl into the exact flow of one direction and
+// a remainder, because each of the two has a kink at a place where their sum is smooth.
 #pragma once
 
 #include "isolaw/laws/plane/vector.hpp"

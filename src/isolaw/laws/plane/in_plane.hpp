@@ -36,8 +36,8 @@ class InPlane {
   Force trial(plane::Vector<double> const& displacement, plane::Vector<double> const& velocity, double dt);
   void commit();
 
-  // The committed state as numbers, whose count never changes: those of the law's State and the displacement if the law
-  // is coupled, those of Springs::state() for springs.
+  // The committed state as a fixed count of numbers: for a coupled law those of its State, then the displacement; for
+  // springs those of Springs::state().
   std::vector<double> state() const;
 
   struct Form;
