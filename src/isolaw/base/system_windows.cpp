@@ -283,7 +283,7 @@ ProgramEnd run_program(std::vector<std::string> words, fs::path const& directory
   auto const deadline = Clock::now() + limit;
   DWORD pause_ms = 0;
   while (true) {
-    // What the program wrote before it ended is still in the pipe, so the pipe is read after the question.
+    // Output that the program wrote just before it ended is still in the pipe. So the pipe is read after this test.
     bool const has_ended = ::WaitForSingleObject(process.get(), pause_ms) == WAIT_OBJECT_0;
     std::array<char, 4096> buffer;
     DWORD there = 0;

@@ -32,8 +32,8 @@ toml::table parse_toml(std::string_view text, std::string const& file, TomlMessa
 // its key were not given. Messages call the object `file`. Throws Error if it is no object or nests more than 8 levels
 // deep.
 toml::table toml_of(Json const& tables, std::string const& file, TomlMessages const& messages);
-// Throws one Error with the complaints, if there are any. If there are more than most_complaints, the Error holds only
-// so many of them and says that there are more.
+// Throws one Error with the complaints, if there are any. If there are more than most_complaints, the Error holds the
+// first most_complaints of them and says that there are more.
 void throw_complaints(std::vector<Complaint> complaints, std::string const& file);
 
 // Reads the keys of one table, collects complaints about them, and remembers which keys were asked for.

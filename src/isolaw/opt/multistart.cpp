@@ -107,7 +107,7 @@ using num::Matrix;
 using num::Vector;
 
 struct Cost {
-  std::size_t computed = 0, failed = 0;  // number of residuals: all, and those of points without a finite value
+  std::size_t computed = 0, failed = 0;  // numbers of residuals: in all, and at points without a finite value
   Cost& operator+=(Cost const& other) {
     computed += other.computed;
     failed += other.failed;

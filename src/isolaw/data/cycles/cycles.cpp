@@ -124,8 +124,9 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 }
 
 // The displacement at which cycles are cut. It is zero if the motion's middle is close to zero and at least as many
-// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test. If the
-// record ends where it starts, off the middle by at most a quarter of the amplitude, the start is the centre.
+// swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test.
+// Otherwise it is the start, if the record also ends there and the start is off the middle by at most a quarter of the
+// amplitude, or else the middle.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -404,7 +405,8 @@ std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<Cycl
     for (auto cut = std::ranges::lower_bound(full, first, {}, &CycleCut::last); cut != full.end() && cut->first < last;
          ++cut)
       in_full += std::abs(value_at(x, std::min(cut->last, last)) - value_at(x, std::max(cut->first, first)));
-    // a swing with more than this part of its way in full cycles belongs to them; cuts at the centre are interpolated
+    // A swing belongs to the full cycles if more than this part of its way lies in them. 1e-6 allows for rounding
+    // errors of the interpolated cuts.
     constexpr double half = 0.5 + 1e-6;
     bool const belongs = in_full > half * way || has_gap(motion.gaps, first, last) ||
                          (k == 0 && is_no_turn(turns[0])) || (k + 2 == turns.size() && is_no_turn(turns[k + 1]));

@@ -91,7 +91,7 @@ class Handler {
 
   std::map<std::string, Branch> parts;                        // tables by path
   std::map<std::pair<std::string, std::string>, Word> words;  // texts by path and key of their object
-  // by the path of a list: the paths of its elements with a table, and of those without one
+  // For the path of each list: the paths of its elements that hold a table, and of those that hold none.
   std::map<std::string, std::vector<std::string>> lists, passed_over;
   std::vector<std::string>
       units_dropped;  // lists of units in elements without a table, whose other contents are dropped

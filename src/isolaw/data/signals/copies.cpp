@@ -147,7 +147,7 @@ bool is_same_noise(std::span<double const> one, std::span<double const> other, d
   double squares = 0.0, largest = 0.0;
   int count = 0;
   auto const try_lag = [&](std::ptrdiff_t lag) {
-    // With a lag of more than half the samples, too few samples of the two would lie at the same place to correlate.
+    // With a lag of more than half the samples, the two noises overlap in too few samples to be correlated.
     if (2 * std::abs(lag) > static_cast<std::ptrdiff_t>(one.size())) return;
     double const found = correlation_at(one, other, lag);
     squares += found * found, largest = std::max(largest, std::abs(found)), ++count;

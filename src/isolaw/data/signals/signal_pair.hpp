@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 // Two values of a channel are equal if they differ by less than this fraction of its range (largest minus smallest).
 inline constexpr double same_value = 1e-9;
-// In a hold of displacement the force may relax, but by less than this fraction of its range. If it changes by more
-// while displacement stands still, displacement is faulty.
+// In a hold of displacement the force may relax, but by less than this fraction of the force's range. If the force
+// changes by more while displacement stands still, the displacement signal is faulty.
 inline constexpr double most_of_force = 0.6;
 struct SampleRange {
   std::size_t first = 0;
