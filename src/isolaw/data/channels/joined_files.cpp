@@ -123,7 +123,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
     if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // no time is read from this file
-    auto const time_unit = more.units.extract(Channel::time);        // serves a time column without a unit in this file
+    auto const time_unit = more.units.extract(Channel::time);        // used if this file's time column has no unit
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
                         .force = more.columns.contains(Channel::force),

@@ -61,7 +61,7 @@ double share_kept(Cycle const& before, Cycle const& cycle) {
 // Whether the loop keeps its energy, so that only samples at a peak have dropped out. False for a nearly elastic
 // device, whose energy is too small to show this.
 bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
-  constexpr double elastic = 0.05;  // mean half height of the loop over the size of the force
+  constexpr double elastic = 0.05;  // half the loop's mean height / size_of(); nearly elastic devices have less
   bool const dissipates = std::abs(before.energy_kN_mm) > elastic * 4.0 * before.amplitude_mm * size_of(before);
   return dissipates && cycle.energy_kN_mm >= share * before.energy_kN_mm;
 }

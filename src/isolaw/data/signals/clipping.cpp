@@ -69,9 +69,9 @@ constexpr double least_return = 0.12;
 // The force rises evenly up to a plateau: the slope in the second window before it is at most this many times the slope
 // in the window next to it. While a device yields, the slope falls.
 constexpr double most_bend = 1.5;
-// A plateau begins at a corner: with the slopes before (in the second window), near (in the window next to the plateau)
-// and flat (on the plateau), near^2 / (before flat) exceeds this number. Without a corner, slopes fall by equal factors
-// and it is 1.
+// A plateau begins at a corner. Take three slopes: `before` in the second window, `near` in the window next to the
+// plateau and `flat` on it. At a corner near^2 / (before * flat) exceeds this number. Without a corner the slopes fall
+// by equal factors, and it is 1.
 constexpr double least_corner = 5.0;
 
 // For clipped_force(): while the force stays level, displacement comes back by more than this fraction of its way from

@@ -1,4 +1,4 @@
-// The two travels that soften a law on each side of x = 0: G, outwards and back, and C, back only.
+// Two travels on each side of x = 0 that soften a law: G counts motion outwards and back towards 0, C only motion back.
 #pragma once
 
 #include <algorithm>
