@@ -21,7 +21,7 @@ constexpr std::array<std::pair<rules::Quantity, std::string_view>, 2> shown_quan
 // The content of a panel: one effect on one property.
 struct ConditionPanel {
   Effect effect;
-  double factor = 1.0;  // from the stored unit of the condition to the shown one
+  double factor = 1.0;  // converts the condition from its stored unit to the unit shown
   std::string label;
   std::vector<LevelRow const*> levels = {};
   std::vector<EndRow const*> ends = {};
@@ -29,7 +29,8 @@ struct ConditionPanel {
   std::optional<double> reference = {};
   std::optional<campaign::ConditionRange> design = {};
 
-  // Ageing has no order, so its levels have the places 1, 2 and so on. The reference has the place 0.
+  // Returns the x of a level. Levels of ageing are not values of one quantity, so they stand at 1, 2, ..., and the
+  // reference stands at 0.
   double place(std::size_t level) const {
     return effect == Effect::ageing ? static_cast<double>(level + 1) : factor * levels[level]->factor.at;
   }
@@ -66,7 +67,8 @@ ConditionPanel condition_panel(ConditionsResult const& result, std::vector<Condi
   return panel;
 }
 
-// An interval far wider than the factors would flatten them, so the axis shows little more of it than their own range.
+// Returns the range of the logarithmic axis. A very wide interval would leave little room for the factors, so the axis
+// extends beyond them by at most half their own range or a factor of 1.2, and longer intervals are cut.
 Range range_of_factors(std::vector<ConditionPanel> const& panels) {
   Range factors;
   factors.add(1.0);
@@ -130,7 +132,7 @@ std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& pan
   lines(CurveKind::mean, fmt::format("with lines ls {}", blue));
   lines(CurveKind::extrapolated, fmt::format("with lines ls {} dt 3", blue));
   lines(CurveKind::smooth, fmt::format("with lines ls {} dt (12,7) lw 0.6", black));
-  // An interval is drawn as an arrow without a head, and as far as the axis goes. A triangle marks an end beyond it.
+  // An interval is drawn as a line (an arrow without a head) and cut at the axis limits. A triangle marks a cut end.
   auto const low = number(range.low), high = number(range.high);
   auto const bars = [&](conditions::About about, double thickness) {
     bool any = false, cut = false;

@@ -42,7 +42,7 @@ struct FactorBars {
   rules::Quantity quantity;
   std::vector<std::string> rows = {};
   std::vector<FactorBar> bars = {};
-  std::vector<std::size_t> not_covered = {};  // rows
+  std::vector<std::size_t> not_covered = {};  // indices in `rows` of the effects that no test covers
 };
 
 FactorBars bars_of(ConditionsResult const& result, BoundRow const& bound) {
@@ -129,7 +129,7 @@ MaybeFigure factors_figure(ConditionsResult const& result) {
     script.line("set label 100 {} at graph 1,1.06 right", title_of(panel.quantity));
     for (std::size_t const row : panel.not_covered)
       script.line("set label {} ' NOT COVERED' at first 1,first {} left", row + 1, row);
-    plots.push_back("NaN notitle");  // a plot even if all factors are 1
+    plots.push_back("NaN notitle");  // gnuplot needs something to plot, also if all factors are 1 and no bar is drawn
     script.line("plot {}", joined(plots));
   }
   script.line("unset multiplot");

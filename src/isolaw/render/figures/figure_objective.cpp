@@ -43,7 +43,8 @@ ObjectiveRanges ranges_of(std::vector<DevicePanel> const& laws) {
   return ranges;
 }
 
-// Returns the x of a device for gnuplot. Each law has an interval around its number, with the devices side by side.
+// Returns gnuplot's expression for the x of a device. Law number k has the interval around k on the axis, in which the
+// devices stand side by side.
 std::string place_in_law(std::size_t law, std::size_t devices) {
   return fmt::format("({}+0.8*($1-{})/{})", law + 1, number((static_cast<double>(devices) + 1.0) / 2.0), devices);
 }

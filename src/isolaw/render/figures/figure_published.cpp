@@ -14,8 +14,8 @@ namespace {
 
 struct DeviceSpread {
   std::string device;
-  // relative: std / |mean|; percent: how far this device's mean is from the mean over all devices, in percent of the
-  // latter
+  // relative: std / |mean|; percent: difference of this device's mean from the mean over all devices, as a percentage
+  // of the mean over all devices
   MaybeNumber mean, std, relative, percent;
 };
 using Spreads = std::vector<DeviceSpread>;
@@ -81,7 +81,8 @@ std::vector<Beside> laws_beside(Summary const& summary) {
   return laws;
 }
 
-// Returns the x of a device for gnuplot. In a law's interval, the campaign's devices are left and the study's right.
+// Returns gnuplot's expression for the x of a device. The campaign's devices fill the left half of a law's interval on
+// the axis, the published study's devices the right half.
 std::string place_in_half(std::size_t law, std::size_t devices, bool printed) {
   return fmt::format("({}+0.38*($1-0.5)/{})", number(static_cast<double>(law + 1) + (printed ? 0.04 : -0.42)), devices);
 }
@@ -104,7 +105,7 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// Returns the largest magnitude of `value` over all devices, campaign and study. The axis reaches a little beyond it.
+// Returns the largest magnitude of `value` over the devices of campaign and study. It sets the end of the axis.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

@@ -20,8 +20,8 @@ inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
 inline constexpr double letter_mm = 1.5;           // mean width of a letter at 7 pt
 inline constexpr std::size_t most_samples = 4000;  // most points on a curve; more cannot be seen
 
-// gnuplot's numbers of the line styles in every script: from 1, one for each look (colour and marker) of a law; then
-// black and grey.
+// The numbers of gnuplot's line styles that every script defines: 1, 2, ... for the looks (colour and marker) of laws,
+// followed by black and grey.
 inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
 constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;

@@ -82,7 +82,8 @@ std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
   auto const own = own_figures(folder);
   std::set<std::string> outdated(own.begin(), own.end());
   for (auto const choice : {FigureChoice::lot, FigureChoice::all})
-    // `outdated` is usually empty after the choice `lot`. The many figures of single devices are then not made.
+    // After comparison with the figures of `lot`, `outdated` is usually empty. The many figures of single devices need
+    // then not be made.
     if (!outdated.empty())
       for_each_figure(summary, choice, [&](Figure const& figure) {
         if (outdated.contains(figure.name) && text_of(figure_file(folder, figure.name, ".dat")) == figure.data)

@@ -83,9 +83,8 @@ void write_curves(JsonWriter& out, Record const& record, std::vector<std::size_t
   write_curve(out, "force_kN", record.force_kN, drawn);
 }
 
-// Writes the remainder of a doubtful channel, or null. The remainder is what is left when the mean cycle of the block
-// is subtracted. Point k of the curve is the sample first + min(k stride, samples - 1). The points of `gaps` have no
-// value.
+// Writes the remainder of a doubtful channel, or null. The remainder is the signal minus the mean cycle of its block.
+// Point k of the curve is the sample first + min(k stride, samples - 1). The points of `gaps` have no value.
 void write_remainder(JsonWriter& out, DeviceResult const& device, std::size_t most) {
   out.key("remainder");
   auto const found = data::remainder(device.raw, device.properties);
@@ -429,8 +428,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
   });
   out.key("endings").array(
       result_units, [&](auto const& stored) { out.begin_array().value(stored.ending).value(stored.unit).end_array(); });
-  // The keys of numbers whose unit another member of the same object names. The first four are keys inside curves and
-  // histograms, the fifth is that of bounds over the design conditions.
+  // The keys of numbers whose unit is in another member of the same object. "o" and "s" belong to curves, "from" and
+  // "width" to histograms, "value_at_reference" to bounds over the design conditions.
   std::set<std::string_view> own{"o", "s", "from", "width", "value_at_reference"};
   auto const add = [&](auto const& rows) {
     for (auto const& row : rows)
@@ -445,7 +444,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
 
 void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
-  // True for a name with a digit, such as "a10", that is no device's name. Such a name can only mean the parameter.
+  // True for a name with a digit, such as "a10", unless a device has this name. In a sentence it can only mean the
+  // parameter, because no English word looks like it.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };

@@ -11,14 +11,14 @@
 
 namespace isolaw::render {
 
-// Keys are those of summary.json. Statistics have nine significant digits, profiles and intervals six. A curve is
-// {"o":offset,"s":step,"d":[...]}: value k = offset + step * (sum of d[0..k]) with integers d and step = range /
-// 20,000.
+// The keys are the same as in summary.json. Statistics have nine significant digits, profiles and intervals six. A
+// curve is {"o":offset,"s":step,"d":[...]} with integers d: value k is offset + step * (d[0] + ... + d[k]), and step is
+// 1/20,000 of the curve's range.
 std::string page_data_json(Summary const& summary);
 
-// Writes into the open object how the page converts its numbers: the units of every system, the endings of keys from
-// which the page reads the unit of a number, and the keys of numbers whose unit is a member of the same object. The
-// page opens in the units `shown`.
+// Writes into the open object what the page needs to convert numbers: the units of every system; the endings of keys
+// that state a unit (K_eff_kN_per_mm); and the keys of numbers whose unit is in the member `unit` of the same object.
+// The page opens in the units `shown`.
 void write_units(JsonWriter& out, UnitSystem const& shown);
 
 // The names to typeset on a page. write_notation() writes the markers of the laws and the symbols of these names into

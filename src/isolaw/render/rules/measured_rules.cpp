@@ -31,7 +31,7 @@ std::string id_of(std::string_view name) {
   return id.find_first_not_of('-') == std::string::npos ? "measured" : id;
 }
 
-// How the design states the condition of an effect.
+// Returns the design condition of an effect as text, such as "from -20 to 40 C".
 std::string design_of(study::ConditionsResult const& result, Effect effect) {
   auto const& design = result.stated.design;
   auto const range = [](std::optional<campaign::ConditionRange> const& of, std::string_view unit) {
@@ -71,8 +71,8 @@ std::string status_of(Factor const& factor) {
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
 }
 
-// Whether a test shows an effect or is one of the reference tests that tests of this effect are compared with.
-// Scragging and cycles are shown by reference tests.
+// True if the measured factor of an effect rests on this test: the test was made for the effect, or it is the reference
+// test of a device that has such a test. Scragging and the effect of cycles are measured in reference tests alone.
 bool is_behind(study::ConditionsResult const& result, Effect effect, study::ConditionsTest const& test) {
   if (test.role == study::TestRole::effect) return test.effect == effect;
   if (test.role != study::TestRole::reference) return false;
@@ -84,7 +84,7 @@ bool is_behind(study::ConditionsResult const& result, Effect effect, study::Cond
 
 void add_tests_behind(std::string& text, study::ConditionsResult const& result, Effect effect) {
   constexpr std::size_t short_hash = 12;
-  std::vector<std::string> done;  // a test with several blocks is one record
+  std::vector<std::string> done;  // hashes of records already written: each block of a record is a test of its own here
   for (auto const& test : result.tests) {
     if (!is_behind(result, effect, test) || std::ranges::find(done, test.sha256) != done.end()) continue;
     done.push_back(test.sha256);
@@ -117,7 +117,7 @@ std::string measured_rules(study::ConditionsResult const& result, std::string_vi
     add_text(text, "one = {}\n", reference.first_cycle);
   else
     add_text(text, "mean_of = [{}, {}]\n", reference.first_cycle, reference.last_cycle);
-  // The form "asce" takes its numbers from tables of a rule set that are not about effects.
+  // The form "asce" needs numbers from other tables of its rule set, which this file does not have. It is left out.
   if (auto const& how = result.combined; how.form != rules::Form::asce) {
     add_text(text, "\n[combination]\nform = \"{}\"\n", rules::name(how.form));
     if (how.form == rules::Form::sum)

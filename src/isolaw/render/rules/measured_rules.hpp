@@ -8,9 +8,9 @@
 
 namespace isolaw::render {
 
-// The text of a rule file that nobody has verified. It has a table [[effect]] for each effect and property whose
-// largest and smallest factor over the design conditions rest on tests. Comments name these tests with their records.
-// `name` stands for the rule set if it has a letter or a digit.
+// Returns the text of a rule file, marked as verified by nobody. It has a table [[effect]] for each effect and property
+// whose largest and smallest factor over the design conditions rest on tests. Comments name these tests and the hashes
+// of their records. The rule set gets an id made from `name`, or "measured" if `name` has no letter or digit.
 std::string measured_rules(study::ConditionsResult const& result, std::string_view name);
 
 }  // namespace isolaw::render

@@ -12,7 +12,7 @@ std::string building_csv(building::Study const& study, building::Answers const& 
 std::string coverage_csv(building::Study const& study, building::Answers const& answers);
 // A row for each law and motion, for the nominal building: implicit integration, checks, equivalent linear analysis.
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers);
-// The main numbers of building_csv and coverage_csv, law by law.
+// A LaTeX table of the main numbers of building_csv() and coverage_csv(), one law after another.
 std::string building_tex(building::Study const& study, building::Answers const& answers);
 
 }  // namespace isolaw::render

@@ -36,7 +36,7 @@ class CsvTable {
       }
     return *this;
   }
-  // `unit` is the unit of this object's values in columns whose unit differs from object to object.
+  // `unit` is for columns whose unit differs from row to row: it is the unit of their values in this row.
   template <class Of, std::size_t count>
   CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object, std::string_view unit = {}) {
     for (auto const& column : columns) {

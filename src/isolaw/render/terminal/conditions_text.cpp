@@ -26,7 +26,8 @@ void append(std::string& text, fmt::format_string<Args...> format, Args&&... arg
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
-// If an effect is not covered, the part of it that tests show is in the bounds all the same, so it is shown too.
+// If tests cover only part of the design range of an effect, the factor they show is written after ">" or "<". The
+// bounds contain this factor, although the effect counts as not covered.
 std::string factor_text(Factor const& factor) {
   if (factor.status != Status::not_covered) return fmt::format("{:.3f}", factor.lambda());
   return factor.ln == 0.0 ? "-" : fmt::format("{}{:.3f}", factor.ln > 0.0 ? ">" : "<", factor.lambda());
@@ -96,7 +97,7 @@ std::string value_text(double value) {
   return value < large ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
 }
 
-// The bounds in the property's unit.
+// Adds the value at reference and the bounds in the unit of the property.
 void add_values(std::string& text, study::BoundRow const& row) {
   if (row.devices == 0) return;
   auto const unit = rules::unit(row.quantity);
@@ -177,7 +178,7 @@ std::string condition_text(conditions::Condition const& at) {
   return text;
 }
 
-// Why there is no value at reference, or no interval of it.
+// Says why a value at reference, or its interval, is missing. Empty if both are there.
 std::string why_not(study::AtReferenceRow const& row) {
   if (!row.not_comparable.empty())
     return fmt::format("no value at reference, because the test cannot be compared: {}", row.not_comparable);
@@ -193,7 +194,7 @@ std::string why_not(study::AtReferenceRow const& row) {
   return fmt::format("no interval, because too few devices show {}", joined(alone));
 }
 
-// The rows of one test, a column for each property.
+// Adds a table of one test, with a column for each property.
 void add_values_of_test(std::string& text, std::span<study::AtReferenceRow const> rows) {
   auto const& first = rows.front();
   append(text, "\n{}, test {}: {}\n  {:<12}", printable(first.device), printable(first.test),
@@ -323,7 +324,7 @@ std::string conditions_text(study::ConditionsResult const& result, bool details)
   }
   text += '\n';
   auto findings = study::conditions_findings(result);
-  // The table of bounds says this already.
+  // The table of bounds already shows what findings of the kind design_bound say.
   std::erase_if(findings, [](Finding const& finding) { return finding.kind == FindingKind::design_bound; });
   for (auto const& line : wording::lines(findings)) append(text, "{}\n", line);
   if (details) add_tests(text, result);

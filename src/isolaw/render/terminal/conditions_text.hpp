@@ -7,15 +7,15 @@
 
 namespace isolaw::render {
 
-// Returns, in this order: for each property its bounds and the factors of the effects whose product they are; the
-// factors at the tested levels; the recovery. Only with `details`, Q_d and K_d have the factors of effects, properties
-// besides K_eff and damping have levels, and the tests are listed.
+// Returns, in this order: for each property its bounds and the factors of effects that were combined to these bounds;
+// the factors at the tested levels; the recovery after rests. Without `details`, Q_d and K_d have no factors of
+// effects, only K_eff and damping have factors at levels, and the tests are not listed.
 std::string conditions_text(study::ConditionsResult const& result, bool details);
 struct ConditionsSections {
-  bool at_reference = false;  // the acceptance tests under other conditions, as measured and at reference
+  bool at_reference = false;  // values of acceptance tests as measured, and converted to the reference conditions
   bool plan = false;          // the tests that are missing, with the status of the factors now and after them
 };
-// Only these sections.
+// Returns the text of the chosen sections only.
 std::string conditions_text(study::ConditionsResult const& result, ConditionsSections const& sections);
 
 }  // namespace isolaw::render

@@ -102,8 +102,8 @@ std::string law_table(Summary const& summary) {
   return table(rows, {18, 8, 7, 7, 9, 9}, 3);
 }
 
-// Returns a line if laws are fitted to part of the tests, else "". The line says that |dK| and |dE|, the errors of
-// K_eff and energy, are then not of the reported cycle.
+// Returns a line of text if laws are fitted to only part of the tests, else "". The line says that |dK| and |dE|, the
+// errors of K_eff and energy, then belong to another cycle than the reported one.
 std::string compared_on(Summary const& summary, int width) {
   bool const part =
       std::ranges::any_of(summary.devices, [](auto const& device) { return !device.record.scored.empty(); });

@@ -23,7 +23,7 @@ Object.assign(chosen, {
   view: FIRST_VIEW,
   law: ranking[0]?.index ?? null, // the law in the first section and in the section on parameters
   examined: examinedLaws[0]?.index ?? null, // the law in the section on determination
-  parameter: firstExamined(examinedLaws[0]), // index of the parameter shown with that law
+  parameter: firstExamined(examinedLaws[0]), // index of the parameter shown in the section on determination
   lotLaw: lotLaws[0]?.index ?? null,
   predicted: predictedByFit[1]?.index ?? null, // the law drawn beside the one that predicts best
   order: { key: 'best OF\n-', down: false }, // how the table of laws on one device is sorted

@@ -34,7 +34,8 @@ export function deviceValue(device, quantity) {
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;
 }
 
-// The design values with the digits in which they were given, or with five digits in other units. Empty without any.
+// The design values as text: with the digits in which the user gave them, or with five digits if the page converts them
+// to other units. Empty without design values.
 export const designText = () =>
   (report.assessment?.design ?? []).map(({ name, value, unit }) => name + ' ' + (isConverted ? trimmed(value, 5) : value) + THIN + unit).join(', ');
 

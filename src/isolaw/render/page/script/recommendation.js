@@ -1,4 +1,5 @@
-// The program's answer: the law to take, if one is named, and the place of every law. An inspection has none.
+// The program's recommendation: the law to use, if it names one, and how every law ranks. An inspection has no
+// recommendation.
 
 import { laws, lawsByObjective, report } from './report.js';
 

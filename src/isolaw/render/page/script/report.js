@@ -32,7 +32,7 @@ export const lawsByObjective = report.by_objective.map((index) => laws[index]);
 
 export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
 export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
-// True if the law misses the blocks that it was not fitted to.
+// True if the law predicts the blocks that it was not fitted to badly.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
@@ -47,7 +47,8 @@ export function firstExamined(law) {
   return law ? (examinedPlaces(law)[0] ?? 0) : 0;
 }
 
-// The headings of results, and a function that returns an object's cells. A statistic or a range has several cells.
+// Returns the column headings of a kind of results, and the function cells(object), which returns the cells of one row.
+// A statistic or a range takes several cells.
 export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   const cell = (value) => (typeof value === 'boolean' ? (value ? 'yes' : 'no') : value);
   const cells = (value) => (value !== null && typeof value === 'object' ? Object.values(value) : [value]).map(cell);

@@ -10,7 +10,7 @@ export const worstVerdict = (verdicts) =>
 // True if the assessment is of the property itself, on one or both sides, and not of its change over cycles or loads.
 export const concerns = (assessment, property) => assessment.property === property && assessment.subject === 'device';
 
-// Word and shape of a verdict say the same. A reader needs only one of them, and no colour.
+// The looks of verdicts. Each verdict has a shape of its own, so that a reader can tell them apart without colour.
 export const VERDICTS = {
   pass: { tone: 'good', filled: true, path: ROUND, mark: 'M3.4 6.2 L5.3 8 L8.6 4', symbol: 'circle' },
   fail: {

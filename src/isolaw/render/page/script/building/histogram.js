@@ -1,7 +1,7 @@
 import { isNumber, plain } from '../text.js';
 import { numberText, study } from './study.js';
 
-const NONE = { from: null, width: null, counts: [] }; // for a quantity of which no draw gave a number
+const NONE = { from: null, width: null, counts: [] }; // for a quantity that has no value in any draw
 const histogramOf = (law, key) => law.quantities[key].histogram ?? NONE;
 
 export function bars(look, law, key, axes = {}) {

@@ -135,8 +135,8 @@ function slider() {
   const output = element('output', { for: 'moment' });
   const input = element('input', { type: 'range', id: 'moment', min: 0, max: last, value: now });
   const play = button('Play', () => (started === null ? start() : stop()), { class: 'action', id: 'play' });
-  // Null while the motion stands still. Else the time, by the clock of requestAnimationFrame, at which it would have
-  // started from its beginning.
+  // The time on the clock of requestAnimationFrame that corresponds to time 0 of the motion. Null while the motion
+  // stands still.
   let started = null;
   const say = () => {
     output.textContent = fixed(now * loops.step_s, 2) + '\u202fs, ' + nameOf(bearings[chosen.bearing], chosen.bearing) + ': ' + fixed(moved[chosen.bearing][now], decimalsIn('mm', 1)) + '\u202f' + MM;

@@ -8,7 +8,7 @@ import { KN, LOOP_HOVER, MM } from '../units.js';
 
 const KINDS = { draw: ['draw of the lot', 'circle'], lot: ['law of the lot', 'square'], lower: ['lower bound', 'triangle-down'], upper: ['upper bound', 'triangle-up'] };
 const kindOf = ({ is }) => (Object.hasOwn(KINDS, is) ? KINDS[is] : ['tested device', 'diamond']);
-const LEAST_CONTRAST = 0.05; // the colours extend to both sides of the mean by at least this share of it
+const LEAST_CONTRAST = 0.05; // the range of colours is at least mean +- this share of the mean
 const TWISTS = ['corner_over_centre', 'corner_mm', 'centre_mm', 'rotation_mrad', 'worst_energy_share'];
 
 export const planSection = {
@@ -86,7 +86,7 @@ function plan(look) {
   const { bearings, centre } = study.plan;
   const moved = laws[chosen.law].bearings.displacement_mm,
     share = laws[chosen.law].bearings.energy_share;
-  // The range of colours has a least width, so that values that differ by a percent get almost the same colour.
+  // The range of colours has a minimum width, so that values that differ by only a percent get almost the same colour.
   const usual = mean(moved),
     most = Math.max(LEAST_CONTRAST * usual, ...moved.map((mm) => Math.abs(mm - usual)));
   const round = outline();

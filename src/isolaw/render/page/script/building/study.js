@@ -4,10 +4,11 @@ import { data } from '../units.js';
 
 export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
-// The law of the verdict: the first whose analyses gave numbers.
+// The law that the verdict is about: the first law whose analyses gave numbers.
 export const first = laws.find(({ id }) => id === study.answer[0]?.law) ?? laws[0];
 export const isDrawn = study.draws !== null; // whether any bearing is a draw of the lot
-// The factors of a bound on the force. Those of a bound law belong to the law of the verdict.
+// bound() writes the factors on the force at the lower or upper bound. A bound from the design conditions is a law of
+// its own with elastic and hysteretic factors; the page states the factors for the law that the verdict is about.
 const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower one first
 function bound(factor, place) {
   if (isNumber(factor)) return String(factor);
@@ -17,7 +18,7 @@ function bound(factor, place) {
 }
 export const BOUNDS = bound(study.lower_factor, 0) + '; ' + bound(study.upper_factor, -1);
 const fromConditions = ['lower', 'upper'].filter((side) => study[side + '_factor'] === null);
-// Stands beside responses of bounds that are bound laws.
+// A note beside the responses at bounds: says which bounds are laws from the design conditions, not factors on force.
 export const FROM_CONDITIONS = fromConditions.length === 0 ? '' : ' From the design conditions: the ' + fromConditions.join(' and the ') + ' bound.';
 export const grouped = (number) => number.toLocaleString('en');
 

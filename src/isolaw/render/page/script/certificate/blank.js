@@ -4,7 +4,7 @@ import { element } from '../dom.js';
 export const blank = (label, more = {}) =>
   element('span', { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label, ...more });
 
-// A line whose entry is repeated on other pages of the certificate.
+// Makes a line like blank(). What is typed into it is repeated on other pages of the certificate, by echo().
 const lines = new Map(); // label -> {line, echoes}
 export function echoed(label) {
   const echoes = [];
@@ -13,7 +13,8 @@ export function echoed(label) {
   return line;
 }
 
-// The label of an echoed line with its entry, which may also be filled in on paper. Empty if there is no such line.
+// Returns nodes that repeat the line of echoed(): its label and what was typed into it. A line that is still empty may
+// also be filled in on paper. Returns no nodes if there is no line with this label.
 export function echo(label) {
   if (!lines.has(label)) return [];
   const { line, echoes } = lines.get(label);

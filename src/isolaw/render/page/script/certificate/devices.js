@@ -62,7 +62,8 @@ function certificateCaption() {
 }
 
 function certificateColumns() {
-  // A fact that all devices share is in the certificate's head and needs no column. Serial numbers always have one.
+  // A fact that is the same for all devices is in the certificate's head and needs no column. Serial numbers always
+  // have a column.
   const known = (key) => new Set(devices.map((device) => device[key]).filter((value) => value !== null && value !== '')).size > 1;
   const given = (key) => devices.some((device) => device[key] !== null && device[key] !== '');
   return [

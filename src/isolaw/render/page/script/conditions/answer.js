@@ -10,9 +10,9 @@ export const answerFigure = { id: 'conditions-answer', title: '', build: answer 
 const SIDES = [['max', 'Upper'], ['min', 'Lower']];
 const WORST_FIRST = ['poor', 'care', 'accent', 'good'];
 
-// In the band, since they say what the bounds mean for the design.
+// Kinds of findings that are shown in the coloured band, because they say what the bounds mean for the design.
 const JUDGED = ['dependence-not-kept', 'mean-properties-judged'];
-// The table has these numbers.
+// Kinds of findings that are left out, because the table shows their numbers.
 const IN_THE_TABLE = ['design-bound'];
 
 function answer() {
@@ -52,7 +52,7 @@ function answer() {
   );
 }
 
-// The assumed effects, each with the rule set and the clause that gives its factor.
+// Lists the effects whose factors are assumed, each with the rule set and the clause that gives the factor.
 function assumed() {
   const texts = conditions.design.filter((row) => row.assumed).map(({ effect, assumed: { rules, clause, verified } }) => {
     const source = [[rules, clause].filter(Boolean).join(' '), verified ? '' : 'not verified'].filter(Boolean).join(', ');
@@ -63,7 +63,7 @@ function assumed() {
 
 const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
 
-// A bound of which an effect is missing can only be farther from 1.
+// A bound that lacks the factor of an effect is incomplete: with this factor it could only be farther from 1.
 const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 
 function headline({ quantity, unit, devices, value_at_reference: value, max, min }) {

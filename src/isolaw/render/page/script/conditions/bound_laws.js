@@ -11,7 +11,7 @@ const law = () => laws[chosen.law] ?? laws[0];
 const shown = () => all.find((of) => of.law === law().id);
 const isThere = (of) => of && !of.obstacle;
 
-// Why no law has bounds; empty if one has.
+// The reason why no law has bounds over the design conditions; empty if at least one law has them.
 export const obstacle = all.some(isThere) ? '' : (all[0]?.obstacle ?? '');
 
 export const boundLawsFigure = {

@@ -7,10 +7,10 @@ import { DASH, THIN, count, fixed, isNumber, trimmed } from '../text.js';
 import { KN } from '../units.js';
 
 export const conditions = report.conditions ?? null;
-// The sentences of the program about the conditions.
+// The warnings about the conditions.
 export const findings = report.findings.warnings.filter(({ topic }) => topic === 'conditions');
 
-// The conditions that are a number.
+// The effects whose condition is a number. Ageing and history have none.
 const CONDITIONS = {
   temperature: { key: 'temperature_C', title: 'temperature', unit: '\u00b0C' },
   rate: { key: 'frequency_Hz', title: 'frequency', unit: 'Hz', log: true },
@@ -18,10 +18,10 @@ const CONDITIONS = {
 };
 export const conditionOf = (effect) => CONDITIONS[effect] ?? null;
 
-// The keys of a property in the objects of tests and of cycles.
+// The keys under which the objects of tests and of cycles hold each property.
 export const KEYS = { K_eff: 'K_eff_kN_per_mm', damping: 'damping_percent', energy: 'energy_kN_mm', Q_d: 'Q_d_kN', K_d: 'K_d_kN_per_mm' };
 
-// How sure a factor is. The first words are the strongest.
+// The status of a factor, from the best supported by tests to the least, and the colour that shows it.
 const STATUSES = {
   shown: 'good', interpolated: 'accent', extrapolated: 'care', unpaired: 'care', scaled: 'care', assumed: 'poor', 'not covered': 'poor',
 };
@@ -31,7 +31,8 @@ const IN_CAPITALS = ['assumed', 'not covered'];
 export const statusWord = (status) => (IN_CAPITALS.includes(status) ? status.toUpperCase() : status);
 export const factorText = (value) => fixed(value, 3);
 export const intervalText = (interval) => factorText(interval.low) + ' to ' + factorText(interval.high);
-// A factor without devices is 1, that of the reference itself. `all` is the bound of all effects together.
+// A factor that no device shows and that is neither assumed nor "not covered" is the factor 1 of the reference itself.
+// `all` is given for the bound of all effects together, which has no devices of its own.
 export const statusText = ({ status, devices, all = null }) =>
   devices === 0 && !all && !IN_CAPITALS.includes(status)
     ? 'reference'
@@ -51,11 +52,11 @@ export const levelText = ({ effect, at, level, aged_days: days, aged_at_C: atC }
 
 export const EFFECTS = [...new Set([...allLevels, ...(conditions?.design ?? [])].map(({ effect }) => effect))];
 const has = (quantity) => allLevels.some((level) => level.quantity === quantity);
-// The reader chooses which properties the figures show.
+// Groups of properties; the figures show the group that the reader chooses.
 export const PROPERTIES = [['K_eff', 'damping'], ['energy'], ['Q_d', 'K_d']].map((group) => group.filter(has)).filter((group) => group.length > 0);
 export const chosenProperties = () => PROPERTIES[Number(chosen.conditionsOf)] ?? [];
 
-// A device was tested under several conditions, and its loops can be drawn over each other.
+// Tests whose loop is known. A device that was tested under several conditions has its loops drawn over each other.
 const looped = (conditions?.tests ?? []).filter((test) => test.loop_mm.length > 0);
 export const testsOf = (device) => looped.filter((test) => test.device === device);
 export const loopDevices = [...new Set(looped.map(({ device }) => device))].filter((device) => testsOf(device).length > 1);
@@ -63,19 +64,19 @@ const reach = (device) => {
   const values = testsOf(device).map((test) => test.K_eff_kN_per_mm).filter(isNumber);
   return Math.max(...values) / Math.min(...values);
 };
-// At first the page shows the device whose loops differ most.
+// At first the page shows the device with the largest ratio between its largest and its smallest K_eff.
 Object.assign(chosen, {
-  conditionsOf: '0', // place in PROPERTIES
+  conditionsOf: '0', // index in PROPERTIES, as text
   conditionsDevice: [...loopDevices].sort((a, b) => reach(b) - reach(a))[0] ?? null,
 });
 
 export const cyclesText = ({ first_cycle: first, last_cycle: last }) =>
   first === last ? 'cycle ' + first : 'mean of cycles ' + first + ' to ' + last;
-// A loop is of one cycle, also if the reference is the mean of several.
+// The loop shown is a single cycle, the first, even if the values at reference are means over several cycles.
 export const referenceCycle = () => cyclesText({ ...conditions.reference, last_cycle: conditions.reference.first_cycle });
 export const restText = (hours) => (isNumber(hours) ? trimmed(hours) + THIN + 'h' : DASH);
 
-// Round factors for an axis of logarithms.
+// Returns ticks with round numbers for a logarithmic axis of factors.
 export function factorTicks(low, high) {
   const all = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.3, 1.5, 1.75, 2, 2.5, 3, 4, 5].filter((value) => value >= low && value <= high);
   const every = Math.ceil(all.length / 7);

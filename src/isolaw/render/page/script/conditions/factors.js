@@ -4,7 +4,7 @@ import { tableOf } from '../tables.js';
 import { DASH, isNumber, plain } from '../text.js';
 import { conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
 
-// The properties whose bounds are told at the head of the section.
+// The first two properties with bounds, which the head of the section also states.
 const shown = () => conditions.bounds.slice(0, 2).map(({ quantity }) => quantity);
 const rowsOf = (quantity) => {
   const bound = conditions.bounds.find((one) => one.quantity === quantity);
@@ -18,7 +18,7 @@ const SIDES = ['max', 'min'];
 const ALL = 'all together';
 
 const COLOURS = { good: 'green', accent: 'blue', care: 'yellow', poor: 'red' };
-// "green shown, red ASSUMED or NOT COVERED"
+// Returns the key of the colours, for example "green shown, red ASSUMED or NOT COVERED".
 function colourKey() {
   const present = statusesAmong(shown().flatMap(rowsOf).flatMap((row) => SIDES.map((side) => row[side].status)));
   return Object.entries(COLOURS)

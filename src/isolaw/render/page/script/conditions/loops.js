@@ -16,7 +16,7 @@ export const loopsFigure = {
   draw: drawLoops,
 };
 
-// The text of a test in the legend: the condition in which it differs from the reference.
+// Returns the legend's text for a test: the condition in which the test differs from the reference.
 function testText(test) {
   if (test.role === 'reference') return 'reference' + (isNumber(test.rest_h) ? ' after ' + trimmed(test.rest_h) + THIN + 'h' : '');
   if (test.effect === 'ageing') return 'aged ' + agedText({ days: test.aged_days, at_C: test.aged_at_C });
@@ -33,8 +33,8 @@ function loopData() {
   };
 }
 
-// The tests of one effect lie beside each other in the key, in the order of the condition. The reference comes last, so
-// that it is drawn over the others.
+// Groups the tests by effect, for the legend, and sorts each group by its condition (temperature, frequency, ...). The
+// reference comes last, so that it is drawn over the others.
 function sorted(tests) {
   const place = (test) => (test.role === 'reference' ? 'z' : (test.effect ?? 'y'));
   const value = (test) => test[conditionOf(test.effect)?.key] ?? test.order;

@@ -18,8 +18,8 @@ export const matrixFigure = {
 const [first] = (conditions?.bounds ?? []).map(({ quantity }) => quantity);
 const QUANTITY = first ?? allLevels[0]?.quantity;
 
-// The levels of an effect in the order of their conditions, the reference, and the ends of the design range that agree
-// with none of them.
+// Returns the cells of an effect: its tested levels, the reference, and those ends of the design range at which no test
+// was made, sorted by the condition.
 function cellsOf(effect) {
   const tested = levelsOf(effect, QUANTITY).map((level) => ({ at: level.at, text: levelText(level), devices: level.factor.devices }));
   const at = conditionOf(effect) ? referenceAt(effect) : null;

@@ -35,7 +35,7 @@ export const panelsFigure = {
 
 const effects = () => SHOWN.filter((effect) => allLevels.some((level) => level.effect === effect));
 
-// A row for the mean of each level, with its intervals, and one for each device.
+// The table behind the figure: for each level a row with the mean and its intervals, and a row for each device.
 function panelData() {
   const ofLevel = resultColumns('conditions_levels'), ofFactor = resultColumns('conditions_factors');
   const none = { low: null, high: null };
@@ -102,7 +102,8 @@ function rangeOfFactors(quantity) {
   const factors = [...levelsOfAll(quantity), ...effects().flatMap((effect) => endsOf(effect, quantity))];
   const logs = (values) => values.filter((value) => isNumber(value) && value > 0).map(Math.log);
   const [low, high] = paddedRange([0, ...logs(factors.flatMap(({ factor, ratios = [] }) => [factor.lambda, ...ratios.map(({ lambda }) => lambda)]))], 0);
-  // An interval far wider than the factors would flatten them, so the axis shows little more of it than their own range.
+  // A very wide interval would leave little room for the factors, so the axis extends beyond them by at most half their
+  // own range or a factor of 1.2, and longer intervals are cut.
   const room = Math.max(0.5 * (high - low), 0.2), within = (value) => Math.min(high + room, Math.max(low - room, value));
   const ends = logs(factors.flatMap(({ factor: { mean, device } }) => [mean?.low, mean?.high, device?.low, device?.high]));
   return paddedRange([low, high, ...ends.map(within)], 0.08);
@@ -110,11 +111,11 @@ function rangeOfFactors(quantity) {
 
 const levelsOfAll = (quantity) => effects().flatMap((effect) => levelsOf(effect, quantity));
 
-// The ends of the axis beyond which an interval of a factor goes on: [0] the lower, [1] the upper, or both.
+// At which ends of the axis an interval of a factor is cut: [] at none, [0] at the lower, [1] at the upper, or [0, 1].
 const cutEnds = ({ mean, device }, [low, high]) =>
   [0, 1].filter((end) => [mean, device].some((of) => of && (end === 0 ? Math.log(of.low) < low : Math.log(of.high) > high)));
 
-// Points of a panel in the order of the condition, with the reference, and its lines.
+// Returns the points of a panel, with the reference, its lines and its axis, for an effect whose condition is a number.
 function ofCondition(effect, quantity) {
   const { title, unit, log } = conditionOf(effect);
   const ends = endsOf(effect, quantity), range = rangeOf(effect);
@@ -129,7 +130,8 @@ function ofCondition(effect, quantity) {
   };
 }
 
-// Ageing has no order: each level has a place of its own beside that of devices that were not aged.
+// The same for ageing. Its levels are not values of one quantity, so they stand side by side at 1, 2, ..., and devices
+// that were not aged stand at 0.
 function ofAgeing(quantity) {
   const levels = levelsOf('ageing', quantity);
   const points = [{ at: 0, reference: true }, ...levels.map((level, i) => ({ ...level, at: i + 1 }))];
@@ -149,7 +151,7 @@ function ofAgeing(quantity) {
   };
 }
 
-// All lines of a kind are one trace with gaps.
+// Joins all lines of a kind into one trace of Plotly, with gaps between them.
 function lineOf(curves, kind, axes, line) {
   const some = curves.filter((curve) => curve.kind === kind);
   return {

@@ -29,7 +29,7 @@ export const conditionsSection = {
     : [whyNotFigure],
 };
 
-// Puts the properties to choose from above a figure.
+// Adds buttons above a figure with which the reader chooses the properties that it shows.
 function withProperties(figure) {
   const options = PROPERTIES.map((group, place) => [String(place), group.join(' and ')]);
   return options.length > 1 ? { ...figure, controls: () => [choiceButtons('conditionsOf', options, { 'aria-label': 'Properties' })] } : figure;

@@ -11,7 +11,7 @@ import { MOST_LOOPS, cyclesShown } from './loop.js';
 
 const several = drawable.length > 1;
 
-// The devices of a lot as small loops. A press on one chooses it everywhere.
+// A small loop for each device of the lot. A press on a loop chooses its device in all sections.
 export const deviceLoopsFigure = {
   id: 'device-loops',
   title: '',
@@ -45,8 +45,8 @@ function outline(x, F, limits) {
   return x.map((value, i) => (i === 0 ? 'M' : 'L') + at(value, limits.x, WIDE).toFixed(1) + ' ' + at(-F[i], limits.F, HIGH).toFixed(1)).join('');
 }
 
-// One loop of a device: the last of the cycles that the large figure shows in black, which has the largest amplitude in
-// most tests.
+// Returns one loop of a device: the last of the cycles that the large figure draws in black. Most tests end with their
+// largest amplitude, so this usually is the largest loop.
 function oneLoop(device) {
   const { t, x, F } = record(device),
     force = curve(laws[chosen.law]?.fitOn.get(device.index)?.force_kN),

@@ -24,8 +24,8 @@ export const answerLoopFigure = {
   below: timeSlider,
 };
 
-// The parts of the record that are drawn in full: one cycle of each block. Null if the record has no cycles; then all
-// of it is drawn in full.
+// The times [from, to] of the parts of the record that are drawn in black: one cycle of each block. Null if the record
+// has no cycles; the whole record is then drawn in black.
 export function cyclesShown(device) {
   const axis = rawTime(device);
   const cycles = device.blocks.map(countingCycle).filter(Boolean);
@@ -42,13 +42,14 @@ function shown() {
     parts = cyclesShown(device);
   const inside = t.map((time) => !parts || parts.some(([from, to]) => time >= from && time <= to)),
     fitted = t.map((time) => (predicted ? !isLargeSwing(device, time) : isScored(device, time)));
-  // A swing is the motion from one turning point to the next. In the larger swings of a test this shows the force of
-  // the fit to the smaller swings, because that fit has to predict them. A fit to all swings already knows them.
+  // A swing is the motion from one turning point to the next. In the larger swings of a test the figure shows the force
+  // that was predicted by a fit to the smaller swings. A fit to all swings would be no prediction there.
   const force = predicted ? ofFit.map((value, i) => (fitted[i] ? value : predicted[i])) : ofFit;
   return { device, law, fit, t, x, F, force, predicted, parts, inside, fitted };
 }
 
-// The values where `wanted` holds, and one sample beyond on both sides, so that neighbouring lines meet.
+// Keeps the values where `wanted` is true and one sample beyond on both sides, so that neighbouring lines meet. All
+// other values become null.
 const where = (values, wanted) => values.map((value, i) => (wanted[i] || wanted[i - 1] || wanted[i + 1] ? value : null));
 
 function loopCaption() {

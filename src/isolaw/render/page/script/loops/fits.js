@@ -36,8 +36,8 @@ export const isScored = (device, time) =>
 
 export const isLargeSwing = (device, time) => device.large_swings.some(({ from, to }) => time >= from && time <= to);
 
-// The range of forces to draw. It includes the computed forces as far as they exceed the measured ones by at most half
-// of the measured range; larger forces are cut off.
+// The range of forces to draw. It holds all measured forces, and computed forces that lie beyond them by at most half
+// of the measured range. Computed forces farther out are cut off.
 export function forceRange(measured, computed) {
   const low = Math.min(...measured),
     high = Math.max(...measured),

@@ -5,7 +5,8 @@ import { devices, fitData, laws } from '../report.js';
 import { keyOf, sortedBy, tableOf } from '../tables.js';
 import { fixed, isNumber, objectiveText, signed, significant } from '../text.js';
 
-// Whether the objective of any fit is a mean with weights. The table then also has the mean over time.
+// True if the objective of any fit is a weighted mean (option --weights). The table then also shows the objective as
+// the plain mean over time.
 const weighed = laws.some((law) => law.devices.some((fit) => isNumber(fit.objective_by_time)));
 
 export const fitsFigure = {

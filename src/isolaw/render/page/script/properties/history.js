@@ -10,7 +10,8 @@ export const cycleHistoryFigure = {
   id: 'cycle-history',
   title: 'Displacement history with blocks and cycles',
   depends: ['tested'],
-  // An inspection whose devices have one block each needs no history: the loops are coloured by cycle and show as much.
+  // In an inspection whose devices have one block each, the loops are coloured by cycle and already show what the
+  // history would show.
   wanted: () => chosen.tested !== null && !(inspection && devices.every((device) => device.blocks.length === 1 || device.status !== 'ok')),
   caption: cycleHistoryCaption,
   csv: rawData,

@@ -52,7 +52,7 @@ function propertyControls() {
     : [deviceChooser('tested', tested, 'tested'), element('label', {}, 'Block', select)];
 }
 
-// The section on conditions has those of its own.
+// The warnings of this section. Warnings about conditions belong to the section on conditions, if there is one.
 const warned = () => report.findings.warnings.filter(({ topic }) => !report.conditions || topic !== 'conditions');
 
 function takeCare() {
