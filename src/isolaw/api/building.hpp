@@ -41,7 +41,8 @@ struct BuildingOptions {
   std::function<bool()> interrupted = {};                                  // called between analyses, from any thread
 };
 
-// Response of the nominal building to a motion, by the implicit integrator. Each vector has one element per time step.
+// The response of the nominal building to a motion, computed by the implicit integrator. Each vector has one element for
+// each time step.
 struct BuildingHistory {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> base;              // relative to the ground: x and y in mm, rotation in rad
@@ -59,8 +60,8 @@ class Building {
   std::vector<std::string> laws() const;
   std::size_t draws() const;
   std::size_t motions() const;
-  // The values of a quantity of building.json as [law][draw][motion], row by row. A value is NaN if the run gave no
-  // finite number. Throws Error for an unknown quantity.
+  // The values of a quantity of building.json for each law, draw and motion, row by row: the motion changes fastest,
+  // the law slowest. A value is NaN if the run gave no finite number. Throws Error for an unknown quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
   // Throws Error if `law` or `motion` is not below laws().size() or motions().
   BuildingHistory history(std::size_t law, std::size_t motion) const;

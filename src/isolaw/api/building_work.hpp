@@ -46,7 +46,8 @@ struct StudiedBuilding {
   building::Layout layout;
 };
 
-// The values of a quantity of building.json, as [law][draw][motion]. Throws Error for an unknown quantity.
+// Returns the values of a quantity of building.json for each law, draw and motion; the motion changes fastest. Throws
+// Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
 // Computes the runs that the directory does not hold yet, or all without a directory, and writes the reports. The files
 // are the same, byte by byte, as those of the command. Throws Error for a building that cannot be analysed, for another

@@ -31,7 +31,8 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
 // Fills in `acceptance`: reads the rule set and the letterhead from their files if only the names of these are given.
 // Throws Error if one of them or the design values are wrong.
 void complete_acceptance(campaign::Acceptance& acceptance);
-// Remarks on design values that are allowed and yet probably not meant: without a rule set, or damping as a share.
+// Returns remarks on design values that are allowed but probably a mistake: design values without a rule set, or
+// damping given as a share instead of a percentage.
 std::vector<Complaint> remarks_on_design(campaign::Acceptance const& acceptance);
 // Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
 // except for a part. Returns what the store then holds, which is incomplete after an interruption.

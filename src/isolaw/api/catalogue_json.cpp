@@ -67,7 +67,7 @@ std::string rule_sets_json() {
 
 std::string rule_text(std::string const& name) {
   if (name == "template") return std::string(rules::rule_set_text(name));
-  rules::find_rule_set(name);  // a file must hold a rule set
+  rules::find_rule_set(name);  // throws Error if the file holds no rule set
   return rules::load_rule_text(name);
 }
 

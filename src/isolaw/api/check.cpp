@@ -47,7 +47,7 @@ std::size_t runs_since(std::filesystem::path const& directory, std::size_t missi
 }
 
 // After `isolaw report --rules ...`, report.html states other rules than the store. `contents` and `summary` then get
-// the rules of report.html. Returns false if it states no other rules or cannot be read.
+// the rules of report.html. Returns false if report.html states the same rules or none, or cannot be read.
 bool hold_to_what_the_page_states(std::filesystem::path const& directory, campaign::Contents& contents,
                                   study::Summary& summary) {
   auto const stored = contents.acceptance;

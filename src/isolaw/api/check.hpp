@@ -20,13 +20,13 @@ struct CheckedBuilding {
 };
 
 struct CheckedCampaign {
-  // `check` also has a fault, or a difference if another build made the store, for each file that is not what the store
-  // gives.
+  // `check` also has an entry for each file beside the store that differs from what the store gives. The entry is a
+  // fault, or a difference if another build made the store.
   campaign::Check check;
   std::string missing;             // what an incomplete campaign still has to compute; empty if it is complete
   std::size_t compared_files = 0;  // reports and tables beside the store
-  std::size_t outdated_files = 0;  // those of them that were written before the last runs
-  std::size_t runs_since = 0;      // the number of these runs
+  std::size_t outdated_files = 0;  // the number of compared files that were written before the last runs
+  std::size_t runs_since = 0;      // the number of runs that were added after these files were written
   bool other_rules = false;        // the files state other rules, design values or lot size than the store
   std::string made_by;             // the builds that computed the store, if another one did
 

@@ -11,7 +11,7 @@
 
 namespace isolaw {
 
-// Reads a lot file. The module `rules` answers for its names of rule sets and its design values. Throws Error as
+// Reads a lot file, including its rule set and design values, which the module `rules` checks. Throws Error as
 // campaign::read_lot_file() does.
 campaign::Lot read_lot(std::filesystem::path const& file, campaign::LotFileOptions options = {});
 // The same for the tables of a lot file. The files that they name are sought in `folder`.

@@ -13,7 +13,7 @@ namespace isolaw {
 struct NamedValue {
   std::string name;
   double value = 0.0;
-  std::string where = {};  // "parameters.toml:3", "--set"; if empty, messages name the caller's `where`
+  std::string where = {};  // place of the value: "parameters.toml:3", "--set"; if empty, the `where` of the caller
 };
 
 // Reads a text such as "Ke=2.5", in the law's units. Throws Error for any other form.

@@ -524,7 +524,7 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return commands.run_given();
 }
 
-// The reader of a failure as JSON: nobody, a program that runs isolaw with --json, or the engine of isolaw's web page.
+// Who reads a failure as JSON: nobody, a program that runs isolaw with --json, or the engine of isolaw's web page.
 enum class Reader { none, program, engine };
 
 // The engine of isolaw's web page passes this word before the command. run() removes it.

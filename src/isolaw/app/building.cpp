@@ -143,8 +143,8 @@ std::string limits_text(building::LawAnswer const& law, UnitSystem const& units)
   return text;
 }
 
-// A table of the limits with one column for each law: the largest of the responses that the limit judges, and whether
-// the limit is kept.
+// A table of the limits with one column for each law: the largest of the responses that are compared with the limit,
+// and whether the limit is kept.
 std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSystem const& units) {
   constexpr int width = 36;
   auto text = fmt::format("{:<32} {:>9}", "", "allowed");

@@ -74,7 +74,7 @@ struct ConditionsArguments {
   std::filesystem::path lot;                         // a lot file with a table [conditions], or a campaign of one
   std::optional<std::filesystem::path> out;          // for conditions.json
   std::optional<std::filesystem::path> write_rules;  // a new file for the measured factors
-  std::optional<int> devices;                        // that shall show every end of the design in the plan
+  std::optional<int> devices;                        // in the plan: how many devices test each end of the design range
   bool allow_outside = false, json = false, details = false, plan = false, at_reference = false;
 };
 int conditions(ConditionsArguments const& arguments);

@@ -17,7 +17,7 @@ constexpr double stretch_mm = 208.0;
 struct ConditionTest {
   char const* name;
   double temperature_C = 20.0, frequency_Hz = 0.5, load_kN = 2000.0;
-  double off_percent = 0.0;  // how far this test's forces are off the formulas, apart from ConditionDevice::off
+  double off_percent = 0.0;  // deviation of this test's forces from the formulas, in addition to ConditionDevice::off
   double rest_h = 24.0;
   bool aged = false, acceptance = false;
   int cycles = 5;

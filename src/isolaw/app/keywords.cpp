@@ -24,8 +24,8 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// A parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which keeps the value
-// that stands elsewhere, such as in the building file.
+// Returns a parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which means
+// that the value from elsewhere, such as the building file, is kept.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});

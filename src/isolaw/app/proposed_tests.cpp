@@ -14,7 +14,8 @@ namespace {
 
 constexpr double usual_C = 20.0;  // the temperature at which most tests are made
 
-// The test from which most others differ in one condition or none. An aged test is no reference.
+// Returns the test that suits best as the reference. Tests that are not aged, have counted cycles and state a
+// temperature come first; among them the one from which most other tests differ in at most one condition.
 RecognisedTest const& reference_of(std::vector<RecognisedTest> const& tests,
                                    std::vector<campaign::ProposedTest> const& proposed) {
   conditions::Tolerance const tolerance;

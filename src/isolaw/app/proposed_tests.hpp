@@ -12,7 +12,7 @@ namespace isolaw::app {
 struct RecognisedTest {             // a record as `isolaw init` has read it
   conditions::Condition condition;  // frequency and load as measured, temperature as its file states it
   double amplitude_mm = 0.0;
-  int cycles = 0;  // that count
+  int cycles = 0;  // number of counted cycles
 };
 
 // Adds to `remarks` what the names of the records propose, and a reference that one of the tests agrees with. Adds

@@ -48,7 +48,7 @@ struct Chosen {
   study::Doubts doubts;               // the campaign's doubts about the fitted law
   std::string origin;                 // "device 'a'" or "the lot"; empty if the law is not from a campaign
   std::vector<std::string> changes;   // values given with --set; the law then differs from the campaign's
-  std::optional<Finding> bound = {};  // about the bound law that it is, if it is one
+  std::optional<Finding> bound = {};  // if the simulated law is a bound law: the finding that describes it
   // Only for a law fitted to one device, without changes: the record and box of its fit.
   struct Fit {
     data::FitRecord record;
@@ -57,7 +57,7 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// Puts the bound law in the place of the fitted one. Springs then have its parameters too.
+// Replaces the fitted law by the bound law. Springs around the circle then also get the parameters of the bound law.
 void take_bound(SimulateArguments const& a, study::Summary const& summary, laws::LawEntry const& law, Chosen& chosen) {
   if (*a.bound != "lower" && *a.bound != "upper")
     throw Error({.where = "--bound", .found = *a.bound, .allowed = "lower or upper"});
@@ -313,7 +313,7 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
-  // The comparison below needs the law's own parameters. Parameters that were fitted to springs are different ones.
+  // The comparison below needs the law's own parameters, which differ from those that were fitted for springs.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
   // A sine of the period `cycle` is as fast as the user's motion. A figure of eight of the same period would be sqrt(2)
   // times as fast, so its period is taken sqrt(2) times as long.

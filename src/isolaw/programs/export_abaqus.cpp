@@ -16,9 +16,9 @@
 namespace isolaw::programs {
 namespace {
 
-// The number of state variables (SVARS) that the element asks for. fixed_variables are enough for the largest state of
-// a law that stores no turning points. A law that stores them gets turning_variables in addition: up to five numbers
-// for each of the turning points that it can keep.
+// The number of state variables (SVARS) that the element asks for. The number fixed_variables is enough for every law
+// that stores no turning points. A law that stores turning points gets turning_variables in addition: up to five
+// numbers for each turning point that it can keep.
 constexpr int fixed_variables = 64, turning_variables = 5 * static_cast<int>(laws::OpenBranches::most);
 
 }  // namespace

@@ -31,8 +31,8 @@ Variants variants_of(Subject const& subject) {
   return variants;
 }
 
-// True if the force begins with an unbounded slope: the chord from zero then grows as it becomes shorter. The tangents
-// of such laws are limited, so they do not show it.
+// True if the slope of the force at zero displacement is infinite. The chord from zero then becomes steeper as it
+// becomes shorter. The law's tangent cannot tell this, because the code of such laws limits it.
 bool starts_steeply(Subject const& subject) {
   double const amplitude = subject.design_disp_mm / subject.law->info.length.in_record_units;
   auto const chord = [&](double share) {

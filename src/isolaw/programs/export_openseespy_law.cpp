@@ -17,7 +17,8 @@
 namespace isolaw::programs {
 namespace {
 
-// The largest force of each variant (nominal, lower and upper bound) along the path of the check, as items of a dict.
+// Returns the items of a Python dict: for each variant (nominal, lower and upper bound) the largest force along the
+// motion of the self-check.
 std::string peaks(Subject const& subject, LawCheck const& check) {
   double nominal = 0.0;
   for (double const force : check.force) nominal = std::max(nominal, std::abs(force));

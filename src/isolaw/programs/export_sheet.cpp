@@ -350,7 +350,8 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;  // the last one computed: all are for the same building, and only its facts are used below
+  RefitResponse
+      response;  // of the last set compared; only its facts on the building, equal for all sets, are used below
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);

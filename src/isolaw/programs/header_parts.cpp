@@ -88,9 +88,9 @@ std::size_t closing_angle(std::string_view code) {
   return code.size();
 }
 
-// Rewrites one line of a law for an exported file, which has no templates over the types of numbers T, X and N of
-// laws/law.hpp: a T becomes a double, an X or N a Dual (see written_for). From template arguments these types are left
-// out, so that State<N> becomes State.
+// Rewrites one line of a law for an exported file. There the number types T, X and N of laws/law.hpp are no template
+// parameters: T becomes double, X and N become Dual (see written_for). In template arguments these types are left out,
+// so that State<N> becomes State.
 std::string with_plain_numbers(std::string_view code) {
   std::string text;
   while (!code.empty()) {
@@ -187,8 +187,8 @@ std::string with_blank_lines(std::vector<std::string> const& parts) {
   return text;
 }
 
-// Some lines of the exported code, with the comment above them. `name` is the function's name if they are an inline
-// function, and the name from std if they are a declaration such as `using std::abs`. Otherwise `name` is empty.
+// A block of lines of the exported code, with the comment above it. `name` is the name of an inline function, or "abs"
+// for a declaration such as `using std::abs`. Any other block has no name.
 struct Block {
   std::string name, text;
 };

@@ -2,8 +2,8 @@
 //
 // Lines of a file of laws/ between `// [export]` and `// [end]` are exported. `// [export struct Bilinear]` encloses
 // them in that struct. In these lines T is the number type of the parameters, X that of the motion and N that of the
-// force. The export drops these three from the heads of templates and writes double, Dual and Dual for them. The marked
-// lines of the files that a law's file includes come before its own. Functions that nothing calls are left out.
+// force. The export removes T, X and N from the template parameters and writes double for T and Dual for X and N. The
+// marked lines of included files come before those of the law's own file. Functions that nothing calls are left out.
 #pragma once
 
 #include <string>

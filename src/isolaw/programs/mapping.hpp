@@ -23,8 +23,8 @@ struct MappedCommand {
   std::vector<Argument> arguments;
 };
 
-// Whether commands give the law's force at steps of any size, or only in the limit of small steps. The latter holds if
-// OpenSees integrates the law.
+// Whether commands give the law's force at steps of any size (every_step), or only in the limit of small steps, because
+// OpenSees integrates a differential equation (small_steps).
 enum class Exactness { every_step, small_steps };
 
 // Commands that together make a material or an element. The model uses what the last command makes.
@@ -34,7 +34,8 @@ struct Form {
   Exactness exactness = Exactness::every_step;
   std::vector<MappedCommand> commands;
   std::string condition = {};  // a limitation that users are told, such as where the force is NaN; "" if there is none
-  // Longest travels in one direction before the force is NaN: from rest, and from side to side. Empty without a limit.
+  // The longest travel in one direction with a force that is not yet NaN: from rest, and from one side to the other.
+  // Empty without such a limit.
   std::optional<double> longest_travel_mm = {}, longest_swing_mm = {};
   std::string since = {};  // first version of OpenSees that has the material; "" if all have it
 };

@@ -79,7 +79,7 @@ class BearingPlasticity final : public Material {
   double k_, qd_, alpha1_, alpha2_, mu_, plastic_ = 0.0;
 };
 
-// When implicit_z() ends Newton's rule: at a change of z that is small enough, or after `most` iterations. The values
+// Newton's rule in implicit_z() ends if the change of z is small enough, or fails after `most` iterations. The values
 // are the defaults of OpenSees.
 struct Iteration {
   double tolerance = 1e-8;  // the iteration ends if z changes by less

@@ -36,8 +36,9 @@ struct Command {
   std::vector<double> arguments;
 };
 
-// The tags of a command's material and of those it uses, as offsets from the tag that the user gives. The last command
-// of a list makes the material that the user asked for, so it has offset 0; the commands before it have 1, 2, ...
+// The tags of the material that a command makes and of the materials that it uses, as offsets from the tag that the
+// user gives. The last command of a list makes the material that the user asked for, so the tag of this material has
+// the offset 0. The materials of the other commands have the offsets 1, 2, ...
 struct Tags {
   std::size_t own = 0;
   std::vector<std::size_t> inner;  // offsets of the materials that this command uses

@@ -36,7 +36,7 @@ struct Model {
   std::string weight_from, centre_from, gyration_from, K_v_from;  // sources of weight, centre, gyration and K_v
   std::vector<data::GroundMotion> motions;                        // motion along x, and a second one along y if given
   double scale = 1.0;
-  // Law parameters drawn for each bearing, as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
+  // The parameters drawn for each bearing, as draws[draw][bearing]. If empty, the analyses use the bounds of the law.
   std::vector<std::vector<std::vector<double>>> draws;
   std::uint64_t seed = 0;
   std::vector<std::string> draws_said;  // study::sentences() about the draws

@@ -112,8 +112,8 @@ int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, S
 }
 
 // Replays a form on all histories. `as_demanded` is for the form of a substitute, which can only approximate the law.
-// It cuts the records' steps until they are as short as the exported file demands, so that the deviation does not
-// include errors of integration by longer steps.
+// The steps of the records are then cut until they are as short as the exported file demands. Without this, the
+// deviation from the law would include integration errors of longer steps.
 Realised replayed(Form const& form, Subject const& subject, bool as_demanded = false) {
   Realised realised{.nominal = form};
   if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);

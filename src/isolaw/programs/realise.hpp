@@ -41,7 +41,8 @@ struct Realised {
   std::vector<std::pair<std::string, Form>> draws =
       {};                   // forms of the drawn laws, named by drawn_variant() (model_text.hpp)
   Deviation from_law = {};  // deviation from the law, largest over all histories, in steps up to replayed_step_mm
-  // As from_law, with steps finer_steps times smaller. Only for Exactness::small_steps, and not for a substitute.
+  // Deviation from the law with steps that are finer_steps times smaller than those for from_law. Only for
+  // Exactness::small_steps, and not for a substitute.
   std::optional<Deviation> finer = {};
   std::optional<Deviation> from_measured = {};  // deviation from the measured force
   std::vector<OtherCycle> other_cycles = {};    // only for a substitute

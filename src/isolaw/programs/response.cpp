@@ -22,7 +22,7 @@ struct Peaks {
   double disp_mm = 0.0, shear_kN = 0.0;
 };
 
-// How far displacement and shear differ from those of `truth`, in percent of the latter.
+// Returns the differences of peak displacement and peak shear from `truth`, in percent of the values in `truth`.
 std::array<double, 2> differences(Peaks const& value, Peaks const& truth) {
   return {100.0 * (value.disp_mm / truth.disp_mm - 1.0), 100.0 * (value.shear_kN / truth.shear_kN - 1.0)};
 }

@@ -38,11 +38,11 @@ struct RefitResponse {
   std::string why_not;
 };
 
-// Computes the response of the building with the law once, to compare it with that of any number of re-fits. The ground
-// motions are Subject::motions or, if there are none, the motion of Subject::model along x. Without a model they are
-// those of building::example_motion(), each scaled so that the peak displacement with the law is the tested one, or up
-// to 2 % less. The mass is the mean one that the model puts on a bearing; without a model it follows from the mean
-// vertical load of the tests, or from usual_period_s if no load is known.
+// Computes the response of the building with the law once, to compare it with the responses with any number of re-fits.
+// The ground motions are Subject::motions or, if there are none, the motion of Subject::model along x. Without a model
+// they are the motions of building::example_motion(), each scaled so that the peak displacement with the law is the
+// tested displacement, or up to 2 % less. The mass is the mean mass on a bearing of the model. Without a model it
+// follows from the mean vertical load of the tests, or from usual_period_s if no load is known.
 class BuildingOnLaw {
  public:
   explicit BuildingOnLaw(Subject const& subject);

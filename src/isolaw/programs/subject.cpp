@@ -114,7 +114,7 @@ rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
 }
 
 struct PropertyBounds {
-  double own = 0.0;                    // the lot's mean, or the value in the device's counting cycle: own_value()
+  double own = 0.0;                    // own_value(): the lot's mean, or the value in the device's counting cycle
   std::optional<double> lower, upper;  // the bounds divided by `own`
   std::optional<double> tolerance_factor;
   std::string text;
@@ -201,8 +201,9 @@ Bounds bounds_of_the_lot(study::Summary const& summary, Subject const& subject, 
   return bounds;
 }
 
-// The bounds over the design conditions or, if none are asked for, those of the scatter between devices. These would be
-// too narrow in place of bounds that tests do not show.
+// Returns the bounds over the design conditions. If the lot has no design conditions, returns the bounds from the
+// scatter between devices. If there are design conditions but the tests give no bounds for them, there are no bounds:
+// those from the scatter would be too narrow.
 Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
   auto const design = study::design_bounds(summary, *subject.law, subject.parameters);
   if (design.none) {
@@ -408,7 +409,8 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
-  // Whether samples had weights is seen from the records, since a record without swings has none, whatever the setting.
+  // The setting alone does not tell whether samples had weights: a record without swings has none. So this looks at the
+  // records.
   if (std::ranges::any_of(contents.devices, [&](campaign::Device const& d) {
         return !d.record.weights.empty() &&
                std::ranges::find(subject.histories, d.name, &History::device) != subject.histories.end();

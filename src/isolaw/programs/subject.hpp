@@ -85,7 +85,7 @@ struct Subject {
   Bounds bounds;
   std::uint64_t seed = 1;
   int refinement = 1;
-  double dead_band_mm = 0.0;  // that of the device's record; for a lot the largest of its records
+  double dead_band_mm = 0.0;  // dead band of the device's record; for a lot the largest dead band of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
   std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law

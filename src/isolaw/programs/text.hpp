@@ -20,7 +20,7 @@ std::string identifier(Subject const& subject, UnitSystem const& units);
 // Throws Error if `name` cannot be the name of an export in Tcl, Python and C++.
 void require_export_name(std::string_view name);
 // Two different files that define the same name must not be used in one program. Every script and C++ file therefore
-// holds a number computed from its whole text, by which it notices a different file of the same name.
+// holds a number computed from its whole text, by which it recognises another file that defines the same name.
 // with_own_number() puts this number in place of `own_number_mark`.
 inline constexpr std::string_view own_number_mark = "@own number@";
 std::string with_own_number(std::string text);
