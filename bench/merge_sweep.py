@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Costs of a merge, from synthetic parts: time, memory and bytes for 10, 100 and 1,000 of them.
+"""Measures the time, memory and bytes that a merge of 10, 100 and 1,000 synthetic parts takes.
 
 bench/merge_sweep.py ISOLAW [RUNS_PER_PART] [PARTS,PARTS,...]; prints the table of docs/scale.md. Each part is a real part
 of the built-in lot (ten devices, two laws) whose runs are repeated under other numbers: rows like a campaign's, with

@@ -2,8 +2,9 @@
 """Cost of isolaw's materials in OpenSeesPy, beside that of OpenSees' own, as ratios of one run.
 
 A thousand zeroLength elements of one material follow cycles of a rising amplitude, in a static and in a transient
-analysis. The time of the same model with the material Elastic is subtracted. What remains is divided by the number of
-elements and steps, and by the same number for BoucWen and Steel02. The best of several runs counts.
+analysis. The time of the same model with the material Elastic is subtracted, and the rest is divided by the number of
+elements and steps. The result is also shown as a ratio to that of BoucWen and of Steel02. The shortest of several
+runs counts.
 
     PYTHONPATH=build/release/python:build/opensees/openseespy/lib/python3.11/site-packages /usr/bin/python3 bench/opensees.py
 """
@@ -58,7 +59,7 @@ def seconds(make, transient):
     ops.system("FullGeneral")
     ops.algorithm("Linear")
     if transient:
-        # A mass so large that the ground's motion is the springs' motion, whatever their force.
+        # The mass is so large that the springs cannot move it: their displacement is that of the ground.
         ops.mass(2, 1e12)
         ops.timeSeries("Path", 1, "-dt", 0.01, "-values", 0.0, *PATH)
         ops.pattern("Plain", 1, 1)

@@ -1,8 +1,9 @@
-# Defines the targets of cmake/dependencies.cmake for the page and for wheels (ISOLAW_BUNDLED). A program that has to run
-# where these libraries are not installed contains them. tools/library_sources.sh fetches their sources.
+# Defines the same targets as cmake/dependencies.cmake, but builds the libraries from source (ISOLAW_BUNDLED). The page,
+# wheels and the Debian package contain them, since they run where the libraries are not installed.
+# tools/library_sources.sh fetches the sources.
 set(ISOLAW_LIBRARIES ${PROJECT_BINARY_DIR}/libraries CACHE PATH "folder of tools/library_sources.sh")
 set(sources bearssl expat minizip sqlite3 zlib)
-# The runtime of these compilers is part of every program that they link, so their licences hold too.
+# These compilers link their runtime libraries into every program, so the licences of the runtimes hold too.
 if(EMSCRIPTEN)
   list(APPEND sources emscripten)
 elseif(WIN32)

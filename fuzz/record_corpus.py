@@ -166,7 +166,8 @@ def structure(name, fields, count=1, length=16):
 
 
 def level4(name, values, columns=1, kind=0):
-    """A variable as MATLAB 4 wrote it; `kind` is 0 for doubles, 10 for floats, 20 to 50 for integers, 1000 more for big-endian."""
+    """Returns a variable as MATLAB 4 wrote it. kind: 0 for doubles, 10 for floats, 20 to 50 for integers; 1000 is added
+    for big-endian."""
     order = ">" if kind >= 1000 else "<"
     code = {0: "d", 10: "f", 20: "i", 30: "h", 40: "H", 50: "B"}[kind % 1000]
     return (struct.pack(f"{order}5i", kind, len(values) // columns, columns, 0, len(name) + 1) + name.encode() + b"\0" +

@@ -135,7 +135,7 @@ std::vector<Table> sound_store(std::filesystem::path const& folder) {
   return tables;
 }
 
-// Takes the bytes of the input one after another, and zeros after its end.
+// Returns the bytes of the input one after another, and zeros after the end of the input.
 struct Bytes {
   std::string_view left;
   std::size_t next() {
@@ -225,7 +225,7 @@ void change(Table& table, Bytes& bytes) {
     case 2:
       value = odd_value(bytes);
       break;
-    case 3: {  // the same in all rows
+    case 3: {  // the same odd value in this column of all rows
       auto const odd = odd_value(bytes);
       for (auto& each : rows) each[column] = odd;
       break;
@@ -269,7 +269,8 @@ void use(campaign::Contents const& contents) {
       fuzz::attempt([&] { fitted_law(contents, law, device); });
       fuzz::attempt([&] {
         auto const subject = programs::make_subject(contents, summary, law, device);
-        programs::write_export(subject, programs::find_target("cpp"), unit_systems[0], true);  // the others fit it anew
+        // Most other targets would first fit other laws to this one.
+        programs::write_export(subject, programs::find_target("cpp"), unit_systems[0], true);
       });
     }
   }

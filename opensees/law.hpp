@@ -18,10 +18,10 @@ extern "C" struct IsolawLaw {
   int parts;              // equal parts into which each step is divided
   double length_to_law;   // times a length in the model's unit gives the length in the law's unit
   double force_from_law;  // times a force in the law's unit gives the force in the model's unit
-  double factor;          // on the force: 1, or the factor of a bound
+  double factor;          // multiplies the force: 1, or the factor of a bound
   double lower, upper;    // factors of the bounds; NaN for a bound that the law does not have
   int springs;            // for sections: the number of springs, or 0 for one law that couples both directions
-  double axes[2][3];      // for sections of laws that depend on velocity: local axes y and z in global coordinates
+  double axes[2][3];      // for sections of laws that depend on velocity: the local axes y and z in global coordinates
 };
 
 namespace isolaw::opensees {
@@ -34,10 +34,10 @@ struct Law {
   bool depends_on_velocity;
 
   explicit Law(IsolawLaw const& given);
-  // The factor on the force if the parameter has this value. For ParameterKind::lower and upper, 1 gives the bound and
-  // 0 the nominal law. NaN if the law has no such bound.
+  // Returns the factor on the force for this value of the parameter. For ParameterKind::lower and upper, the value 1
+  // gives the bound and 0 the nominal law. Returns NaN if the law has no such bound.
   double factor_of(ParameterKind parameter, double value) const;
-  // The value with which factor_of() returns this factor; 0 if there is none.
+  // Returns the value of the parameter for which factor_of() returns this factor; 0 if there is no such value.
   double value_of(ParameterKind parameter, double factor) const;
 };
 

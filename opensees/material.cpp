@@ -25,7 +25,7 @@ struct Material {
   laws::Online law;
   double factor;
   struct State {
-    double disp = 0.0, velocity = 0.0, energy = 0.0;  // in the model's units; `energy` is the work, with the factor
+    double disp = 0.0, velocity = 0.0, energy = 0.0;  // in the model's units; `energy` is the work of factor * force
     laws::Online::Force force = {};                   // in the law's units, without the factor
   } trial = {}, committed = {};
 

@@ -95,14 +95,15 @@ constexpr std::string_view movable_functions[]{"D1Ev",
                                                "11setVariableEPKcR11Information",
                                                "11getVariableEPKcR11Information"};
 
-// The mangled name: "_ZN" or "_ZNK", the length and name of the class, and the function as in Class::functions, for
-// example "_ZN16UniaxialMaterial9getStressEv".
+// Returns the mangled name of a member function: "_ZN" or "_ZNK", the length and name of the class, and the function as
+// Class::functions has it. Example: "_ZN16UniaxialMaterial9getStressEv".
 std::string mangled(std::string_view class_name, std::string_view function) {
   bool const is_const = function.ends_with(" K");
   if (is_const) function.remove_suffix(2);
   return fmt::format("_ZN{}{}{}{}", is_const ? "K" : "", class_name.size(), class_name, function);
 }
-// The mangled name of the thunk: the entry to the same function for callers with a pointer to the MovableObject.
+// Returns the mangled name of the thunk of a member function. Through the thunk the function is called by callers that
+// have a pointer to the MovableObject within the object.
 std::string thunk(std::string_view class_name, std::string_view function) {
   auto const name = mangled(class_name, function);
   return fmt::format("_ZThn{}_{}", movable_object_at, name.substr(2));
@@ -141,8 +142,8 @@ struct TypeWithBases {
   } bases[2];
 };
 
-// Says for each of `most` bytes of memory whether a constructor writes it. The constructor runs on two memories that
-// were filled with different values; it wrote the bytes that are then equal.
+// Says for each of `most` bytes whether a constructor writes it. The constructor runs twice, on memory that was filled
+// with two different values. It wrote those bytes that are equal afterwards.
 template <class Construct>
 std::vector<bool> written_bytes(std::size_t most, Construct construct) {
   std::vector<unsigned char> memory[2];
@@ -287,15 +288,15 @@ void Program::prove(Class const& of) const {
     }
   };
   part(base_words, ready_words, 0, of.functions, false);
-  // A class that overrides functions of MovableObject has them in the first part of its table too. The second part may
-  // therefore begin later than in the base class: it begins at the word that holds its offset.
+  // If a class overrides functions of MovableObject, the first part of its table has these functions too and is longer
+  // than that of the base class. The second part begins at the word with the offset of the MovableObject.
   auto const second = words_before_functions + of.functions.size();
   auto const at = static_cast<std::uintptr_t>(-static_cast<std::intptr_t>(movable_object_at));
   std::size_t later = second;
   while (later < second + std::size(movable_functions) && ready_words[later] != at) ++later;
   part(base_words + second, ready_words + later, at, movable_functions, true);
 
-  // Checks the size of an object.
+  // The size of an object is where the bytes that its constructor writes end, up to padding.
   auto const construct = calls_.*of.constructor;
   auto const written = written_bytes(8 * of.bytes, [&](void* memory) { construct(memory, 7, 9); });
   auto const last = std::find(written.rbegin(), written.rend(), true);
@@ -305,7 +306,8 @@ void Program::prove(Class const& of) const {
 }
 
 void Program::prove_values() const {
-  // Makes a Vector, a Matrix and an ID over arrays of this function, reads their members, and has the program multiply.
+  // Makes a Vector, a Matrix and an ID that use the arrays of this function, reads their members, and lets the program
+  // multiply the matrix by the vector.
   double numbers[]{1.0, 3.0, 2.0, 4.0}, two[]{10.0, 100.0}, product[]{0.0, 0.0};
   int whole[]{3, 5};
   ValuesOf<Vector> const vector(*this, two), result(*this, product);
@@ -351,7 +353,7 @@ void Program::find_members() {
   expect(found != words + most_words, "a stream has another layout");
   text_to_stream_ = static_cast<std::size_t>(found - words) - words_before_functions;
 
-  // The layout of Information differs too, so the place of its number is searched for.
+  // The layout of Information differs between versions too, so the place of its number is searched for.
   constexpr std::size_t more_than_it_needs = 512;
   constexpr double number = 1.2345678;
   alignas(16) std::byte memory[more_than_it_needs] = {};

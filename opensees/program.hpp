@@ -64,10 +64,10 @@ struct Calls {
 // A base class and its virtual functions, in the order of its table. Functions have the name that the compiler writes
 // after the name of the class: "9getStrainEv" for getStrain(). " K" at the end marks a const function.
 struct Class {
-  std::string_view name, ready;  // the base class; a class of the program that derives from it, for the check
-  void (*Calls::*constructor)(void* object, int tag, int class_tag);  // of the base class
+  std::string_view name, ready;  // the base class, and a class of the program derived from it, which the check uses
+  void (*Calls::*constructor)(void* object, int tag, int class_tag);  // constructor of the base class
   std::size_t bytes;                                                  // the size of the base class
-  std::span<std::string_view const> functions;  // without those of MovableObject, which follow in the table
+  std::span<std::string_view const> functions;  // without the functions of MovableObject, which follow in the table
 };
 extern Class const uniaxial_material, section_force_deformation;
 
@@ -80,7 +80,7 @@ class Program {
   // A copy of the class's table of virtual functions. The caller may replace functions in it.
   Table table_of(Class const& of) const;
   void write(void* stream, std::string const& text) const;  // to an OPS_Stream of the program
-  double value_in(void const* information) const;           // the number in an Information
+  double value_in(void const* information) const;           // returns the number that an Information object holds
 
   // The motion of the second node of the active element (the one that OpenSees is computing) relative to the first, in
   // global coordinates. nullopt if no element is active or if it is no ZeroLengthSection.

@@ -15,7 +15,8 @@ namespace isolaw::opensees {
 class TableWithOwn {  // a copy of a class's table of virtual functions, to which functions of this library are added
  public:
   TableWithOwn(Program const& program, Class const& of) : class_(of), table_(program.table_of(of)) {}
-  // own() replaces the function with this name in Class::functions, own_as_movable() one of MovableObject.
+  // own() replaces the function that has this name in Class::functions. own_as_movable() replaces a function of
+  // MovableObject.
   template <class Result, class... Arguments>
   void own(std::string_view name, Result (*function)(Arguments...)) {
     table_.at(place_of(class_, name)) = reinterpret_cast<Function>(function);
@@ -43,14 +44,15 @@ inline constexpr int printed_as_json = 25000;  // OPS_PRINT_PRINTMODEL_JSON in O
 
 int tag_of(void const* object);  // the tag of an object that begins with a TaggedObject
 
-// The numbers of this library's own responses. The program has no responses with these numbers.
+// The numbers by which the program asks for responses that only this library has. OpenSees itself uses other numbers.
 enum OwnResponse { energy_response = 4711, state_response };
 // Makes a Response object, with which the program asks `object` for this response at each step. The response always has
 // as many numbers as `numbers`. Returns nullptr if there is no memory.
 void* new_response(Program const& program, void* object, OwnResponse response, std::vector<double> numbers);
 // Returns NaN, and says once in the program that laws have no derivatives by parameters.
 double no_sensitivity(Program const& program);
-int give(Program const& program, std::vector<double> numbers, void* information);  // writes them to an Information
+// Writes the numbers into an Information object of the program.
+int give(Program const& program, std::vector<double> numbers, void* information);
 
 // This library's functions in place of those of MovableObject. The program calls them with the address of the
 // MovableObject, which is a part of the object; whole() returns the object.

@@ -45,7 +45,7 @@ function cut(lot) {
 const joined = ({ before, devices }) =>
   before + devices.map(({ head, tests }) => [head, ...tests].map((piece) => piece.replace(/\n*$/, '\n\n')).join('')).join('').replace(/\n+$/, '\n');
 
-// A piece of cut() is a TOML text with one table above which nothing stands.
+// A piece that cut() returns is a TOML text that consists of one table, with nothing above its heading.
 const keysOf = (piece) => readToml(piece)[1].keys;
 const valueOf = (piece, key) => keysOf(piece).get(key)?.value;
 const withValue = (piece, key, value) => withKey(piece, 1, key, value);
@@ -97,7 +97,7 @@ export function withTestOf(lot, number, name) {
   for (const key of new Set([...readingKeys(from.head), ...readingKeys(to.head)])) {
     const [own, other] = [valueOf(from.head, key), valueOf(to.head, key)];
     if (sameValue(own, other)) continue;
-    // A group such as `columns` of a test adds to that of its device.
+    // A group of keys such as `columns` in a test adds to the group of the same name in its device.
     const stated = (piece, value) => {
       const present = valueOf(piece, key);
       if (value === undefined || (present !== undefined && typeof present !== 'object')) return piece;
@@ -107,7 +107,8 @@ export function withTestOf(lot, number, name) {
     to.tests = to.tests.map((one) => stated(one, other));
     to.head = withValue(to.head, key, null);
   }
-  // A fact that the other device does not have stays as a comment.
+  // If the last test leaves a device, the device is removed. Its facts that the new device does not state are kept as
+  // comments.
   if (from.tests.length === 0) {
     for (const key of FACTS) {
       const fact = valueOf(from.head, key);
@@ -140,8 +141,8 @@ export function withProposedTests(lot, proposed) {
   return next;
 }
 
-// Returns what the name of the file proposes for the keys `wanted` and for `aged`, unless the test states it, as {key:
-// value}.
+// Returns {key: value} with what the name of the file proposes for the keys `wanted` and for `aged`. Leaves out keys
+// that the test states.
 export function proposalsOf({ table: { keys, comments } }, wanted) {
   const found = {};
   for (const key of [...wanted, 'aged']) {

@@ -13,8 +13,8 @@ import { trimmed } from '../src/isolaw/render/page/script/text.js';
 
 export const hasConditions = () => statesConditions(lotTables().tables ?? []);
 
-// Keys that have a column of their own, besides those of ageing. The load has one only if some record has no channel
-// for it.
+// The keys that have a column in the table of tests, besides the keys of ageing. The load has a column only if at least
+// one record has no channel for it.
 const COLUMNS = ['order', 'temperature-C', 'load-kN', 'rest-h'];
 
 const openTests = new Set(); // the files and names of tests whose further keys are shown

@@ -1,4 +1,4 @@
-// Parses a lot file into tables that know where in the text each key stands. A form can then change one value and leave
+// Parses a lot file into tables, with the position of each key in the text. A form can then change one value and leave
 // the rest of the text, with its comments, as it is. The parser knows only the part of TOML 1.0 that lot files use. The
 // program itself checks the text.
 

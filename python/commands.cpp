@@ -1,4 +1,4 @@
-// What the commands inspect, rules, export, sample, check and example do, for Python.
+// Python functions that do what the commands inspect, rules, export, sample, check and example do.
 #include "core.hpp"
 
 #include <fmt/format.h>
@@ -77,7 +77,7 @@ Values seed_in(nb::dict const& given) {
   return seed.is_null() ? Values{} : Values{{"seed", seed}};
 }
 
-// Returns the text of the file and sentences about the law that its user has to read.
+// Returns the text of the exported file, and sentences about the law that its user has to read.
 nb::tuple exported(Campaign const& campaign, std::string const& law, std::string const& device, std::string const& to,
                    std::vector<std::string> const& motions, nb::dict const& given, bool anyway) {
   ExportOptions const options{.law = law,

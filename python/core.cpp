@@ -46,7 +46,7 @@
 namespace isolaw::python {
 namespace {
 
-// An array of doubles in C order, which nobody writes.
+// A read-only array of doubles in C order.
 using Rows = nb::ndarray<double const, nb::c_contig, nb::device::cpu>;
 
 std::string text_of(nb::handle value) {
@@ -71,7 +71,8 @@ nb::object view_or_none(std::vector<double> const& values, nb::handle owner) {
   return values.empty() ? nb::object(nb::none()) : view(values, owner);
 }
 
-// Reads numbers that the caller gives. An array of doubles in C order is not copied. NumPy converts all else.
+// Reads numbers that the caller gives. An array of doubles in C order is used without a copy. NumPy converts anything
+// else.
 Rows rows_of(nb::handle given, char const* what, std::string allowed = "an array of numbers") {
   Rows rows;
   auto const numpy = nb::module_::import_("numpy");
@@ -129,7 +130,7 @@ Json json_of(nb::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = nb::steal<nb::int_>(PyNumber_Index(value.ptr()));
     auto const text = text_of(whole);
-    auto const number = Json::parse(text);  // rounds an integer above 64 bits; the text is then passed on instead
+    auto const number = Json::parse(text);  // rounds integers of more than 64 bits; these are passed on as text instead
     return number.is_number_integer() ? number : Json(text);
   }
   if (nb::isinstance<nb::dict>(value)) {

@@ -25,7 +25,7 @@ using Contents = campaign::Contents;
 struct Record {
   std::string name;
   data::TestRecord raw;
-  data::TestRecord uncorrected = {};  // the record without the user's corrections; empty without any, or if unknown
+  data::TestRecord uncorrected = {};  // the record before the user's corrections; empty if there are none or unknown
 };
 
 struct Campaign {
@@ -95,13 +95,13 @@ Values given_of(Rows const& rows, nb::dict const& given) {
   return values;
 }
 
-// `vertical` has the compression tests by device, as calibrate() takes them.
+// `vertical` has the compression tests by device, in the forms that calibrate() accepts in Python.
 std::vector<campaign::NamedRecord> named_records(nb::list const& records, nb::dict const& vertical);
 
 // The texts of complaints and remarks, with the names of Python's keywords in place of options of the command line.
 std::vector<std::string> texts_in_keywords(std::vector<Complaint> complaints);
 
 void add_states(nb::module_& m);    // how records and campaigns are pickled
-void add_commands(nb::module_& m);  // what the other commands of the program do
+void add_commands(nb::module_& m);  // functions for the program's other commands, such as inspect and export
 
 }  // namespace isolaw::python

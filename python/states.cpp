@@ -1,4 +1,4 @@
-// The states of records and campaigns, from which pickle makes them again in another process.
+// Converts records and campaigns to states and back, so that pickle can copy them to another process.
 #include "core.hpp"
 
 #include <nanobind/stl/shared_ptr.h>

@@ -65,7 +65,7 @@ done
 gzip -9nc CHANGELOG.md >"$docs/changelog.gz"
 printf 'isolaw (%s-1) unstable; urgency=medium\n\n  * Version %s. changelog.gz says what is new.\n\n -- %s  %s\n' "$version" "$version" \
   "$maintainer" "$(git log -1 --format=%cD)" | gzip -9n >"$docs/changelog.Debian.gz"
-# The libraries are in the program on purpose.
+# Debian's checker lintian objects to libraries inside a program. Here they are inside on purpose.
 printf 'isolaw: embedded-library *\n' >"$overrides/isolaw"
 
 glibc=$(objdump -T "$bin/isolaw" | grep -oE 'GLIBC_[0-9.]+' | sort -Vu | tail -1)

@@ -52,7 +52,7 @@ function chunk(name, data) {
   return whole;
 }
 
-// Returns width, height and the pixels as R, G, B of each.
+// Returns the width, the height and the pixels, with three bytes R, G, B for each pixel.
 function decode(png) {
   if (!png.subarray(0, 8).equals(SIGNATURE)) throw new Error('not a PNG file');
   const parts = [];
@@ -92,7 +92,8 @@ function paeth(left, up, corner) {
   return b <= c ? up : corner;
 }
 
-// Median cut: the box of colours with the largest sum of squared deviations along a channel is cut at its mean.
+// Returns a palette by a kind of median cut: again and again, the box of colours with the largest sum of squared
+// deviations from the mean in one channel is cut in two at this mean.
 function paletteOf(pixels) {
   const counts = new Map();
   for (let i = 0; i < pixels.length; i += 3) {

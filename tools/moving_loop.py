@@ -21,7 +21,7 @@ def signed(value):
 
 
 def was_fitted(campaign, law, device):
-    """For each sample of the cleaned record, whether the law was fitted to the block that it belongs to."""
+    """Returns for each sample of the cleaned record whether the law was fitted to the block that contains it."""
     times, raw = campaign.fit_record(device)["time_s"], campaign.record(device)
     fits = next(one for one in campaign.summary["laws"] if one["id"] == law)["devices"]
     scores = next(fit for fit in fits if fit["name"] == device)["blocks"]

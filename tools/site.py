@@ -1,4 +1,4 @@
-"""What MkDocs has to know beside mkdocs.yml to make the site of docs/: ./isolaw.sh site.
+"""Hooks and an extension with which MkDocs makes the site of docs/, in addition to mkdocs.yml: ./isolaw.sh site.
 
 Pages link to files of the project outside docs/, such as ../LICENSE. The site gets a copy of each such file, as text
 that every browser shows, and for a folder a list of its files.
@@ -49,7 +49,7 @@ def on_page_markdown(markdown, page, **_):
 
 
 class Docstrings(griffe.Extension):
-    """Takes signatures from the stub, and makes Markdown of docstrings: examples are code, parameters a list."""
+    """Takes signatures from the stub. Turns docstrings into Markdown, with examples as code and parameters as a list."""
 
     def on_package(self, *, pkg, **_):
         file = ROOT / "python/isolaw/__init__.pyi"
@@ -69,7 +69,8 @@ class Docstrings(griffe.Extension):
         function = thing.members.get("__init__") if thing.is_class else thing
         names = "|".join(one.name for one in getattr(function, "parameters", ()) if one.name != "self")
         if names:
-            # Parameters, each perhaps with a remark in brackets, at the start of a line or a sentence, before a colon.
+            # Finds names of parameters before a colon, at the start of a line or sentence. Each may have a remark in
+            # brackets.
             one = rf"(?:{names})(?:\s\([^)]*\))?"
             explained = re.compile(rf"(?:^|(?<=[.)])\s)({one}(?:,\s+{one})*): ", re.M)
             text = explained.sub(lambda found: "\n- *" + " ".join(found[1].split()) + "*: ", text)

@@ -32,7 +32,7 @@ except ImportError as missing:
 plt.switch_backend("svg")
 plt.rcParams.update({"svg.hashsalt": "isolaw", "svg.fonttype": "none", "figure.figsize": (6.0, 4.0)})
 
-# A block, then perhaps what it prints, then perhaps its picture.
+# Matches a block, which may be followed by what it prints and by its picture.
 BLOCK = re.compile(
     r"^```(python|sh)\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?(?:\n(!\[[^\]]*\]\(([^)]*\.svg)\)\n))?", re.M | re.S
 )
@@ -60,7 +60,7 @@ def run_shell(code):
 
 
 def still_true(shown, printed):
-    """Whether `shown` is what was printed, apart from what `...` stands for."""
+    """Returns whether the text `shown` on the page agrees with what was printed; `...` may stand for any text."""
     pattern = ""
     for line in shown.splitlines(True):
         start = line.removesuffix("...\n")

@@ -1,4 +1,4 @@
-"""Searches of SciPy and of a CMA-ES, at the other end of a socket that bench/optimum opens (bench/peers.cpp).
+"""Runs searches of SciPy and of a CMA-ES for bench/optimum, which it talks to over a socket (bench/peers.cpp).
 
 A task is a line 'method;dimension;residuals;seed;budget'. The script sends points of the unit box, many at once;
 bench/optimum evaluates them and remembers the best. A search starts again from other random numbers until its budget is spent.
@@ -80,7 +80,7 @@ def mirrored(points):
 
 
 def adaptation(problem, generator):
-    """CMA-ES; a restart doubles the population."""
+    """Runs CMA-ES again and again, each time with twice the population."""
     size = None
     while True:
         search = cmaes.CMA(generator.random(problem.dimension), 0.3, seed=int(generator.integers(2**31)),

@@ -381,8 +381,8 @@ struct Transform {
     return made;
   }
 };
-// The elements that the function accepts. Of the views of this file it alone computes one element at a time, so that
-// large elements are not copied.
+// A view of the elements for which the function returns true. Unlike the other views of this file, it computes one
+// element at a time, so that large elements are not copied.
 template <class Iterator, class F>
 struct Filtered {
   struct iterator {

@@ -26,7 +26,7 @@ PLAN = {
 
 
 def swinging(number):
-    """(step in s, accelerations along x and y in m/s2): sines that grow and fade, each motion with its own period."""
+    """Returns (step in s, accelerations along x and y in m/s2): sines that grow and fade, with periods by `number`."""
     t = np.arange(0.0, 10.0, 0.01)
     grown = np.sin(np.pi * t / t[-1])
     return 0.01, 2.0 * grown * np.sin((2.0 + 0.4 * number) * t), grown * np.cos((2.5 + 0.3 * number) * t)

@@ -29,7 +29,7 @@ LOAD = 1600.0  # kN on each bearing, as in the test
 
 
 def ground_motion(file):
-    """Step in s and accelerations in mm/s2: of a file in PEER's format, or a sine that grows and fades."""
+    """Returns step in s and accelerations in mm/s2, from a file in PEER's format or of a sine that grows and fades."""
     if file is None:
         step, count = 0.01, 2500
         grown = [math.sin(math.pi * i / count) for i in range(count)]
@@ -44,7 +44,7 @@ def node(level, column):
 
 
 def build(law, campaign):
-    """The frame; on bearings with the law if there is one, else on fixed columns."""
+    """Makes the frame, on bearings that follow the law. If `law` is None, the feet of the columns are fixed."""
     ops.wipe()
     ops.model("basic", "-ndm", 2, "-ndf", 3)
     mass = COLUMNS * LOAD / GRAVITY / (STOREYS + 1) / COLUMNS
@@ -71,11 +71,11 @@ def build(law, campaign):
             ops.node(below, column * BAY, 0.0)
             ops.fix(below, 1, 1, 1)
             ops.element("zeroLength", below, below, node(0, column), "-mat", 1, 2, "-dir", 1, 2)
-    ops.rayleigh(0.0, 0.0, 0.002, 0.0)  # of the frame; the bearings dissipate by their law
+    ops.rayleigh(0.0, 0.0, 0.002, 0.0)  # damping of the frame; the bearings dissipate energy by their law
 
 
 def shaken(step, accelerations):
-    """Displacement of the base and of the roof against the base, and force and displacement of a bearing, over time."""
+    """Returns, over time: displacement of base, roof relative to base, and force and displacement of a bearing."""
     ops.timeSeries("Path", 1, "-dt", step, "-values", *accelerations)
     ops.pattern("UniformExcitation", 1, 1, "-accel", 1)
     ops.constraints("Plain")

@@ -19,6 +19,6 @@ own = isolaw.calibrate([record], LAW, analysis=False)[LAW][record.name]
 parameters = lmfit.Parameters()
 for name, lower, upper in zip(model.free_names, *model.bounds):
     parameters.add(name, value=own.parameters[name], min=lower, max=upper)
-fit = lmfit.minimize(model.residual, parameters)  # from isolaw's best fit to the least squares beside it
+fit = lmfit.minimize(model.residual, parameters)  # least squares, started from isolaw's best fit
 print(lmfit.fit_report(fit))
 print(f"objective {model.objective(fit.params):.5f} with lmfit, {own.objective:.5f} with isolaw")

@@ -25,7 +25,7 @@ STORE = "campaign.sqlite"
 
 
 def share(files, settings, number, of, there=None):
-    """Runs on a worker: computes part `number` of `of`, from the store `there` if given; returns its store's bytes."""
+    """Runs on a worker. Computes part `number` of `of`, or continues it from the store `there`; returns the new store."""
     with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
         if there:
             (pathlib.Path(folder) / STORE).write_bytes(there)
@@ -38,7 +38,8 @@ def campaign(client, files, settings, of, out, compute=share):
     files = [str(pathlib.Path(file).resolve()) for file in files]
     parts = {number: pathlib.Path(f"{out}.parts") / str(number) for number in range(1, of + 1)}
     there = {number: (part / STORE).read_bytes() for number, part in parts.items() if (part / STORE).exists()}
-    # pure=False: with equal arguments Dask would hand out an old future for a part whose directory was lost.
+    # Without pure=False, Dask would return the old future of a call with equal arguments, also if the part's directory
+    # was lost in the meantime.
     futures = {
         client.submit(compute, files, settings, number, of, there.get(number), pure=False): number for number in parts
     }

@@ -8,8 +8,8 @@ from . import _core
 
 
 def main():
-    # Ctrl-C and a closed pipe then end the command at once, as they end the program. Python would only take note of
-    # them until the command returns.
+    # Ctrl-C and a closed pipe end the command at once, as they end the program. Python's own handlers would wait until
+    # the command returns.
     for number in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(number, signal.SIG_DFL)
     # Scripts that the command prints call it by this name.

@@ -85,7 +85,8 @@ def time_picture(time_s, disp_mm):
 
 
 def draw_loop(ax, disp_mm, labelled):
-    """Draws loops with Matplotlib. labelled: pairs of a label and forces in kN; an empty label stands in no legend."""
+    """Draws loops with Matplotlib. labelled: pairs of label and forces in kN; a loop with an empty label has no entry
+    in the legend."""
     ax = axes(ax)
     for label, force_kN in labelled:
         ax.plot(disp_mm, force_kN, linewidth=1.0, label=label or None)

@@ -23,7 +23,7 @@ from ._error import Error
 __all__ = ["attach", "material", "section"]
 
 _attached = None  # file of the module that attach() checked
-_warned = set()  # warnings that were given; each is given once, not again for every further material
+_warned = set()  # warnings that were given already; none is repeated for further materials
 
 
 class _Law(_ctypes.Structure):  # IsolawLaw in opensees/law.hpp
@@ -216,7 +216,7 @@ def _cross(a, b):
 
 
 def _axes(orient):
-    """The local axes y and z of an element with this orientation: the x axis, and a vector in the plane of x and y."""
+    """Returns the local axes y and z of an element. orient: the local x axis, then a vector in the plane of x and y."""
     if len(orient) != 6:
         raise Error(f"orient: {len(orient)} numbers; allowed: six, those of the element's -orient")
     z = _cross(orient[:3], orient[3:])

@@ -41,8 +41,8 @@ struct BuildingOptions {
   std::function<bool()> interrupted = {};                                  // called between analyses, from any thread
 };
 
-// The response of the nominal building to a motion, computed by the implicit integrator. Each vector has one element for
-// each time step.
+// The response of the nominal building to a motion, by the implicit integrator. Each vector has one element for each
+// time step.
 struct BuildingHistory {
   std::vector<double> time_s;
   std::vector<std::array<double, 3>> base;              // relative to the ground: x and y in mm, rotation in rad

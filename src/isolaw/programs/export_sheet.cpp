@@ -350,8 +350,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse
-      response;  // of the last set compared; only its facts on the building, equal for all sets, are used below
+  RefitResponse response;  // of the last set compared; only its facts on the building are used, equal for all sets
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);
