@@ -1,5 +1,5 @@
-// Compares what one page shows in two systems of units: every number of its tables and every axis of its plots. A number
-// changes by the factor of its unit; a share, a count and a number without a unit do not change.
+// Compares what one page shows in two systems of units: every number of its tables and every axis of its plots. A
+// number changes by the factor of its unit; a share, a count and a number without a unit do not change.
 
 // Returns the tables and plots of the page, after it has scrolled to every figure. This function runs in the page.
 async function shownOnPage() {
@@ -38,7 +38,8 @@ export async function shownInUnits(browser, url, units) {
   }
 }
 
-// Each number of a text with half a unit of its last digit, whether it is a share in percent, and the text after it.
+// Returns for each number in a text: its value, half a unit of its last digit, whether it is a percentage, and the text
+// that follows.
 function numbersIn(text) {
   const plain = text.replace(/[\u2212\u2013]/g, '-');
   const found = plain.matchAll(/(?<![\w.])(-?\d+(?:\.\d+)?)(?:\u00b710([\u207b\u2070-\u2079\u00b9\u00b2\u00b3]+))?/g);
@@ -99,7 +100,7 @@ export function compareUnits(stored, other, id) {
         const otherRow = inOther.rows[r] ?? [''];
         const inHead = factorsOf(table.head[c] ?? '', inOther.head[c] ?? '');
         const inRow = factorsOf(heading(row), heading(otherRow));
-        // The row's unit may be that of this column or not: a number of devices has none.
+        // A cell may have the unit that the row states, or no unit at all, such as a number of devices.
         const factors = inHead.length > 0 ? inHead : [...inRow, ...anyOf(cell)];
         compareTexts(`${table.figure}, ${table.head[c] ?? 'column ' + c}, ${row[0]}`, cell, otherRow[c] ?? '', factors);
       }

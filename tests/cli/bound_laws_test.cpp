@@ -24,7 +24,7 @@ class BoundLaws : public InFreshDirectory {
                            "--replicates", "0", "--figures", "none", "--out", "C"});
     ASSERT_LE(o.code, 1) << o;
   }
-  // The design goes to -35 C, 15 degrees below the coldest test.
+  // Extends the design conditions to -35 C, 15 degrees below the coldest test, so that they are not covered.
   void leave_cold_open() {
     auto text = read("ex/lot.toml");
     auto const at = text.find("temperature-C = [-15, 45]");
@@ -39,7 +39,7 @@ class BoundLaws : public InFreshDirectory {
 struct Loop {
   double K_eff = 0.0, energy = 0.0;
 };
-// K_eff and energy of the third cycle of 400 samples. The last column of the CSV is the force.
+// Returns K_eff and energy of the third cycle, with 400 samples a cycle. The last column of the CSV is the force.
 Loop third_cycle(std::string const& csv) {
   std::vector<double> disp, force;
   std::istringstream lines(csv);
@@ -181,7 +181,7 @@ TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {
   ASSERT_EQ(exported.code, 0) << exported;
   auto const bounds = json("e.json")["bounds"];
   EXPECT_TRUE(contains(bounds["source"].get<std::string>(), "no test covers temperature")) << bounds;
-  // Those of the scatter between the devices would be narrower than what the tests show.
+  // Bounds from the scatter between devices must not take their place: they would be narrower than what the tests show.
   for (auto const* which : {"lower", "upper"}) EXPECT_TRUE(bounds[which].is_null()) << bounds;
 }
 

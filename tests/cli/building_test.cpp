@@ -618,10 +618,10 @@ TEST_F(WrongBuilding, files_are_refused_each_by_one_complaint) {
       0);
   struct Row {
     char const* name;
-    std::pair<std::string, std::string> change;  // of the building file: one text for another
+    std::pair<std::string, std::string> change;  // in the building file the second text replaces the first
     std::string where, found;
-    std::string motion = {};  // m.csv, if not the usual one
-    Words words = {};         // of the command
+    std::string motion = {};  // content of m.csv if it differs from the usual one
+    Words words = {};         // further words of the command
   };
   auto const with = [](std::string const& line, std::string const& more) {
     return std::pair(line, line + "\n" + more);
@@ -763,7 +763,7 @@ TEST_F(WrongBuilding, values_that_may_be_meant_are_computed_with_a_finding) {
     EXPECT_TRUE(contains(Json::parse(o.out)["findings"].dump(), "\"" + row.finding + "\"")) << o;
     auto const nominal = isolaw({"building", "b.toml", "--from", "lot", "--nominal", "--out", "N"});
     EXPECT_EQ(nominal.code, 0) << nominal;
-    // A note is worth knowing and no warning.
+    // The finding ground-padded is a note, all others are warnings.
     EXPECT_TRUE(contains(nominal.err, std::string(row.finding) == "ground-padded" ? "note: the motion" : "warning: "))
         << nominal;
   }

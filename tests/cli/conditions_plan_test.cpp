@@ -29,7 +29,7 @@ class ConditionsPlan : public InFreshDirectory {
   static void near(Json const& value, double wanted, double relative) {
     EXPECT_NEAR(value.get<double>(), wanted, relative * std::abs(wanted));
   }
-  // Device, effect, and the condition that is not at reference.
+  // Returns a text for each planned test: the device, the effect, and the conditions that differ from the reference.
   static std::vector<std::string> texts(Json const& plan) {
     std::vector<std::string> all;
     for (auto const& test : plan) {
@@ -47,7 +47,8 @@ class ConditionsPlan : public InFreshDirectory {
 };
 using Texts = std::vector<std::string>;
 
-// A later test of a device that was stretched too far has another history than its earlier tests.
+// P1 was stretched beyond the reference strain in its last test. Further tests of P1 could not be compared with its
+// earlier ones, so the plan must not use P1.
 TEST_F(ConditionsPlan, leaves_out_a_device_that_was_stretched_farther) {
   auto const last = "order = 4\ntemperature-C = 40\n";
   auto const plan =
@@ -79,21 +80,22 @@ TEST_F(ConditionsPlan, of_the_example_has_twelve_tests) {
 TEST_F(ConditionsPlan, is_for_as_many_devices_as_asked) {
   auto const one = json_of({"ex/lot.toml", "--devices", "1"})["plan"];
   EXPECT_EQ(texts(one), (Texts{"P1 temperature -15 C", "P1 temperature 45 C", "P1 rate 0.35 Hz", "P1 rate 0.65 Hz"}));
-  // Every end of temperature and frequency needs six devices: the five with a reference test, less P4, which was aged,
-  // then P6, which needs a reference test, then a new device.
+  // Every end of temperature and frequency needs six devices. The plan takes the devices with a reference test first,
+  // without P4, which was aged. Then come P6, which needs a reference test before, and a new device.
   auto const six = texts(json_of({"ex/lot.toml", "--devices", "6"})["plan"]);
   EXPECT_EQ(Texts(six.begin(), six.begin() + 8),
             (Texts{"P1 temperature -15 C", "P2 temperature -15 C", "P3 temperature -15 C", "P5 temperature -15 C",
                    "P6 reference", "P6 temperature -15 C", "new 1 reference", "new 1 temperature -15 C"}));
   EXPECT_EQ(std::ranges::count(six, "P6 reference"), 1);
-  // Scragging is shown on five devices. The reference test of new 1 is the sixth.
+  // Five devices show scragging already. The reference test of "new 1" shows it on a sixth, so no test is added for it.
   for (auto const& text : six) EXPECT_FALSE(contains(text, "scragging")) << text;
   auto const refused = isolaw({"conditions", "ex/lot.toml", "--devices", "0"});
   EXPECT_EQ(refused.code, 2) << refused;
   EXPECT_EQ(isolaw({"conditions", "ex/lot.toml", "--devices", "3"}).code, 2);
 }
 
-// Without its ageing test, P4 can be tested at other frequencies before P1, since it was tested for this effect before.
+// Without its ageing test, P4 can be tested at other frequencies. It comes before P1, because it was already tested for
+// the effect of frequency.
 TEST_F(ConditionsPlan, counts_the_tests_that_show_what_was_assumed) {
   with("[conditions]\n", "[conditions]\nrules = \"aashto\"\nassume = [\"ageing\"]\n");
   auto text = read("ex/changed.toml");
@@ -117,7 +119,8 @@ TEST_F(ConditionsPlan, names_effects_that_no_test_can_be_named_for) {
   auto const unclear = with(part, "years = 60, service-temperature-C = 20 }");
   EXPECT_EQ(json_of({unclear})["not_in_plan"], Json::parse(R"([{"effect":"ageing","reason":"no activation energy"}])"));
   EXPECT_TRUE(contains(isolaw({"conditions", unclear, "--plan"}).out, "No test of ageing: no activation energy"));
-  // With 90 kJ/mol, 60 years at 20 C need 100.9527 days at 70 C. P4 was aged for 14 days there and can go on.
+  // With an activation energy of 90 kJ/mol, 100.9527 days at 70 C stand for 60 years at 20 C. P4 was aged for 14 days
+  // at 70 C, and its ageing can be continued.
   write("ex/lot.toml", read("ex/changed.toml"));
   auto const known =
       with("[conditions]\n", "[conditions]\nactivation-energy-kJ-mol = 90\nactivation-energy-source = \"a test\"\n");
@@ -170,7 +173,8 @@ TEST_F(ConditionsPlan, converts_the_acceptance_test_to_reference) {
 }
 
 TEST_F(ConditionsPlan, converts_with_an_interval_and_names_obstacles) {
-  // P6 at 0.5 Hz differs in temperature alone: the interval has the half width .014331821 in ln.
+  // At 0.5 Hz the test of P6 differs from the reference in temperature alone. The interval of the logarithm of the
+  // factor then has the half width 0.014331821.
   write("ex/P6-acceptance.csv", read("ex/P1-40C.csv"));
   auto file = read("ex/P6-acceptance.csv");
   // The record must not be the same as that of P1.
@@ -190,7 +194,7 @@ TEST_F(ConditionsPlan, converts_with_an_interval_and_names_obstacles) {
   EXPECT_TRUE(json_of({with("temperature-C = 26", "temperature-C = 21")})["at_reference"].empty());
 }
 
-// A device that names no acceptance test has one by the rule that other commands follow: its first test at 20 C.
+// If the lot file names no acceptance test of a device, its first test at 20 C is taken, as other commands do.
 TEST_F(ConditionsPlan, takes_the_test_that_other_commands_take) {
   auto text = read("ex/lot.toml");
   auto const file = text.find("file = \"P4-reference.csv\""), begin = text.rfind("[[device.test]]", file);
@@ -220,7 +224,7 @@ TEST_F(ConditionsPlan, writes_the_measured_factors_as_a_rule_file) {
         << test["file"];
   EXPECT_EQ(isolaw({"conditions", "ex/lot.toml", "--write-rules", "Measured 1.toml"}).code, 2);
   EXPECT_EQ(read("Measured 1.toml"), text);
-  // A lot takes the file as its rule set.
+  // The written file can be used as the rule set of a lot.
   auto const used = isolaw({"inspect", "ex/P1-20C.csv", "--rules", "Measured 1.toml"});
   EXPECT_EQ(used.code, 0) << used;
   EXPECT_TRUE(contains(used.out, "no verdict")) << used;

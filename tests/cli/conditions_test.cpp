@@ -18,7 +18,7 @@ class Conditions : public InFreshDirectory {
     InFreshDirectory::SetUp();
     ASSERT_EQ(isolaw({"example", "ex", "--conditions"}).code, 0);
   }
-  // The lot file of the example with `part` replaced.
+  // Runs `isolaw conditions` on the lot file of the example, in which `by` replaces `part`.
   Outcome with(std::string const& part, std::string const& by, Words const& more = {}) {
     auto text = read("ex/lot.toml");
     auto const at = text.find(part);
@@ -26,7 +26,7 @@ class Conditions : public InFreshDirectory {
     write("ex/changed.toml", text.replace(at, part.size(), by));
     return isolaw(Words{"conditions", "ex/changed.toml"} + more);
   }
-  // The lot file with a design of frequencies alone.
+  // Replaces the design conditions in the text of a lot file by a range of frequencies alone.
   static std::string only_rate(std::string text, std::string_view range_Hz = "[0.35, 0.65]") {
     auto const begin = text.find("design = { temperature-C");
     return text.replace(begin, text.find('\n', begin) - begin,
@@ -88,7 +88,8 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
   ASSERT_EQ(j["recovery"].size(), 3u);
   near(j["recovery"][0]["share"], 0.109861229, 1e-6);
   near(j["recovery"][2]["share"], 0.582008293, 1e-6);
-  // P4 and P5 have further reference tests, the devices of the cold chamber have none.
+  // Drift of the properties can be checked only on devices with a second reference test. P4 and P5 have one, but the
+  // devices that show the effect of temperature have none.
   EXPECT_EQ(j["drift_not_checked"], Json({"temperature"}));
   EXPECT_EQ(j["straightness_not_checked"], Json::array());
   near(j["tests"][0]["heating_K"], 0.169213 * std::exp(0.03 + 0.002), 1e-3);
@@ -117,8 +118,8 @@ TEST_F(Conditions, have_keys_that_are_listed_for_the_page) {
                                        R"({"device":"device-01","temperature-C":null,"load-kN":null,"aged":false}])");
 }
 
-// `init` proposes tests in comments. Without the plain devices, and with these comments as text, the lot file gives the
-// factors of the example's closed formulas.
+// `init` proposes the tests of devices in comments. If a person removes the devices that `init` wrote and uncomments
+// the proposal, the lot file gives the factors of the example's closed formulas.
 TEST_F(Conditions, are_proposed_by_init_from_the_names) {
   Words files;
   for (auto const* name :
@@ -128,7 +129,7 @@ TEST_F(Conditions, are_proposed_by_init_from_the_names) {
   ASSERT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.err, "new.toml ends with a proposal, as comments to be checked")) << o;
   auto const written = read("ex/new.toml");
-  // The test at reference comes first, and lines that a person must fill in are there.
+  // In the proposal, the test at the reference comes first. Lines that a person must fill in are commented out twice.
   EXPECT_TRUE(contains(written, "# name = 'P2-20C'\n# order = 1\n")) << written;
   EXPECT_TRUE(contains(written, "# name = 'P2--20C'\n# order = 2\n")) << written;
   EXPECT_TRUE(contains(written, "\n# # rest-h = 0.0"));
@@ -154,7 +155,7 @@ TEST_F(Conditions, are_proposed_by_init_from_the_names) {
   EXPECT_TRUE(contains(text, "# aged = { days = 0.0, at-C = 0.0 }")) << text;
 }
 
-// Names without a condition, or of one device each, propose nothing.
+// Nothing is proposed if the names of files state no condition, or if each name belongs to another device.
 TEST_F(Conditions, are_not_proposed_from_other_names) {
   write("ex/A.csv", read("ex/P1-20C.csv"));
   write("ex/A-2.csv", read("ex/P2-20C.csv"));
@@ -162,7 +163,7 @@ TEST_F(Conditions, are_not_proposed_from_other_names) {
   EXPECT_FALSE(contains(read("ex/new.toml"), "conditions"));
 }
 
-// A reference of cycles 1 to 3 is their mean.
+// If the reference is cycles 1 to 3, its value is the mean over these cycles.
 TEST_F(Conditions, of_a_mean_of_cycles) {
   auto text = read("ex/lot.toml");
   auto const at = text.find("cycle = 3 }");
@@ -197,7 +198,8 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   EXPECT_EQ(cycles.size(), 1u + 25 * 5 + 10);
   EXPECT_TRUE(has(cycles, "P5,ten-cycles,1,1,20,0.5,2000,100,,,,reference,,10,scragged,0.62194,"));
   EXPECT_TRUE(contains(read("C/tables/conditions.tex"), "temperature & 1.269 (1.254 to 1.285) & interpolated & 0.848"));
-  // The mean curve over the load is straight over its square. In its middle, at 1500 kN:
+  // The mean curve is a straight line over the square of the load, for the logarithm of the factor. This is its point
+  // at 1500 kN, half way between 1000 kN and the reference.
   auto const of_figure = lines("C/figures/conditions.dat");
   auto const middle = std::ranges::find_if(of_figure, [](auto const& line) { return line.starts_with("1500 "); });
   ASSERT_NE(middle, of_figure.end());
@@ -209,7 +211,8 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   EXPECT_TRUE(contains(read("C/figures/front.gp"), "of a campaign"));
 }
 
-// Bounds that are interpolated have the drift and the error of the line in their interval, in every output.
+// The interval of an interpolated bound includes the drift of the properties and the error of the straight line between
+// the tests. All outputs must show the same interval.
 TEST_F(Conditions, have_one_interval_of_a_bound_in_all_outputs) {
   auto text = read("ex/lot.toml");
   auto const begin = text.find("design = { temperature-C");
@@ -262,13 +265,14 @@ TEST_F(Conditions, without_details_leave_the_tests_out) {
 TEST_F(Conditions, that_no_test_covers_leave_the_bound_open) {
   auto const o = with("temperature-C = [-15, 45]", "temperature-C = [-35, 45]");
   EXPECT_EQ(o.code, 0) << o;
-  // The product of the others, 1.473, times 1.313 at the coldest test.
+  // The factors of all other effects have the product 1.473. The factor at the coldest test is 1.313.
   EXPECT_TRUE(contains(o.out, "at least 1.934, NOT COVERED: temperature")) << o;
   auto const years = with("aged = { days = 14, at-C = 70 } }", "years = 60, service-temperature-C = 20 }");
   EXPECT_TRUE(contains(years.out, "NOT COVERED: ageing")) << years;
 }
 
-// Elsewhere a device has one record: that of the acceptance test, or the first at the reference temperature.
+// Commands other than `conditions` use a single record of each device: that of the acceptance test or, if none is
+// named, of the first test at the reference temperature.
 TEST_F(Conditions, leave_one_record_for_each_device_to_other_commands) {
   auto const o = isolaw({"inspect", "ex/lot.toml", "--json"});
   auto const j = Json::parse(o.out);
@@ -334,7 +338,8 @@ TEST_F(Conditions, have_one_complaint_about_one_mistake) {
   }
 }
 
-// Without [conditions], one complaint names the table, however many tests have such keys.
+// If tests state conditions but the file has no table [conditions], a single complaint names the missing table, however
+// many tests there are.
 TEST_F(Conditions, need_their_table) {
   auto const o = with("[conditions]", "[no-conditions]");
   EXPECT_EQ(o.code, 2) << o;
@@ -355,8 +360,8 @@ TEST_F(Conditions, that_the_reference_leaves_out_must_agree) {
   EXPECT_TRUE(contains(none.err, "no test agrees with the reference")) << none;
 }
 
-// A test that cannot be read may have stretched the device to any strain, so its later first cycles are not those of a
-// new device. One file cannot be two tests.
+// A test that cannot be read may have stretched the device to any strain. The first cycles of later tests then do not
+// count as those of a new device. Two tests must not name the same file.
 TEST_F(Conditions, of_refused_tests_count_as_history) {
   auto const missing = with("file = \"P1-20C.csv\"", "file = \"P1-none.csv\"", {"--json"});
   EXPECT_EQ(missing.code, 1) << missing;
@@ -385,7 +390,7 @@ TEST_F(Conditions, name_a_test_that_cannot_be_used) {
       << o;
 }
 
-// The limits of Table 11.9.IV: 20 % on stiffness and damping, 15 % between the loads.
+// Table 11.9.IV of the Italian code limits the change of stiffness and damping to 20 %, and to 15 % between loads.
 TEST_F(Conditions, are_held_to_the_limits_of_the_rule_set) {
   auto const o = isolaw({"conditions", "ex/lot.toml", "--json"});
   EXPECT_EQ(o.code, 1) << o;
@@ -420,7 +425,7 @@ TEST_F(Conditions, are_held_to_the_limits_of_the_rule_set) {
   EXPECT_TRUE(contains(text.out, "warning: K_eff under temperature: FAIL: ")) << text;
 }
 
-// A rule set that stands only in [conditions] is judged by all commands in the same way.
+// If only the table [conditions] names a rule set, all commands must judge its limits in the same way.
 TEST_F(Conditions, have_one_verdict_in_every_command) {
   auto text = read("ex/lot.toml");
   auto const move_rules = [&](std::string const& instead) {
@@ -446,12 +451,12 @@ TEST_F(Conditions, have_one_verdict_in_every_command) {
   EXPECT_TRUE(contains(calibrated.out, "FAIL: 1 of 6 devices fails: P2 K_eff under temperature +27.6 %")) << calibrated;
   // K_eff goes up to 1.869 times its value at reference.
   EXPECT_TRUE(contains(isolaw({"inspect", "ex/changed.toml"}).out, "mean properties alone is not permitted, because"));
-  // A set without a verified limit in [acceptance] changes nothing.
+  // A second rule set, in [acceptance], that has no verified limit must not change the verdict.
   write("ex/changed.toml", move_rules("rules = \"asce-7-22\"\n"));
   auto const other = isolaw({"inspect", "ex/changed.toml", "--json"});
   EXPECT_EQ(other.code, 1) << other;
   EXPECT_EQ(Json::parse(other.out)["result"]["failing"], result["failing"]);
-  // Kept limits alone are no verdict on the devices.
+  // If all limits on the effects of conditions are kept, this alone is no verdict on the devices.
   write("ex/changed.toml", only_rate(move_rules("")));
   auto const kept = isolaw({"inspect", "ex/changed.toml", "--json"});
   EXPECT_EQ(kept.code, 0) << kept;
@@ -474,7 +479,7 @@ TEST_F(Conditions, of_a_set_that_nobody_verified_are_information) {
   for (auto const& row : Json::parse(o.out)["dependence"]) EXPECT_NE(row["verdict"], "fail");
 }
 
-// The design does not name ageing, and AASHTO's rule set asks for it.
+// The design conditions in this lot file leave out ageing, which AASHTO's rule set asks for.
 TEST_F(Conditions, that_rules_ask_for_are_not_covered_or_assumed) {
   write("ex/lot.toml", [&] {
     auto text = read("ex/lot.toml");
@@ -514,7 +519,7 @@ TEST_F(Conditions, cannot_be_assumed_without_a_default) {
   EXPECT_TRUE(contains(o.err, "no effect, because the rule set ntc-2018 has no default factors")) << o;
 }
 
-// Each factor adjusted by 0.66, as a contract could ask.
+// A contract may ask that each factor be adjusted before the factors are multiplied, here by 0.66.
 TEST_F(Conditions, combine_as_the_rule_file_says) {
   write(
       "ex/contract.toml",
@@ -527,8 +532,8 @@ TEST_F(Conditions, combine_as_the_rule_file_says) {
   near(bound["min"]["factor"], 0.798044329, 1e-8);
 }
 
-// Factors of the environment as ASCE 7 has them: (1 + 0.75 (1.3 - 1)) at most, and 1 - 0.75 (1 - 0.9) at least. They
-// stand in only where no test shows temperature, ageing or contamination.
+// ASCE 7 gives one factor for the environment, here at most 1 + 0.75 (1.3 - 1) and at least 1 - 0.75 (1 - 0.9). It is
+// used only if no test shows temperature, ageing or contamination.
 TEST_F(Conditions, of_the_environment_stand_in_for_tests) {
   write("ex/contract.toml", R"(id = "contract"
 title = "Contract"
@@ -566,7 +571,8 @@ name = "rate"
   for (auto const& row : with["design"]) EXPECT_NE(row["effect"], "environment");
 }
 
-// ntc-2018 permits mean properties within 20 %. K_eff goes up to 1.869 times its value at reference.
+// ntc-2018 permits an analysis with mean properties if they change by at most 20 %. Here K_eff goes up to 1.869 times
+// its value at reference.
 TEST_F(Conditions, decide_on_an_analysis_with_mean_properties) {
   auto const mean = Json::parse(isolaw({"conditions", "ex/lot.toml", "--json"}).out)["mean_properties"];
   EXPECT_EQ(mean["permitted"], false);
@@ -593,7 +599,8 @@ TEST_F(Conditions, question_what_cannot_be) {
       << younger;
 }
 
-// Names, temperatures and loads that contradict what the lot file states are questioned in all outputs.
+// If a test's name, or the behaviour of rubber, contradicts the temperature or load that the lot file states, all
+// outputs must question this statement.
 TEST_F(Conditions, question_statements_that_contradict_names_or_rubber) {
   EXPECT_FALSE(contains(isolaw({"conditions", "ex/lot.toml"}).out, "has a name that says"));
   auto text = read("ex/lot.toml");
@@ -602,7 +609,7 @@ TEST_F(Conditions, question_statements_that_contradict_names_or_rubber) {
       all.replace(at, part.size(), by);
     return all;
   };
-  // The records at -20 and at 40 degrees change places.
+  // The stated temperatures of the tests at -20 C and at 40 C are exchanged.
   write("ex/changed.toml", change(change(change(text, "temperature-C = -20\n", "temperature-C = x\n"),
                                          "temperature-C = 40\n", "temperature-C = -20\n"),
                                   "temperature-C = x\n", "temperature-C = 40\n"));
@@ -629,7 +636,8 @@ TEST_F(Conditions, question_missing_and_misplaced_tests) {
   EXPECT_TRUE(contains(virgin.out, "The bounds rest on tests with a doubt: temperature (P1 0C virgin).")) << virgin;
 }
 
-// The tests show what a new device does, and a design without `rest` leaves it out of the bounds.
+// The tests show how much stiffer a new device is (scragging). If the design states no `rest`, the bounds leave this
+// effect out, and the output must say so.
 TEST_F(Conditions, name_the_effects_that_the_design_leaves_out) {
   EXPECT_FALSE(contains(isolaw({"conditions", "ex/lot.toml"}).out, "leave it out"));
   auto const o = with("rest = \"full\", ", "");
@@ -639,7 +647,7 @@ TEST_F(Conditions, name_the_effects_that_the_design_leaves_out) {
       << o;
 }
 
-// P2 was cold before its reference test, so its first cycle at reference is not that of a new device.
+// P2 was tested cold before its reference test. So the first cycle of its reference test is not that of a new device.
 TEST_F(Conditions, name_devices_with_other_histories) {
   EXPECT_FALSE(contains(isolaw({"conditions", "ex/lot.toml"}).out, "has not the same history"));
   auto text = read("ex/lot.toml");
@@ -664,8 +672,8 @@ TEST_F(Conditions, name_the_ageing_that_was_tested) {
   EXPECT_TRUE(contains(o.out, "; tested: 14 days at 70 C.")) << o;
 }
 
-// Two reference tests of P4 that differ by 1 % give its rate an interval, which is that of this device alone.
-// P4 alone was tested at 0.1 and 2 Hz. A second test of it at reference gives its factors an interval.
+// P4 alone was tested at 0.1 and 2 Hz. Its two reference tests differ by 1 %, which gives the factors of rate an
+// interval. This interval holds for P4 only, and the output must say so.
 TEST_F(Conditions, say_that_an_interval_is_that_of_one_device) {
   constexpr std::string_view said =
       "A single device shows the effect of rate. The interval of the bounds contains only";
@@ -678,7 +686,8 @@ TEST_F(Conditions, say_that_an_interval_is_that_of_one_device) {
   EXPECT_TRUE(contains(o.out, said)) << o;
 }
 
-// Before the reference cycle the cycles are those of scragging, which would count twice.
+// Cycles before the reference cycle belong to the effect of scragging. If design cycles included them, they would count
+// twice.
 TEST_F(Conditions, refuse_design_cycles_before_the_reference_cycle) {
   auto const o = with("cycles = 10", "cycles = 1");
   EXPECT_EQ(o.code, 2) << o;
@@ -686,7 +695,7 @@ TEST_F(Conditions, refuse_design_cycles_before_the_reference_cycle) {
   EXPECT_TRUE(contains(o.err, "cycles is 1, and the last cycle of the reference is 3")) << o;
 }
 
-// Records of a campaign's lot under [conditions] are in its summary, from the store alone.
+// The results on conditions are part of the summary of a campaign. They are computed from the store alone.
 TEST_F(Conditions, are_part_of_a_campaign) {
   auto const made = isolaw({"calibrate", "ex/lot.toml", "--out", "C", "--laws", "bilinear", "--runs", "1", "--figures",
                             "none", "--replicates", "0"});

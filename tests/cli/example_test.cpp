@@ -61,7 +61,8 @@ TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device["name"];
   EXPECT_EQ(count_of("laws are not fitted to block 3", read("T/report.html")), 1u);
   EXPECT_EQ(summary["recommendation"]["law"], "power-masing-worn");
-  // The soft bearing is an outlier by its own property first; a misfit that is hardly larger makes none.
+  // The first outlier is the soft bearing by one of its own properties. A misfit that is only slightly larger than that
+  // of other devices makes no outlier.
   ASSERT_FALSE(summary["outliers"].empty());
   EXPECT_EQ(summary["outliers"][0]["unit"], "kN mm");
   for (auto const& outlier : summary["outliers"])

@@ -377,7 +377,7 @@ TEST_F(Inspect, BothStreamsInOneFileKeepTheirLinesWhole) {
   EXPECT_TRUE(Json::accept(output));
 }
 
-// Values that no test has, each with the mistake that explains it.
+// Values that no real test has. The message about each must name the mistake that explains it.
 class Implausible : public InFreshDirectory {
  protected:
   std::vector<std::string> kinds(Words const& words) {
@@ -430,7 +430,8 @@ TEST_F(Implausible, strain_of_the_rubber) {
   }
 }
 
-// A link in a circle, a name that is too long, and a link to nothing in a folder of records.
+// Paths that cannot be opened: links that point to each other, a name that is too long, and a link to a missing file in
+// a folder of records.
 TEST_F(Implausible, paths_that_lead_nowhere) {
   fs::create_symlink("b.csv", path("a.csv"));
   fs::create_symlink("a.csv", path("b.csv"));

@@ -17,8 +17,8 @@ template <class Law>
 class Continuity : public ::testing::Test {};
 TYPED_TEST_SUITE(Continuity, EveryLaw, LawName);
 
-// The largest change of the force, divided by its peak, for any parameters of the search boxes and up to 400 draws of
-// noise along a path.
+// Returns the largest change of the force that noise on the displacement causes along a path, divided by the peak
+// force, over 20 draws of the noise and of parameters from each search box.
 template <class Law>
 double most_from_noise(Motion const& motion) {
   double const amplitude = largest_magnitude(motion.disp_mm);
@@ -37,7 +37,7 @@ double most_from_noise(Motion const& motion) {
   return most;
 }
 
-// Two laws unload steeply after a turn, within a short memory, and a steep force follows the noise. Their notes say so.
+// Two laws unload so steeply right after a turn that noise changes their force more. The notes on these laws say so.
 template <class Law>
 double allowed() {
   return Law::info.id == "history-integral" || Law::info.id == "power-scragging" ? 1e-4 : 1e-6;
@@ -80,7 +80,7 @@ TYPED_TEST(Continuity, TurnsAtZero) {
     EXPECT_LT(most_from_noise<TypeParam>(polyline(corners_mm, steps)), allowed<TypeParam>()) << steps;
 }
 
-// At rest the noise alone moves the device, to and fro, in 25 steps at each place.
+// During a rest only the noise moves the device, to and fro. The path has 25 such steps at each place of rest.
 TYPED_TEST(Continuity, Rests) {
   std::string_view const id = TypeParam::info.id;
   if (id == "menegotto-pinto") GTEST_SKIP() << "a small unloading starts its branch anew: its note";

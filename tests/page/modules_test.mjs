@@ -113,7 +113,7 @@ test('a device goes with the tables below it', () => {
   assert.equal(without, LOT.slice(0, LOT.indexOf('[[device]]')) + "[[device]]\nfiles = [\"b.csv\", 'c.csv']\n");
 });
 
-// Three records. The second has another time step and another serial number.
+// A lot file with three records. The second record has another time step and another serial number.
 const RECORDS = `title = 'T'
 
 [calibrate]
@@ -149,7 +149,7 @@ const PROPOSED = new Map([
   ['P1_T-20C.csv', { device: 'P1', values: { 'temperature-C': -20, aged: true } }],
   ['P2_T20C.csv', { device: 'P2', values: { 'temperature-C': 20 } }],
 ]);
-// How the record of each test is read: the keys of its device, and its own over them.
+// Returns for each file the keys by which its record is read: those of the device, overridden by those of the test.
 const reading = (lot) => {
   const tables = readToml(lot);
   const keys = (table) => Object.fromEntries([...table.keys].filter(([key]) => ['columns', 'dt', 'sheet', 'test'].includes(key)).map(([key, { value }]) => [key, JSON.stringify(value)]));
@@ -164,10 +164,12 @@ test('records become tests of the proposed devices and are read as before', () =
   assert.deepEqual(reading(lot), reading(RECORDS));
   assert.ok(readToml(lot).every(({ path, keys }) => path !== 'device' || !keys.has('test')), 'TOML allows no key `test` beside [[device.test]]');
   const tests = testsIn(readToml(lot));
-  // A temperature that the file states is taken. One that the name proposes is a comment until a person takes it.
+  // A temperature that the lot file states stays a key. One that only the file's name proposes is a comment until a
+  // person confirms it.
   assert.deepEqual(tests.map((one) => [one.name, one.table.keys.get('temperature-C')?.value, proposalsOf(one, ['temperature-C'])]), [['P1_T20C', undefined, { 'temperature-C': 20 }], ['P1_T-20C', -19.5, { aged: true }], ['P2_T20C', undefined, { 'temperature-C': 20 }]]);
   assert.match(withKey(lot, tests[0].number, 'temperature-C', 21), /P1_T20C\.csv'\ntemperature-C = 21\n/);
-  // The serial number that the device does not have stays readable, and so does the rest of the file.
+  // The second record's serial number differs from that of its new device. It is kept as a comment, and the rest of the
+  // file stays as it was.
   const [device] = deviceTables(readToml(lot));
   assert.deepEqual([readToml(lot)[device].keys.get('serial').value, readToml(lot)[device].keys.get('rubber-thickness-mm').value, lot.includes("# serial = 'S9'")], ['S1', 208, true]);
   assert.ok(lot.startsWith("title = 'T'\n\n[calibrate]\nruns = 3\n") && lot.includes('# test-date = ""'));
@@ -183,7 +185,8 @@ test('a test moves to another device and is read as before', () => {
     assert.equal(deviceTables(readToml(next)).length, new Set(Object.values(where(next))).size, 'no device without a test');
     assert.deepEqual(reading(moved(next, file, where(lot)[file])), reading(RECORDS));
   }
-  // A device of its own has the sizes of the type but not the serial number of the device that the test came from.
+  // If a test becomes a device of its own, this device keeps the sizes of its type, but not the serial number of the
+  // device that the test came from.
   const apart = readToml(moved(lot, 'P1_T20C.csv', 'P3'));
   const { owner } = testsIn(apart).find(({ device }) => device === 'P3');
   assert.deepEqual([apart[owner].keys.get('rubber-thickness-mm').value, apart[owner].keys.has('serial')], [208, false]);

@@ -323,7 +323,8 @@ const tests = {
   },
 
   'files of tests under several conditions become a lot in a table': async () => {
-    // The names propose devices and temperatures. `stated` is what the user states: device, order, temperature, more.
+    // The names of the files propose devices and temperatures. `stated` has what the user enters for each file: device,
+    // order, temperature and further keys.
     const folder = join(work, 'laboratory');
     mkdirSync(folder);
     const stated = [
@@ -369,7 +370,7 @@ const tests = {
     equal([await band(page), await failure(page)], ['3\u202fdevices read', ''], 'the band');
     equal((await shown())['fast.csv'].measured, '2 Hz, 2000 kN, rate', 'what was measured');
 
-    // The command line finds the same in a lot file that states the same.
+    // The command line must find the same results for a lot file written by hand with the same statements.
     const lot = ['P1', 'P2', 'P4'].map((device) => `[[device]]\nname = '${device}'\ntest = [${stated.filter((one) => one[2] === device).map(([, name, , order, temperature, more = '']) => `{ file = '${name}.csv', order = ${order}, temperature-C = ${temperature}${more} }`).join(', ')}]\n`);
     writeFileSync(join(folder, 'own.toml'), "title = 'own'\n[conditions]\nrules = 'ntc-2018'\nreference = { temperature-C = 20, frequency-Hz = 0.5, load-kN = 2000 }\ndesign = { temperature-C = [-15, 30], aged = { days = 14, at-C = 70 } }\n" + lot.join(''));
     const native = JSON.parse(spawnSync(isolaw, ['conditions', join(folder, 'own.toml'), '--json']).stdout);
@@ -380,7 +381,7 @@ const tests = {
     equal(of(found), of(native), 'the same effects');
     expect(found.bounds.length > 0 && found.tests.some(({ effect }) => effect === 'ageing'), 'effects are found');
 
-    // By keyboard, from one field to the next. What is typed stays, and so does the focus.
+    // The user moves by keyboard from one field to the next. Neither the typed value nor the focus may be lost.
     await page.press('show-records');
     await page.evaluate(`document.getElementById('${id('P1_T40C_0.5Hz_2000kN')}-order').focus()`);
     await page.key('Tab');
@@ -391,7 +392,7 @@ const tests = {
     await page.idle();
     equal([await page.focused(), (await shown())['P1_T40C_0.5Hz_2000kN.csv'].temperature], [id('P1_T40C_0.5Hz_2000kN') + '-rest-h', '41'], 'after an edit');
 
-    // Further keys, and a test that is left out. The program judges the values.
+    // The user states further keys and leaves out a test. The program itself judges the values.
     await page.press(id('fast') + '-more');
     await set(page, id('fast') + '-temperature-of', 'core');
     expect((await lotText(page)).includes("temperature-of = 'core'"), 'a further key');

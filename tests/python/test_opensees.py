@@ -164,7 +164,7 @@ class Materials(InFolder):
         for _ in range(300):
             self.assertEqual(ops.analyze(1, 0.01), 0)
             rows.append((ops.nodeDisp(2, 1), ops.nodeVel(2, 1), ops.eleResponse(1, "material", 1, "stress")[0]))
-        # The same material alone, along the same displacements and velocities.
+        # The forces must equal those of a single material that follows the same displacements and velocities.
         ops.wipe()
         add("material", 7, law, parameters)
         ops.testUniaxialMaterial(7)

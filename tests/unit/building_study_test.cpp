@@ -93,7 +93,7 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
 
   motion("motion-1-y.csv", 19);
   auto const notes =
-      read(building_template()).motions.front().notes;  // a zero takes the place of the sample that lacks
+      read(building_template()).motions.front().notes;  // the missing last sample of y is replaced by zero
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes.front().kind, FindingKind::ground_padded);
   motion("motion-1-y.csv", 20, "NaN");
@@ -131,7 +131,7 @@ TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   EXPECT_TRUE(contains(said, "building: no [base]") && contains(said, "left")) << said;
 }
 
-// Parameters of a bearing of usual size, in the law's units.
+// Returns parameters of a bearing of usual size, in the units of the law.
 Values usual_parameters(laws::LawEntry const& law) {
   double const length = law.info.length.in_record_units, force = law.info.force.in_record_units;
   laws::RecordScales const scales{100.0 / length, 100.0 / force,  1.0 * length / force,
@@ -271,7 +271,7 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), run.history.time_s.size() + 1);
 }
 
-// Beside a motion with two components, a motion along x alone gives the same response as alone.
+// The response to a motion along x alone must not change if the study also has a motion with two components.
 TEST(BuildingStudy, a_motion_gives_the_same_response_alone_and_beside_others) {
   auto beside = power_masing_study({60.0, 0.6, 10.0, 0.0, 20.0, 0.05});
   beside.laws[0].springs = beside.laws;
@@ -289,7 +289,7 @@ TEST(BuildingStudy, a_motion_gives_the_same_response_alone_and_beside_others) {
   EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[1]).of({})[0], 66.0);
 }
 
-// With this mass the first step would have to be so short that a run would not end.
+// With this mass the integration would need such short steps that a run would never end.
 TEST(BuildingStudy, steps_without_number_are_refused_with_their_cause) {
   auto study = usual_study(0.0, 3);
   study.file.frame.base.mass_Mg = 1e-6;
@@ -482,7 +482,8 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
   EXPECT_LT(*answers.laws[1].by_first_bounds, wanted_share) << answers.about_bounds;
   EXPECT_EQ(answers.bounds_are_enough, false);
   ASSERT_EQ(answers.about_bounds.size(), 3u) << answers.about_bounds;
-  // The sentence that says no names the law whose draws are outside, and the first law's own bounds cover its draws.
+  // The sentence with the answer "No" names the law whose draws lie outside. The next sentence says that the bounds
+  // cover the draws of the first law itself.
   EXPECT_EQ(wording::sentence(answers.about_bounds[0]),
             "No: with Bilinear the bounds of Bilinear cover 0 % of 80 buildings.");
   EXPECT_TRUE(wording::sentence(answers.about_bounds[1]).starts_with("With Bilinear the bounds cover 100 % of 80 "))
@@ -703,7 +704,7 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   std::size_t told = 0, asked = 0;
   {
     RunStore store(file_, properties_of(study), false);
-    // The fourth question after the third run comes from the midst of the fourth run.
+    // The program asks several times during each run. The fourth question after the third run comes within the fourth.
     EXPECT_FALSE(run_all(study, store, 1,
                          {.progress = [&](RunProgress const& p) { told = p.done; },
                           .part = {},
@@ -717,8 +718,8 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   EXPECT_EQ(form(answers.laws[0]), "springs");
 }
 
-// Runs are made eight at a time. Those that are finished when the user interrupts the study are kept, and are not made
-// again.
+// Eight runs are computed at a time, one in each lane. If the user interrupts the study, the runs of a block that are
+// finished are kept and not computed again.
 TEST_F(BuildingRuns, the_first_lanes_of_a_block_outlive_an_interruption) {
   auto study = usual_study(0.07, 30);
   study.file.motions.resize(1);
@@ -734,9 +735,8 @@ TEST_F(BuildingRuns, the_first_lanes_of_a_block_outlive_an_interruption) {
   EXPECT_EQ(before, 2 * lane_width);
 }
 
-// Reference values of the Clopper-Pearson interval. The formula is from Brown, Cai and DasGupta 2001 and the digits are
-// from R's binom.test.
-// Three cases without draws, then the draws. Codes take the mean over seven motions and the largest of fewer.
+// A limit is judged by the nominal building, the two bound analyses and the draws. As in building codes, the mean over
+// the motions is judged if there are seven or more, and the largest response if there are fewer.
 TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
   Settings settings{.draws = 100, .populations = 0, .lower = whole(0.9), .upper = whole(1.1)};
   CasePlaces const places(settings);
@@ -764,7 +764,7 @@ TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).broken_by, "bounds");  // although every draw keeps it
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).kept, 1.0);
   EXPECT_EQ(at_100(responses(7, std::nan(""), 90.0, 0)).broken_by, "nominal failed");
-  // A bound analysis without numbers is not hidden by the other one.
+  // If one of the two bound analyses gave no numbers, this must not be hidden by the numbers of the other.
   auto const without_bound = at_100(responses(7, 80.0, std::nan(""), 0));
   EXPECT_EQ(without_bound.broken_by, "bounds failed");
   EXPECT_TRUE(std::isnan(*without_bound.bound));
@@ -785,8 +785,8 @@ TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
   EXPECT_EQ(at_100(collapsed).kept, 0.94);
 }
 
-// Limits judge what the store holds. Once a study is answered, other limits integrate nothing: an integration would ask
-// whether it is interrupted, and throw.
+// Limits are compared with results in the store. If only the limits of an answered study change, nothing is integrated
+// again: an integration would ask whether it is interrupted, and this test would then throw.
 TEST_F(BuildingRuns, are_judged_by_other_limits_without_integrating) {
   auto study = usual_study(0.07, 8);
   RunStore const store(file_, properties_of(study), false);
@@ -816,7 +816,7 @@ TEST_F(BuildingRuns, say_first_whether_the_building_holds) {
   auto const nominal = answer(study, store).laws[0].distributions[0].nominal;
   study.file.limits.bearing_mm = 10.0 * nominal;
   study.file.limits.floor_acceleration_g = 1e-3;
-  EXPECT_EQ(answer(study, store).holds, false);  // the runs of the store are those of the study whatever its limits
+  EXPECT_EQ(answer(study, store).holds, false);  // the runs in the store do not depend on the limits
   EXPECT_TRUE(said().starts_with("No: with Bilinear the building does not keep its limit on floor acceleration."))
       << said();
   study.file.limits.floor_acceleration_g = 100.0;
@@ -833,22 +833,24 @@ TEST_F(BuildingRuns, say_first_whether_the_building_holds) {
   EXPECT_TRUE(json["laws"][0]["limits"][0]["p95"].is_null());
 }
 
+// The expected digits of the Clopper-Pearson interval are from R's binom.test; its formula is in Brown, Cai and
+// DasGupta 2001.
 TEST(BuildingAnswers, binomial_interval) {
   auto const interval = binomial_interval(95, 100);
   EXPECT_NEAR(interval[0], 0.8871651, 1e-6);
   EXPECT_NEAR(interval[1], 0.9835681, 1e-6);
   EXPECT_EQ(binomial_interval(20, 20)[1], 1.0);
   EXPECT_NEAR(binomial_interval(20, 20)[0], std::pow(0.025, 1.0 / 20.0), 1e-9);
-  // If all are inside, n draws tell from 0.025^(1/n) >= 0.95 on, which is 72.
+  // If all of n draws are inside, the interval's lower end is 0.025^(1/n). It reaches 0.95 with n = 72 draws.
   EXPECT_EQ(draws_that_tell(20, 20), 72u);
   EXPECT_EQ(draws_that_tell(3, 3), 72u);
   EXPECT_EQ(draws_that_tell(95, 100), std::nullopt);
-  auto const many = *draws_that_tell(98, 100);  // of a number divisible by 50 exactly 98 % can be inside
+  auto const many = *draws_that_tell(98, 100);  // checked at multiples of 50 draws, of which exactly 98 % can be inside
   EXPECT_GE(binomial_interval((many + 49) / 50 * 49, (many + 49) / 50 * 50)[0], wanted_share);
   EXPECT_LT(binomial_interval(many / 50 * 49 - 49, many / 50 * 50 - 50)[0], wanted_share);
 }
 
-// Negative stiffness beyond the yield point: no oscillator is equivalent to such bearings.
+// Beyond the yield point the stiffness of these bearings is negative, so no linear oscillator is equivalent to them.
 TEST(BuildingAnswers, no_linear_oscillator_is_equivalent_to_bearings_without_stiffness) {
   auto study = usual_study(0.0, 3);
   auto& law = study.laws[0];
@@ -858,7 +860,7 @@ TEST(BuildingAnswers, no_linear_oscillator_is_equivalent_to_bearings_without_sti
   EXPECT_FALSE(equivalent_linear(devices, study.file.motions[0], devices.of({}), 0.1).has_value());
 }
 
-// On a closed loop of a bilinear device K = K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
+// For a closed loop of a bilinear device K is K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
 TEST(BuildingAnswers, effective_stiffness_and_damping) {
   double const K1 = 6.0, K2 = 0.9, Qd = 30.0, Dy = Qd / (K1 - K2), D = 150.0;
   auto const properties = effective("bilinear", Values{K1, K2, Dy}, D, 1.0, Coupling::coupled);
@@ -889,7 +891,7 @@ TEST(BuildingAnswers, arrangement) {
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
 
-// The oracle tries every order of the devices.
+// The result is compared with the best of all orders of the devices, which this test tries one by one.
 TEST(BuildingAnswers, an_arrangement_of_few_devices_is_the_best_one) {
   num::Draws draws(num::Stream(7), 0, 0);
   for (int count = 3; count <= 7; ++count) {
@@ -915,7 +917,8 @@ TEST(BuildingAnswers, an_arrangement_of_few_devices_is_the_best_one) {
   }
 }
 
-// With more devices than can all be tried, the search from many starts comes near a centre that pairs of devices reach.
+// With many devices not every order can be tried. The search from many starts must still find an arrangement whose
+// centre of stiffness is within 1 mm of the wanted place.
 TEST(BuildingAnswers, an_arrangement_of_many_devices_is_near_the_best_one) {
   auto const places = grid(5, 4, 5000.0).bearings;
   num::Draws draws(num::Stream(8), 0, 0);
@@ -975,7 +978,7 @@ TEST_F(BuildingRuns, draws_that_collapse_are_outside_of_the_bounds) {
   EXPECT_EQ(std::ranges::count(answers.warnings, FindingKind::draws_collapsed, &Finding::kind), 1);
 }
 
-// A changed bit of a run's numbers is found when the answers are computed, and by check_runs().
+// If a bit of a stored run is changed, both the computation of answers and check_runs() must find it.
 TEST_F(BuildingRuns, with_other_numbers_than_were_computed_are_found_out) {
   auto study = usual_study(0.001, 3);
   study.file.motions.resize(1);
@@ -994,8 +997,8 @@ TEST_F(BuildingRuns, with_other_numbers_than_were_computed_are_found_out) {
   EXPECT_TRUE(contains(refusal_of([&] { answer(study, store); }), "has other numbers than when it was computed"));
 }
 
-// Effective stiffness and damping of every law, against the third of three cycles that the law is evaluated on as on a
-// record, ten times as finely sampled. A law that depends on the velocity has another damping in faster cycles.
+// Effective stiffness and damping of every law are compared with those of the third of three cycles, which are computed
+// as for a record with ten times as many samples. If a law depends on velocity, faster cycles have another damping.
 TEST(BuildingAnswers, effective_properties_of_every_law_are_those_of_its_cycle_at_that_speed) {
   constexpr std::size_t steps = 2000, cycles = 3;
   constexpr double amplitude = 80.0;
@@ -1024,7 +1027,7 @@ TEST(BuildingAnswers, effective_properties_of_every_law_are_those_of_its_cycle_a
       if (coupling_of(law.info.id, values) == Coupling::coupled) forms.push_back(Coupling::coupled);
       for (auto const form : forms) {
         auto const found = effective(law.info.id, values, amplitude, period_s, form);
-        // The hand method takes 200 steps for a cycle, between which it knows the loop by straight lines only.
+        // effective() takes 200 steps for a cycle and straight lines between them, which limits the agreement.
         EXPECT_NEAR(found.stiffness_kN_mm, k, 5e-3 * std::abs(k)) << name(form);
         EXPECT_NEAR(found.damping, damping.back(), 5e-3 * std::abs(damping.back()) + 1e-4) << name(form);
       }
@@ -1056,7 +1059,7 @@ std::vector<FindingKind> kinds_of(std::vector<Finding> const& findings) {
   return kinds;
 }
 
-// A doubt about a run begins at its limit.
+// There is a doubt about a run only if a measure exceeds its limit.
 TEST(BuildingAnswers, doubts_about_a_run_begin_at_their_limits) {
   constexpr double tested_mm = 200.0;
   struct {
@@ -1093,7 +1096,8 @@ TEST(BuildingAnswers, a_period_that_no_isolated_building_has_is_doubted) {
   }
 }
 
-// The implicit analysis of the nominal building is the reference for the integration of the draws.
+// Draws are integrated explicitly. The nominal building is also integrated implicitly, which is the reference: explicit
+// results that differ from it by more than 1 % are doubted.
 TEST_F(BuildingRuns, off_the_reference_by_more_than_a_percent_are_doubted) {
   auto study = usual_study(0.001, 3);
   study.file.motions.resize(1);
@@ -1129,7 +1133,7 @@ TEST_F(BuildingRuns, that_rotate_too_far_are_warned_of) {
   EXPECT_EQ(std::ranges::count(answers.warnings, FindingKind::rotation_large, &Finding::kind), 1) << answers.warnings;
 }
 
-// The step error of the nominal run, against a run with a sixteenth of its step.
+// The stated step error of the nominal run is compared with the difference from a run with a sixteenth of its step.
 TEST_F(BuildingRuns, miss_what_shorter_steps_would_find) {
   auto study = usual_study(0.001, 3);
   study.file.motions.resize(1);
@@ -1146,12 +1150,12 @@ TEST_F(BuildingRuns, miss_what_shorter_steps_would_find) {
   EXPECT_EQ(isolator_mm(checked.step_s), checked.isolator_mm);
   double const error = std::abs(checked.isolator_mm.value() - isolator_mm(checked.step_s / 16.0));
   EXPECT_GT(error, 1e-3);
-  // Where the law yields within a step, the error is not quite of second order. The error of the run with half the
-  // step, to which it is compared, would be a quarter.
+  // isolaw estimates the error from a run with half the step, whose own error would be a quarter for second order.
+  // Because the law yields within steps, the order is not quite two, so the tolerance is wide.
   EXPECT_NEAR(checked.missed_mm.value(), error, 0.5 * error);
 }
 
-// A factor such as 0.82 is the number nearest to its two decimals, so that files show it as 0.82.
+// Factors of the search have two decimals. Each must be the double nearest to them, so that files show 0.82 as 0.82.
 TEST(BuildingAnswers, factors_of_the_grid_are_their_two_decimals) {
   EXPECT_EQ(grid_factor(11), 0.82);
   for (std::uint32_t i = 0; i <= 2 * grid_half; ++i)

@@ -83,7 +83,8 @@ bool sorted(std::vector<Run> const& runs) {
 
 // --- preparing a campaign ---
 
-// A skew that is no whole number of samples spreads a spike over two, which are no spike any more.
+// The correction of a skew interpolates between samples, which spreads a spike over two samples so that it is no longer
+// found. The store must therefore hold the faults that were found before the correction.
 TEST_F(CampaignTest, TheStoreHoldsTheFaultsOfTheSignalsBeforeTheirCorrection) {
   std::string text = "time [s],disp [mm],force [kN]\n";
   for (int i = 0; i <= 1200; ++i) {

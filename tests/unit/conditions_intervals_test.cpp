@@ -16,7 +16,7 @@
 namespace isolaw::conditions {
 namespace {
 
-// The share of simulated lots whose interval contains its value.
+// For each kind of interval, the share of simulated lots in which the interval contains the true value.
 struct Coverage {
   double mean = 0.0, device = 0.0, system = 0.0;
 };
@@ -62,8 +62,8 @@ TEST(Interval, contains_its_value_in_19_lots_of_20) {
     }
 }
 
-// Numbers of an independent program, which cut the same record at its downward zero crossings. Seven cycles do not
-// determine where the softening ends, so the exponent is far below 1.
+// The expected numbers come from an independent program, which cut the same record at its downward zero crossings.
+// Seven cycles do not determine where the softening ends, so the exponent is far below 1.
 TEST(Softening, of_a_measured_bearing) {
   auto const file = std::filesystem::path(ISOLAW_DATA_DIR) / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";

@@ -34,7 +34,7 @@ Condition with_ageing(double days, double at_C) {
   return condition;
 }
 
-// K_eff of three devices at 20 C, and at -20, 0 and 40 C.
+// Returns the response to temperature of three devices, from their K_eff at 20 C (the reference), -20, 0 and 40 C.
 Response response_to_temperature() {
   std::vector<Sample> reference, others;
   auto const add = [&](std::string const& device, double at_m20, double at_0, double at_20, double at_40) {
@@ -101,7 +101,8 @@ TEST(Response, names_the_levels_behind_a_factor) {
   EXPECT_EQ(at(52.0), std::vector<double>());
 }
 
-// A test of a device without a reference test is no level that it could be compared with itself.
+// A device without a reference test cannot be compared with itself. Its test must not count in the factor from devices
+// that are compared with themselves (the paired factor).
 TEST(Response, leaves_unpaired_levels_out_of_the_paired_factor) {
   std::vector<Sample> const reference{{.device = "A", .condition = at_20_C, .ln = 0.0},
                                       {.device = "B", .condition = at_20_C, .ln = 0.1}},
@@ -114,7 +115,7 @@ TEST(Response, leaves_unpaired_levels_out_of_the_paired_factor) {
   EXPECT_NEAR(paired.ln, -0.1, 1e-15);
 }
 
-// 60 years at 20 C need 100.9527 days at 70 C and 41.3230 days at 80 C with 90 kJ/mol.
+// With an activation energy of 90 kJ/mol, 100.9527 days at 70 C or 41.3230 days at 80 C stand for 60 years at 20 C.
 TEST(Ageing, in_an_oven_that_stands_for_a_life) {
   expect_close(ageing_for(60.0, 70.0, 20.0, 90.0).days, 100.9527, 1e-6);
   expect_close(ageing_for(60.0, 80.0, 20.0, 90.0).days, 41.3230, 2e-6);
@@ -146,7 +147,7 @@ TEST(Plan, begins_with_devices_that_have_tests_of_the_effect) {
   auto const listed = [&](int devices) { return texts(plan(ends, candidates, devices, at_20_C, 3)); };
   EXPECT_EQ(listed(1), Texts{"C temperature"});
   EXPECT_EQ(listed(3), (Texts{"C temperature", "D temperature", "B temperature"}));
-  // No device with a reference test is left, so A needs one, and then a new device does.
+  // The fourth device, A, has no reference test and needs one first. The fifth is a new device, which needs one too.
   EXPECT_EQ(listed(5), (Texts{"C temperature", "D temperature", "B temperature", "A reference", "A temperature",
                               "new 1 reference", "new 1 temperature"}));
   auto const tests = plan(ends, candidates, 4, at_20_C, 3);
@@ -160,7 +161,8 @@ TEST(Plan, begins_with_devices_that_have_tests_of_the_effect) {
   EXPECT_EQ(texts(plan(std::vector{cold({"B", "C"})}, candidates, 2, at_20_C, 3)), Texts());
 }
 
-// A device lacks only its reference test, and each device gets at most one.
+// A was tested at the end of the range and lacks only its reference test. A plan has at most one reference test for
+// each device, also if several ends need it.
 TEST(Plan, adds_reference_tests_once) {
   auto end = cold();
   end.without_reference = {"A"};
@@ -169,7 +171,8 @@ TEST(Plan, adds_reference_tests_once) {
   EXPECT_EQ(texts(plan(std::vector{fast, end}, {{.device = "A"}}, 1, at_20_C, 3)), (Texts{"A reference", "A rate"}));
 }
 
-// Ageing cannot be undone. It can go on in the same oven.
+// Ageing cannot be undone, so an aged device is of no use for other effects. It can be aged further at the same
+// temperature.
 TEST(Plan, tests_no_aged_device_as_if_it_were_not) {
   std::vector<Candidate> const candidates{
       {.device = "A", .has_reference = true, .aged = Ageing{.days = 14.0, .at_C = 70.0}},
@@ -184,7 +187,8 @@ TEST(Plan, tests_no_aged_device_as_if_it_were_not) {
   EXPECT_EQ(aged(101.0, 80.0), Texts{"B ageing"});
 }
 
-// Only the first test of a new device shows how much it softens; after a rest, devices that were new do.
+// How much a new device softens is shown only by its first test. How much of this comes back after a rest is shown by
+// devices whose first test was made when they were new.
 TEST(Plan, takes_new_devices_for_scragging) {
   std::vector<Candidate> const candidates{{.device = "A", .has_reference = true, .was_new = true},
                                           {.device = "B", .has_reference = true}};
@@ -200,7 +204,7 @@ TEST(Plan, takes_new_devices_for_scragging) {
   EXPECT_EQ(texts(plan(ends, {}, 1, at_20_C, 3)), (Texts{"new 1 reference", "new 1 temperature"}));
 }
 
-// After the planned tests, the end is shown on as many devices as were asked for.
+// Once the planned tests are made, as many devices as were asked for show the end of the design range.
 TEST(Plan, makes_the_end_shown) {
   auto const ln = [](std::string const& device, double temperature_C) {
     return Sample{.device = device, .condition = with_temperature(temperature_C), .ln = -0.006 * temperature_C};

@@ -28,7 +28,7 @@ void expect_near(double value, double wanted, double relative = closely) {
 struct Settings {
   double T = 20.0, f = 0.5, N = 2000.0, noise = 0.0, recovered = 1.0;
   bool aged = false;
-  int cycle = 3, settled_at = 3;  // from this cycle on, nothing softens further
+  int cycle = 3, settled_at = 3;  // settled_at: the cycle from which on the device softens no further
 };
 struct Properties {
   double K_eff, energy, damping, K_d;
@@ -195,14 +195,14 @@ TEST(Dependence, of_the_example_on_temperature) {
     expect_near(of_damping[i].ratio->lambda(), 1.112678369);
     EXPECT_EQ(of_damping[i].verdict, rules::Verdict::pass);
   }
-  // Without a verified set, the same numbers and no word.
+  // If the rule set is not verified, the numbers are the same but there is no verdict.
   auto const unverified = judge_dependence(limit, false, temperature(), design);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(unverified[i].ratio->ln, of_K[i].ratio->ln);
     EXPECT_EQ(unverified[i].verdict, rules::Verdict::information);
     EXPECT_EQ(unverified[i + 3].verdict, rules::Verdict::not_assessed);
   }
-  // At 70 C no device shows anything.
+  // No device was tested at 70 C.
   for (auto const& device : judge_dependence(limit_of_20(Effect::temperature, {70.0}), true, temperature(), {})) {
     EXPECT_EQ(*device.reason, NotAssessed::no_test);
     EXPECT_FALSE(device.ratio);
@@ -227,7 +227,7 @@ TEST(Dependence, of_the_example_on_rate_and_ageing) {
     expect_near(aged[0].ratio->lambda(), of_ageing[i]);
     EXPECT_EQ(aged[0].verdict, rules::Verdict::pass);
   }
-  // The test stands for 8.3 years: it shows those of 8 years, and ten are extrapolated from it.
+  // The ageing test stands for 8.3 years. A design of 8 years is therefore shown by it, one of 10 years extrapolated.
   design.ageing->test_stands_for_years = stands_for_years(design.ageing->test, 20.0, 90.0);
   design.ageing->years = 8.0;
   EXPECT_EQ(judge_dependence(limit_of_20(Effect::ageing), true, ageing(), design)[0].verdict, rules::Verdict::pass);
@@ -271,8 +271,8 @@ TEST(Dependence, keeps_both_ends_and_each_device_to_its_own_tests) {
   EXPECT_EQ(verdict(0.8), rules::Verdict::pass);
   EXPECT_EQ(verdict(1.2 + 1e-9), rules::Verdict::fail);
   EXPECT_EQ(verdict(0.8 - 1e-9), rules::Verdict::fail);
-  // B was tested at -20 C and not at 0 C, so its ratio at 0 C lies on its own line: the root of 1.44. C has no test but
-  // its reference, and D has no reference.
+  // B was tested at -20 C, where its ratio is 1.44, and not at 0 C. Its ratio at 0 C is interpolated on the line
+  // between -20 C and the reference, which gives the root of 1.44. C has only a reference test, and D has none.
   std::vector<Sample> const own{relative("A", 20, 1.0), relative("B", 20, 2.0), relative("C", 20, 1.0)},
       others{relative("A", 0, 1.1), relative("B", -20, 2.88), relative("D", 0, 5.0)};
   auto const results = judge_dependence(at_0, true, Response(Effect::temperature, own, others, reference, {}), {});
@@ -354,7 +354,7 @@ TEST(Curves, of_softening_find_the_exponent_of_the_example) {
   EXPECT_FALSE(softening(std::span(values).first(4)));
 }
 
-// Device P5: ten cycles at first, then again after 1, 24 and 168 hours.
+// Device P5 was tested with ten cycles, and again after rests of 1, 24 and 168 hours.
 TEST(Cycles, soften_and_recover) {
   double const K[]{0.876914470, 0.723226971, 0.677589534, 0.656330601, 0.644217759,
                    0.636465753, 0.631112745, 0.627212265, 0.624254064, 0.621939844};
@@ -459,7 +459,7 @@ TEST(Combination, of_factors_with_intervals) {
   expect_near(combine({.form = Form::sum}, simple).factor, 1.8);
 }
 
-// The whole example, product of all factors.
+// The bounds of the whole example are the products of the factors of all effects.
 TEST(Combination, of_the_example) {
   auto const bounds = [](double Properties::*which) {
     auto const scragging = std::log(properties(0.0, {.cycle = 1}).*which / (properties(0.0, {}).*which));
@@ -534,8 +534,8 @@ TEST(Response, without_a_reference_test_covers_nothing) {
   EXPECT_EQ(response.unpaired(), std::vector<std::string>{"A"});
 }
 
-// Between levels each device goes along its own line. Worked out by hand, with the logarithms 0.4 and 0.3 at levels of
-// two devices that were not tested at one condition.
+// Between its tested levels, each device is interpolated on its own line. The values are logarithms of ratios and were
+// worked out by hand. A and B were tested cold at different temperatures, -20 C and -15 C.
 TEST(Response, goes_along_the_line_of_each_device) {
   auto const at = [](std::string device, double temperature_C, double ln) {
     return relative(std::move(device), temperature_C, std::exp(ln));
@@ -543,25 +543,26 @@ TEST(Response, goes_along_the_line_of_each_device) {
   std::vector<Sample> const own{at("A", 20, 0.0), at("B", 20, 0.0)};
   std::vector<Sample> const others{at("A", -20, 0.4), at("A", 0, 0.1), at("B", -15, 0.35)};
   Response const response(Effect::temperature, own, others, reference, {});
-  // At -10: A halfway between 0.4 and 0.1; B 30/35 of 0.35.
+  // At -10 C, A is halfway between 0.4 and 0.1, and B has 30/35 of its 0.35 at -15 C.
   auto const between = response.at(-10.0);
   EXPECT_EQ(between.status, Status::interpolated);
   EXPECT_EQ(between.devices, 2);
   EXPECT_NEAR(between.ln, (0.25 + 0.3) / 2.0, 1e-12);
-  // At -17.5, which is at no level, only A was tested on both sides.
+  // At -17.5 C only A was tested on both sides of the temperature, so only A counts.
   auto const only_a = response.at(-17.5);
   EXPECT_EQ(only_a.devices, 1);
   EXPECT_NEAR(only_a.ln, 0.1 + 0.3 * 17.5 / 20.0, 1e-12);
-  // Beyond all tests A alone was tested at the outermost level.
+  // Beyond all tests the factor is extrapolated from A alone, the only device tested at the outermost level, -20 C.
   auto const beyond = response.at(-25.0);
   EXPECT_EQ(beyond.status, Status::extrapolated);
   EXPECT_EQ(beyond.devices, 1);
   EXPECT_NEAR(beyond.ln, 0.4 + 0.3 * 5.0 / 20.0, 1e-12);
-  // A at 0 lies between -20 and 20: 0.2 on the line, 0.1 as measured. The reference has no device on both sides.
+  // The test of A at 0 C checks the straight line from -20 to 20 C: the line gives 0.2 there, but 0.1 was measured.
+  // Only levels with tests of one device on both sides can be checked like this, so the reference cannot.
   EXPECT_NEAR(response.line_error().value(), 0.1, 1e-12);
 }
 
-// An end that is not covered leaves what is known of the other end.
+// If one end of a design range is not covered by tests, the result keeps the factor that is known at the other end.
 TEST(Response, of_a_range_keeps_the_end_that_is_known) {
   std::vector<Sample> const own{relative("A", 20, 1.0)}, others{relative("A", 40, 0.8)};
   auto const [max, min] = Response(Effect::temperature, own, others, reference, {}).over(-30.0, 40.0);
@@ -640,7 +641,8 @@ TEST(BoundLaws, of_the_bilinear_law) {
   }
 }
 
-// The mean of three cycles of a bilinear law: the first has less energy by Q xy / 2, since it starts at rest.
+// The values at reference are means over three cycles of a bilinear law. The first cycle has less energy than the
+// others by Q xy / 2, because it starts at rest.
 TEST(BoundLaws, of_a_reference_of_several_cycles) {
   auto block = reference_block;
   block.first_cycle = 1;
@@ -667,7 +669,8 @@ std::vector<double> parameters_of(laws::LawEntry const& law,
 
 TEST(BoundLaws, fall_back_to_one_factor) {
   auto const& bilinear_law = laws::find_law("bilinear");
-  // The hysteretic part alone has more stiffness than wanted: 4 Q/D is 0.481, and 0.7 K_eff is 0.474.
+  // With 4 times its energy, the hysteretic part alone has the stiffness 4 Q/D = 0.481, more than the 0.7 K_eff = 0.474
+  // that is asked for. The elastic part would need a negative factor.
   expect_one_factor(bound_law(bilinear_law, bilinear(), reference_block, 0.7, 4.0).value(), OneFactor::not_positive,
                     0.7, 4.0, -82.5);
   auto const& kikuchi = laws::find_law("kikuchi-aiken");
@@ -678,8 +681,8 @@ TEST(BoundLaws, fall_back_to_one_factor) {
   EXPECT_EQ(bound.parameters[kikuchi.index_of("G1")], 100.0);
 }
 
-// A falling elastic force of -1.5 kN/mm beside z, which hardly yields and begins with 2.5 A = 5 kN/mm. Twice the energy
-// needs b = 2 C_K, and the stiffness wanted then a such that Ke' = (2.5 b - 1.5 a) kN/mm is below 0, its limit.
+// The elastic force falls by 1.5 kN/mm, beside a hysteretic force that hardly yields and begins with 2.5 A = 5 kN/mm.
+// Energy and stiffness together would need factors a and b with which Ke' = (2.5 b - 1.5 a) kN/mm is below its limit 0.
 TEST(BoundLaws, keep_the_limits_of_parameters) {
   auto const& law = laws::find_law("bouc-wen");
   double const slow = 0.05 / amplitude_mm;
@@ -689,8 +692,9 @@ TEST(BoundLaws, keep_the_limits_of_parameters) {
   EXPECT_FALSE(bound_law(law, parameters, reference_block, 1.1, 1.2).value().one_factor);
 }
 
-// A stiffness of hwang-wu fades with the work of the whole force. If one part alone grows, it fades otherwise, so that
-// K_eff is off by 13 % of its target. One factor on all forces with work that counts accordingly is exact.
+// In hwang-wu a part of the stiffness fades with the work of the whole force. Separate factors on the parts change this
+// work, and K_eff then misses its target by 13 %. One factor on the whole force is exact, because the law can scale the
+// effect of the work accordingly.
 TEST(BoundLaws, that_miss_their_targets_have_one_factor) {
   auto const& law = laws::find_law("hwang-wu");
   auto const bound = [&](double a9) {

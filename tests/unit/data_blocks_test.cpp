@@ -46,7 +46,7 @@ TEST(Blocks, EndWhereTheVerticalLoadChanges) {
     for (auto const& block : properties.blocks) {
       ASSERT_EQ(block.counted().size(), 4u);
       double const expected = block.number == 1 ? 1000.0 : block.number == 2 ? 3000.0 : 2000.0;
-      // The first cycle after a rest has the load of its motion, not that of the rest before it.
+      // The mean load of the first cycle after a rest is taken over its motion, without the rest before it.
       for (auto const* cycle : block.counted()) EXPECT_NEAR(*cycle->N_mean_kN, expected, 0.01 * expected);
     }
   }
@@ -66,7 +66,7 @@ TEST(Blocks, EndAtARestBetweenSetsOfCycles) {
             (std::vector<int>{3, 4}));
   EXPECT_EQ(counted_per_block(Motion().sine(100.0, 0.5, 3).hold(0.0, 1.5).sine(100.0, 0.5, 4).end().cut()),
             std::vector<int>{7});
-  Motion each;  // a rest after every cycle belongs to the protocol
+  Motion each;  // with a rest after every cycle; such rests end no block
   for (int k = 0; k < 8; ++k) each.sine(100.0, 0.5, 1).hold(0.0, 10.0);
   EXPECT_EQ(counted_per_block(each.end().cut()), std::vector<int>{8});
 }
@@ -137,7 +137,8 @@ TEST(Blocks, ALoopThatGivesEnergyBackTakesItsBlock) {
   EXPECT_EQ(properties.faulty[0].kind, FindingKind::cycle_gives_energy);
 }
 
-// The third cycle keeps one of its peaks and most of its energy. Only the dead cycle after it tells that it failed.
+// The device fails in the third cycle, which keeps one of its peaks and most of its energy. That it failed shows only
+// in the next cycle, which has almost no force.
 TEST(Blocks, TheCycleInWhichTheForceGoesAfterAPeakDoesNotCount) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   auto const sound = motion.properties();
@@ -186,7 +187,8 @@ TEST(Blocks, AFailureIsNamedAndADeadCycleIsNeverReported) {
   }
 }
 
-// The force is back in the third stage. Only the dead cycles are left out of properties and fit.
+// The force is lost in the second stage and back in the third. Only the cycles without force are left out of properties
+// and fit.
 TEST(Blocks, AForceThatComesBackIsLostForItsDeadCyclesOnly) {
   auto motion = in_stages({40.0, 40.5, 60.0});
   for (std::size_t i = 600; i < 1200; ++i) motion.force_kN[i] *= 0.02;
@@ -202,7 +204,8 @@ TEST(Blocks, AForceThatComesBackIsLostForItsDeadCyclesOnly) {
   EXPECT_TRUE(contains(said_in(fitted.cleaning), "lost its force for a time")) << said_in(fitted.cleaning);
 }
 
-// A fault in the block in which the device fails does not make it sound, since the stages after it are dead too.
+// The block in which the device fails also has a fault of the signal. The failure must still be reported, because the
+// stages after it have no force either.
 TEST(Blocks, AFailureStaysBesideASignalFault) {
   auto motion = in_stages({20.0, 40.0, 60.0});
   for (std::size_t i = 1000; i < motion.force_kN.size(); ++i) motion.force_kN[i] *= 0.02;
@@ -226,7 +229,7 @@ TEST(Blocks, AFailureInAnUncountedCycleIsNamedByItsTime) {
   EXPECT_TRUE(contains(said, "% of the force in cycle 2 of block 1")) << said;
 }
 
-// A slider at a tenth of the load has a tenth of the force.
+// The force of a slider is proportional to the load. At a tenth of the load its force is small but not lost.
 TEST(Blocks, AForceThatFollowsTheLoadIsNotLost) {
   auto motion = Motion().sine(100.0, 0.5, 3).sine(100.0, 0.5, 3).end().loop();
   std::vector<double> load(motion.disp_mm.size(), 2000.0);
@@ -236,7 +239,8 @@ TEST(Blocks, AForceThatFollowsTheLoadIsNotLost) {
   EXPECT_TRUE(cyclic_properties(record_of_motion(motion, load)).failure) << "of a load channel that is noise";
 }
 
-// The first stage has too few samples in a cycle. With it, the record would have too few; without it, it has enough.
+// The first stage has too few samples per cycle, for which the whole record would be refused. If this stage is left out
+// because of a fault, the record has enough.
 TEST(Blocks, ARefusalDoesNotOutliveTheFaultyBlockFromWhichItCame) {
   auto const motion = Motion().sine(50.0, 10.0, 30).sine(100.0, 0.5, 3).end().loop();
   auto record = record_of_motion(motion);
@@ -248,7 +252,8 @@ TEST(Blocks, ARefusalDoesNotOutliveTheFaultyBlockFromWhichItCame) {
   EXPECT_EQ(properties.reported->block, 2);
 }
 
-// The stage of largest amplitude is viscous and faulty, the sound one has stiffness.
+// The stage of largest amplitude has a fault and looks like a viscous damper. The sound stage shows that the device has
+// stiffness.
 TEST(Blocks, TheKindOfDeviceIsThatOfTheSoundBlocks) {
   auto motion = Motion().sine(50.0, 0.5, 3).sine(100.0, 0.5, 3).end().loop();
   for (std::size_t i = 600; i < motion.force_kN.size(); ++i) {
@@ -262,7 +267,7 @@ TEST(Blocks, TheKindOfDeviceIsThatOfTheSoundBlocks) {
   EXPECT_FALSE(cyclic_properties(record).viscous);
 }
 
-// A spike after the motion takes no block and is not fitted.
+// A spike after the end of the motion makes no block faulty, and laws are not fitted to it.
 TEST(Blocks, AFaultOutsideTheBlocksTakesNoneAndIsNotFitted) {
   auto motion = Motion().sine(100.0, 0.5, 3).hold(0.0, 4.0).end().loop();
   motion.force_kN[800] += 60.0;
@@ -364,7 +369,8 @@ TEST(Cuts, ACounterThatGoesOnFromBlockToBlockStartsAnewInEach) {
             (std::vector<int>{3, 3}));
 }
 
-// The last cycle of the first block and the first one of the second do not count, and have numbers of the logger.
+// The logger numbers all cycles. The last cycle of the first block and the first one of the second do not count, but
+// have numbers of the logger too.
 TEST(Cuts, ACounterThatGoesOnStartsWithTheFirstCycleOfTheBlock) {
   auto const motion = Motion().sine(50.0, 1.0, 3).sine(46.0, 1.0, 1).sine(100.0, 1.0, 3).end();
   std::vector<double> counter;
@@ -374,7 +380,7 @@ TEST(Cuts, ACounterThatGoesOnStartsWithTheFirstCycleOfTheBlock) {
   EXPECT_EQ(counted_per_block(cut), (std::vector<int>{3, 3}));
 }
 
-// Among the cycles numbered 1, 2, 100 and 200 there is no cycle 3, to which others could be compared.
+// The record has only the cycles 1, 2, 100 and 200. There is no cycle 3 with which the others could be compared.
 TEST(Cuts, NoCycleStandsForCycleThree) {
   Block block;
   for (int const number : {1, 2, 100, 200}) {

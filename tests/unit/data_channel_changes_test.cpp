@@ -125,7 +125,7 @@ TEST(ChannelChanges, a_gain_of_one_side_is_told_from_an_offset) {
   EXPECT_NE(find(offset, FindingKind::off_centre), nullptr);
 }
 
-// A hum of 50 Hz appears at 10 Hz in 60 samples a second.
+// In a record with 60 samples a second, a hum of 50 Hz appears as one of 10 Hz (aliasing).
 TEST(ChannelChanges, hum_is_said_with_amplitude_and_frequency) {
   for (double const rate : {60.0, 101.0, 200.0, 500.0})
     for (bool const in_force : {true, false}) {
@@ -195,7 +195,8 @@ std::optional<Remainder> remainder_of(Motion const& motion) {
   return remainder(record, properties);
 }
 
-// The mean loop holds a share of a step of 12 kN, but the remainder still rises by 12 kN there.
+// The force channel jumps by 12 kN. The mean cycle contains a part of the jump, but the remainder (signal minus mean
+// cycle) must still rise by 12 kN.
 TEST(ChannelChanges, the_remainder_shows_a_step_at_its_time) {
   auto motion = record_of({.cycles = 5});
   EXPECT_FALSE(remainder_of(motion));
@@ -210,7 +211,8 @@ TEST(ChannelChanges, the_remainder_shows_a_step_at_its_time) {
   for (double const phase : {0.1, 0.6, 1.1, 1.6}) EXPECT_NEAR(at(6.0 + phase) - at(2.0 + phase), 12.0, 0.5) << phase;
 }
 
-// Hum of 50 Hz comes back with every cycle of 0.5 Hz, and so does the mean loop.
+// A hum of 50 Hz repeats exactly in every cycle of 0.5 Hz, so it would be part of a plain mean cycle. The remainder
+// must show it all the same.
 TEST(ChannelChanges, the_remainder_shows_hum_that_repeats_with_the_cycle) {
   auto motion = record_of({});
   for (std::size_t i = 0; i < motion.time_s.size(); ++i)
@@ -222,7 +224,7 @@ TEST(ChannelChanges, the_remainder_shows_hum_that_repeats_with_the_cycle) {
   EXPECT_NEAR(std::sqrt(2.0 * squares / static_cast<double>(found->values.size())), 8.0, 0.8);
 }
 
-// The spikes lie at the same part of each cycle, where the mean loop must not have them.
+// The spikes lie at the same place of each cycle. The mean cycle must not contain them, so that the remainder does.
 TEST(ChannelChanges, the_remainder_shows_spikes) {
   auto motion = record_of({});
   std::vector<std::size_t> const spikes{50, 450, 850, 1250};
@@ -257,7 +259,8 @@ TEST(ChannelChanges, a_sweep_has_no_single_frequency) {
   for (auto const& block : steps.properties().blocks) EXPECT_TRUE(block.frequency_Hz);
 }
 
-// No delay below a sampling interval is claimed of a device that unloads steeply, for its corners lie between samples.
+// If a device unloads steeply, the corners of its loop lie between samples. A delay below a sampling interval must then
+// not be reported.
 TEST(ChannelChanges, no_delay_is_claimed_that_the_samples_cannot_show) {
   int estimated = 0, claimed = 0;
   for (double const K1 : {5.0, 10.0, 20.0, 35.0, 50.0, 70.0, 100.0})

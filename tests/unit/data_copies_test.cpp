@@ -74,7 +74,8 @@ TEST(Copies, AreFoundHoweverTheyWereAltered) {
   }
 }
 
-// Devices of one make differ in noise only, or in shape too. That their forces agree to within the noise shows no copy.
+// Devices of one make may differ only by the noise of their records. Agreement of the forces within the noise is
+// therefore no sign of a copy.
 TEST(Copies, AreNotSeenInTestsOfTwoDevices) {
   std::vector<Trace> traces;
   for (unsigned seed = 1; seed <= 40; ++seed) traces.push_back(trace_of(device(seed, 0.1 + 0.02 * (seed % 4))));

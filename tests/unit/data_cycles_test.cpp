@@ -555,7 +555,8 @@ Properties properties_with_halves(Motion const& motion) {
   return cyclic_properties(view);
 }
 
-// In steady cycles each half of the loop is the other one turned about the middle.
+// In steady cycles each half of the loop is the other half turned by 180 degrees. The properties of half cycles must
+// therefore equal those of full cycles.
 TEST(HalfCycles, OfASteadyLoopHaveTheValuesOfItsFullCycles) {
   auto const motion = Motion().sine(100.0, 0.5, 3.5).end().loop();
   EXPECT_EQ(counted_per_block(motion.cut()), Counts{3});
@@ -574,7 +575,7 @@ TEST(HalfCycles, OfASteadyLoopHaveTheValuesOfItsFullCycles) {
   EXPECT_EQ(properties.blocks[1].waveform, "sine");
   EXPECT_NEAR(properties.find(3, 1)->amplitude_mm, 50.0, 0.1);  // the way from the last peak to zero
   EXPECT_TRUE(properties.reported && !properties.reported->half);
-  // The same signal of two tests of one device: blocks are numbered on.
+  // Two tests of one device with the same signal: the numbers of blocks go on from the first test to the second.
   auto twice = motion.disp_mm;
   twice.insert(twice.end(), motion.disp_mm.begin(), motion.disp_mm.end());
   std::vector<std::size_t> const starts{0, motion.disp_mm.size()};
@@ -594,7 +595,7 @@ TEST(HalfCycles, OfASinglePushAreTwo) {
     EXPECT_NEAR(*cycle->period_s, 10.0, 1e-9);
   }
   EXPECT_NEAR(counted[0]->K_eff_kN_per_mm, motion.force_kN[500] / 50.0, 1e-9);
-  // The record must reach its start again, since its end is no turn elsewhere.
+  // The way back counts as a half cycle only if it reaches the start. If the record ends earlier, its end is no turn.
   EXPECT_EQ(counted_per_block(cut_with_halves(Motion().ramp(0.0, 50.0, 5.0).ramp(50.0, 20.0, 3.0).end(20.0))),
             Counts{1});
 }

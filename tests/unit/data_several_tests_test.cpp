@@ -120,7 +120,7 @@ TEST(TestsOfADevice, KeepFaultsWarningsAndCorrectionsOfEach) {
   EXPECT_EQ(record.corrections[0].word("part"), "b");
 }
 
-// A fault lies in one test, and takes nothing of the others.
+// A fault in one test must not change the other tests of the device.
 TEST(TestsOfADevice, AreFaultyEachByItself) {
   auto const first = cyclic(50.0);
   auto second = cyclic(60.0);

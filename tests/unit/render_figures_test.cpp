@@ -591,7 +591,8 @@ TEST_F(Drawn, OnlyOwnFiguresAreRemoved) {
   EXPECT_EQ(contents(), (std::map<std::string, std::string>{{"mine.gp", "plot x\n"}, {"mine.pdf", "mine"}}));
 }
 
-// Figures of other results would contradict the report beside them, also those of single devices.
+// With the choice `none`, figures that show other results than the report are removed, including those of single
+// devices.
 TEST_F(Drawn, NoneRemovesFiguresOfOtherResults) {
   hide_gnuplot();
   auto summary = fixture::lot(3, 2);

@@ -80,7 +80,7 @@ TEST(Blocks, TheVariationOverLoadsIsAssessedAndTheDesignLoadChooses) {
   EXPECT_EQ(found->verdict, Verdict::pass) << found->reason;
 }
 
-// Two blocks of one amplitude: the sound one has the design load, the faulty one another.
+// The record has two blocks of one amplitude. The sound block has the design load, the faulty block another load.
 TEST(Blocks, AFaultyBlockOfAnotherLoadIsNotChosen) {
   auto motion = Motion().sine(150.0, 0.5, 4).sine(150.0, 0.5, 4).end().loop();
   std::vector<double> load(motion.disp_mm.size(), 2000.0);
@@ -92,7 +92,7 @@ TEST(Blocks, AFaultyBlockOfAnotherLoadIsNotChosen) {
   EXPECT_EQ(assessed(properties, "disp=150,load=1000").block, 1);
 }
 
-// One device made two cycles of 110 mm before those of 100 mm, the other made six. All else is alike.
+// Before the cycles of 100 mm, one device made two cycles of 110 mm and the other six. Everything else is the same.
 TEST(Lot, DevicesWithOtherEarlierCyclesWereTestedUnderOtherConditions) {
   auto const lot = [](int cycles_of_one, int cycles_of_other) {
     Summary summary;

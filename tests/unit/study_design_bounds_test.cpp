@@ -50,7 +50,7 @@ TEST(DesignBounds, have_the_factors_of_K_eff_and_energy) {
   expect_near(bounds.upper->law.factors.b, 1.859391152);
   expect_near(bounds.lower->law.factors.a, 0.713969857);
   expect_near(bounds.lower->law.factors.b, 0.665827352);
-  // The weaker word and the smaller share of the two properties.
+  // A bound law rests on K_eff and energy. It has the weaker status and the smaller share of tested effects of the two.
   EXPECT_EQ(bounds.upper->status, Status::interpolated);
   EXPECT_EQ(bounds.lower->status, Status::extrapolated);
   EXPECT_EQ(bounds.lower->share_shown, 0.528110688);
