@@ -68,7 +68,7 @@ struct NamedProblem {
 };
 
 struct Choice {
-  std::vector<std::string> laws, devices;  // an empty list stands for all that the lot file names
+  std::vector<std::string> laws, devices;  // if a list is empty, all laws or devices of the lot file are taken
 };
 
 // Prepares all chosen problems of a lot. The records may lie outside the lot file's folder.

@@ -69,7 +69,8 @@ async function lookAtBoundLaws() {
   return { ...Object.fromEntries(loops), caption: figure.querySelector('figcaption').textContent };
 }
 
-// Returns the axis of the first panel and the marks of intervals that go on beyond it. This function runs in the page.
+// Returns the axis of the first panel and the marks of intervals that are cut at its ends. This function runs in the
+// page.
 async function lookAtPanels() {
   const figure = document.getElementById('figure-conditions-panels');
   figure.scrollIntoView();
@@ -118,7 +119,7 @@ try {
     near(Math.exp(bars[0].x.at(-1)), 1.869155861, 'all together');
     const lines = (traces) => traces.filter(({ mode }) => mode === 'lines');
     const [devices, mean, dotted, dashed] = lines(seen.panels);
-    // exp(b (T - 20)) with the b of a least-squares fit of the closed form's factors.
+    // The smooth curve is exp(b (T - 20)). A least-squares fit to the factors of the closed form gives b.
     expect(dashed.dash === 'dash' && dashed.x[0] === -20, `smooth curve from ${dashed.x[0]}`);
     near(Math.exp(dashed.y[0]), Math.exp(-0.0067696479 * -40), 'smooth curve at -20 C');
     near(Math.exp(devices.y[0]), 0.920443205 / 0.699623055, 'P1 at -20 C');
@@ -126,7 +127,7 @@ try {
     expect(mean.x[0] === -20 && dotted.dash === 'dot' && dotted.x[0] === 40 && dotted.x[1] === 45, `temperatures ${mean.x}; extrapolated ${dotted.x}`);
     near(Math.exp(dotted.y[1]), 0.848178179, 'at 45 C');
     if (width === 1366) {
-      // Between 1000 kN and the reference, the line is straight over the square of the load.
+      // Between 1000 kN and the reference, the logarithm of the factor is a straight line over the square of the load.
       const load = lines(seen.load)[1],
         middle = load.x.indexOf(1500);
       near(Math.exp(load.y[middle]), 1.04715551 ** ((4 - 2.25) / 3), 'at 1500 kN');
@@ -136,7 +137,7 @@ try {
     const [recovery] = seen.history.filter(({ xaxis }) => xaxis === 'x2');
     [10.9861229, 38.918203, 58.2008293].forEach((share, i) => near(recovery.y[i], share, `recovery after ${recovery.x[i]} h`));
     const long = seen.history.find(({ x }) => x.length === 10);
-    // Ten cycles follow such a curve: P_n = P_inf + (P_1 - P_inf) n^-1.2.
+    // The property P_n in cycle n of ten cycles follows the curve P_n = P_inf + (P_1 - P_inf) n^-1.2.
     const smooth = seen.history.find(({ x }) => x[1] === 1.25 && x.at(-1) === 10);
     near(smooth.y[4], long.y[1], 'smooth curve at cycle 2', 1e-3);
     near(long.y[0], 1.294167673, 'cycle 1');

@@ -23,7 +23,8 @@ TYPED_TEST_SUITE(TurningPoints, EveryLaw, LawName);
 constexpr int shrinking_turns = 3000;
 constexpr double amplitude = 200.0;
 
-// Paths of shrinking turns: by equal amounts about 0 and about 150 mm, by equal shares, and at random.
+// Returns four paths whose turns come closer and closer together: by equal amounts about 0 mm and about 150 mm, by
+// equal shares about 0 mm, and by random shares.
 std::vector<std::vector<double>> shrinking() {
   std::vector<std::vector<double>> paths(4, {0.0});
   num::Draws draws(num::Stream(11), 0, 0);
@@ -41,7 +42,7 @@ std::vector<std::vector<double>> shrinking() {
   return paths;
 }
 
-// Fills in the memory of the path again, without a limit.
+// Computes the memory of the path again, without a limit on the number of turning points.
 void keep_all(laws::Path& path) {
   std::vector<double> turned;
   double before = 0.0;
@@ -60,7 +61,7 @@ void keep_all(laws::Path& path) {
   }
 }
 
-// After the turns the motion grows out to either side. The bound is the one that docs/laws.md states.
+// After the turns the motion goes on to the full amplitude, to one side or the other. docs/laws.md states the bound.
 TYPED_TEST(TurningPoints, DroppingThemChangesTheForceLittle) {
   if (!TypeParam::info.traits.masing) GTEST_SKIP() << "keeps no turning points";
   for (auto const& path_in : shrinking())

@@ -40,7 +40,7 @@ class Conditions(unittest.TestCase):
         for at, number in zip(sorted(rates), (0.927280900, 1.067708704)):
             self.assertAlmostEqual(rates[at] / number, 1.0, delta=1e-3)
 
-    # The tables of the lot file, its devices' tests as Test, give what the file gives.
+    # The tables of the lot file as a dict, with the tests of devices as isolaw.Test, give the same results as the file.
     def test_tables_give_what_the_lot_file_gives(self):
         tables = tomllib.loads(self.lot.read_text())
         for device in tables["device"]:

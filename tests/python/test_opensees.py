@@ -530,13 +530,13 @@ print("code", ops.analyze(1))
 class SelfChecks(InFolder):
     """The check in each exported file for OpenSees must fail if any number in it that acts on the force is 0.1 % larger."""
 
-    # Arguments by their place that do not act: a hardening term has the exponent mu, and its coefficient is 0 in all
-    # exports; the program's own iteration ends by a tolerance and after a number of rounds.
+    # The places of arguments that have no effect on the force: the exponent mu of a hardening term whose coefficient is
+    # 0 in all exports, and the tolerance and limit of OpenSees' own iteration.
     IDLE = {"BoucWen": {9, 10}, "BoucWenOriginal": {4, 8, 9}, "elastomericBearingBoucWen": {4}, "elastomericBearingPlasticity": {4}}
 
-    # a5 of jankowski acts below a velocity of some mm/s, and no sample is as slow. The others belong to a term whose
-    # coefficient is fixed at 0: a2 of gallardo, fT of ozdemir. amax and c of kikuchi-aiken act where the rate of the
-    # branches reaches amax, which the law fitted here does not.
+    # These parameters have no effect on the check. a5 of jankowski acts only below a velocity of some mm/s; no
+    # sample is as slow. amax and c of kikuchi-aiken act only if the rate of the branches reaches amax, which it does
+    # not here. The others belong to terms whose coefficients are fixed at 0: a2 of gallardo and fT of ozdemir.
     IDLE_PARAMETERS = {("jankowski", "a5"), ("gallardo", "fs2"), ("gallardo", "ps2"), ("ozdemir", "a"),
                        ("kikuchi-aiken", "amax"), ("kikuchi-aiken", "c")}  # fmt: skip
 
@@ -551,7 +551,7 @@ class SelfChecks(InFolder):
         return program("export", self.path / "O", "--law", law, "--device", "a", "--to", target, "--units", "N-m", "--anyway")
 
     def passes(self, text, only=None):
-        """The result of a file's check; `only` names the function and the variant that it checks."""
+        """Returns whether the check of a file passes. With `only`, just this function and variant are checked."""
         module = {"__name__": "exported"}
         exec(text, module)
         if only is not None:
@@ -607,7 +607,7 @@ class SelfChecks(InFolder):
                                 begin, end = (at + found.start(2) + i for i in argument.span())
                                 self.assertFalse(self.passes(self.changed(text, begin, end), (function, variant)))
                 at += len(line)
-            # The script in Tcl has the same numbers, so that its check finds the same.
+            # The script in Tcl must have the same numbers. Its check then finds the same changes and is not run here.
             tcl = self.exported(law, "opensees")
             numbers = [
                 [re.findall(rf"(?<=[ ,]){number}(?=[ ,)]|$)", line)

@@ -1,5 +1,5 @@
-"""Exported buildings in OpenSeesPy that have the law itself where the package isolaw is, and its re-fit elsewhere. What
-isolaw says of the re-fit's response is compared with OpenSees."""
+"""Tests exported buildings in OpenSeesPy. They use the law itself if the package isolaw is installed, else its re-fit.
+The response with the re-fit that isolaw states is compared with OpenSees."""
 
 import csv
 import json
@@ -20,7 +20,8 @@ except ImportError as error:
 
 OPENSEES = pathlib.Path(openseespy.__file__).parent.parent
 PACKAGE = pathlib.Path(isolaw.__file__).parent.parent
-# Laws that OpenSees does not have: with and without a form in two directions, one-sided, and dependent on velocity.
+# Laws that OpenSees does not have. In this order: a law with a form in two directions, a law without such a form, a law
+# that is not odd, and a law that depends on velocity.
 LAWS = ["history-integral", "power-masing", "gallardo", "power-masing-viscous"]
 
 
@@ -69,7 +70,7 @@ class Models(InFolder):
                 self.assertIn("have the law itself", self.run_model("run", "law"))
                 self.assertIn("have the re-fit", self.run_model("run", "refit", "--re-fit"))
                 of_law, of_refit = self.peaks("law"), self.peaks("refit")
-                # isolaw looks for the peak of the displacement between two steps, OpenSees at the steps.
+                # isolaw interpolates the peak displacement between steps; OpenSees gives the largest value at a step.
                 for found, expected in zip(of_law, (motion["law_displacement"], motion["law_shear"])):
                     self.assertAlmostEqual(found / expected, 1.0, delta=2e-3)
                 # OpenSees integrates the re-fit's Bouc-Wen by backward Euler, isolaw exactly.

@@ -85,7 +85,7 @@ def another_place_of_a_base(elf):
 
 
 def a_hidden_symbol(elf):
-    """The module's own calls get the function's address, so that nothing in it needs the name."""
+    """Hides an exported function. The module's own calls get the function's address, so that they need no name."""
     name = "_Z23OPS_addUniaxialMaterialP16UniaxialMaterial"
     symbol = (elf.symbols[name] - elf.sections[".dynsym"][4]) // 24
     for section in (".rela.dyn", ".rela.plt"):
@@ -100,7 +100,7 @@ def a_hidden_symbol(elf):
 
 
 def a_member_more(elf):
-    """The constructor first writes a number behind the object: movq $1, 40(%rdi), then a jump to the constructor."""
+    """Makes objects look larger: before it jumps to the constructor, the code writes 1 behind the object (40(%rdi))."""
     constructor, unused = elf.address("_ZN16UniaxialMaterialC2Eii"), elf.address("_Z11OPS_getTimev")
     code = b"\x48\xc7\x47\x28\x01\x00\x00\x00\xe9" + struct.pack("<i", constructor - (unused + 13))
     at = elf.place(unused)

@@ -1,4 +1,4 @@
-"""What docs/export.md says of steps that do not converge in OpenSees, and the tangent of a law that ignores tremor."""
+"""Tests what docs/export.md says about steps that do not converge in OpenSees, and the tangent within a dead band."""
 
 import unittest
 import warnings
@@ -10,7 +10,7 @@ from test_opensees import LAWS, ops, usual_parameters
 
 
 def one_bearing(law, source, **keywords):
-    """A model of one node on a bearing along 1, under a load of 1 in that direction."""
+    """Makes a model of one node on a bearing along direction 1, with a unit load in this direction."""
     ops.wipe()
     ops.model("basic", "-ndm", 1, "-ndf", 1)
     ops.node(1, 0.0)
@@ -55,7 +55,7 @@ class Steps(InFolder):
                 if steps < 50:
                     of[law] = steps
         self.assertTrue(failed["Newton"])
-        self.assertLessEqual(set(failed["Newton"].values()), {0, 10, 30})  # the first step, and those after a turn
+        self.assertLessEqual(set(failed["Newton"].values()), {0, 10, 30})  # at the first step or after a turn
         self.assertEqual(failed["KrylovNewton"], {})
 
     def test_steps_of_displacement_converge_with_newton_for_every_law(self):
@@ -107,7 +107,7 @@ class Steps(InFolder):
                 fitted = isolaw.calibrate([self.path / "a.csv"], [law], runs=1, analysis="none", dead_band=0.5)
                 one_bearing(law, fitted, device="a")
                 self.assertGreater(ops.eigen("-fullGenLapack", 1)[0], 0.0)
-                # A load of nothing leaves the bearing within its dead band.
+                # Under zero load the bearing stays within its dead band.
                 ops.timeSeries("Linear", 1)
                 ops.pattern("Plain", 1, 1)
                 ops.load(2, 0.0)

@@ -71,7 +71,8 @@ TEST(GroundMotion, files_of_esm_state_their_step_and_unit) {
   EXPECT_TRUE(contains(complaint(esm + "1.0\n"), "13 values; allowed: 12 values, as the head of the file says"));
 }
 
-// 3920 gal are 6182761 counts. The mean of the counts is the zero of the instrument.
+// The head of the file says that 6182761 counts of the instrument are 3920 gal (cm/s2). The mean of all counts stands
+// for zero acceleration.
 TEST(GroundMotion, files_of_k_net_are_counts_about_the_zero_of_an_instrument) {
   std::string const head =
       "Origin Time       2000/01/01 00:00:00\nSampling Freq(Hz) 100Hz\nDir.              E-W\n"

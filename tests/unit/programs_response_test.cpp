@@ -69,7 +69,7 @@ TEST(Responses, of_springs_are_those_of_the_closed_form) {
       << said;
 }
 
-// Under fewer than seven motions the worst of them counts, as in design, and under seven or more their mean.
+// As in building codes, the worst motion counts if there are fewer than seven, and the mean over the motions otherwise.
 TEST(Responses, under_few_motions_are_judged_by_the_worst) {
   auto subject = subject_of("bilinear", bilinear_parameters);
   for (double const size : {200.0, 900.0}) subject.motions.push_back(shaking(size));
@@ -90,7 +90,7 @@ TEST(Responses, under_few_motions_are_judged_by_the_worst) {
 
 TEST(Responses, take_mass_and_motion_of_a_model_and_the_load_of_the_tests) {
   auto subject = subject_of("bouc-wen", bouc_wen_parameters);
-  subject.tested.load_min_kN = -1.0;  // a ramp begins there
+  subject.tested.load_min_kN = -1.0;  // the load begins with a ramp, so only its mean may give the mass
   subject.tested.load_max_kN = 110.0;
   subject.tested.load_mean_kN = 100.0;
   EXPECT_NEAR(response(subject, "bilinear", bilinear_parameters).mass_Mg, 100.0 / 9.80665, 1e-9);

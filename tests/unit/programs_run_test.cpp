@@ -447,7 +447,8 @@ proc step {tag x} {
 }
 )text";
 
-// A second file of one name must not replace the first, or mix with it, without a word.
+// If a second exported file defines the same name with another law, it must be refused with a message. It must neither
+// replace the first file nor mix with it.
 TEST_F(Folder, files_of_one_name_that_differ_are_refused) {
   auto const& units = unit_systems[0];
   auto const first = subject_of("bilinear", bilinear_parameters);
@@ -469,7 +470,7 @@ TEST_F(Folder, files_of_one_name_that_differ_are_refused) {
   EXPECT_NE(run(compile + "-c both.cpp"), 0);
   EXPECT_NE(read("printed").find("Another export of the name " + name + " is included already"), std::string::npos)
       << read("printed");
-  // Compiled apart, each must keep its own law.
+  // If the two files are compiled separately and linked together, each must keep its own law.
   write("one.cpp", fmt::format("#include \"1.hpp\"\ndouble one() {{ return {}::Material().trial(1.0); }}\n", name));
   write("two.cpp", fmt::format("#include \"2.hpp\"\n#include <cstdio>\ndouble one();\nint main() {{\n"
                                "  std::printf(\"%.3f %.3f\", one(), {}::Material().trial(1.0));\n}}\n",

@@ -59,9 +59,9 @@ std::vector<OfLaw> every_law() {
   for (auto const& law : laws::catalogue())
     for (double const share : {0.5, 0.35, 0.1}) {
       auto parameters = inside_box(law, share);
-      // With this damping ratio h0 the rate of the exponential branches reaches its bound amax at the largest peaks. Only
-      // then does the parameter c act, in a further term of the branches. A larger h0 would bring that term to its limit,
-      // and h0 itself would no longer act.
+      // With this damping ratio h0 the rate of the exponential branches reaches its bound amax at the largest peaks.
+      // Only then does the parameter c act, in a further term of the branches. A larger h0 would bring that term to its
+      // limit, and h0 itself would no longer act.
       if (law.info.id == "kikuchi-aiken") parameters[law.index_of("h0")] = 0.2;
       OfLaw of{subject_of(law.info.id, parameters), {}, {}};
       of.subject.refinement = law.info.id == "abe" ? 2 : 1;
@@ -89,8 +89,8 @@ std::string points_of(History const& path) {
 // The check of every file in C++ must fail if any parameter in the file is 0.1 % larger. All laws of a target are
 // compiled together, and the parameter to change is chosen when the program starts.
 TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
-  // a5 of jankowski acts below a velocity of some mm/s, and no sample is as slow. The others belong to a term whose
-  // coefficient is fixed at 0: a2 of gallardo, fT of ozdemir.
+  // These parameters have no effect on the check. a5 of jankowski acts only below a velocity of some mm/s, and no
+  // sample is as slow. The others belong to terms whose coefficients are fixed at 0: a2 of gallardo and fT of ozdemir.
   std::set<std::pair<std::string, std::string>> const idle{
       {"jankowski", "a5"}, {"gallardo", "fs2"}, {"gallardo", "ps2"}, {"ozdemir", "a"}};
   auto const all = every_law();
@@ -204,8 +204,8 @@ TEST_F(OpenSeesMaterial, is_every_law_through_trials_copies_and_messages) {
   EXPECT_FALSE(std::getline(printed, rest)) << rest;
 }
 
-// hwang-wu at five times the amplitude, in one step: its force is finite, its tangent is not. An analysis that went on
-// with such a tangent would end without a message of the material.
+// If hwang-wu moves to five times the amplitude in one step, its force is finite but its tangent is not. The material
+// must refuse the step, because an analysis with such a tangent would end without saying why.
 TEST_F(OpenSeesMaterial, refuses_a_step_without_a_finite_tangent) {
   auto const subject = subject_of("hwang-wu", inside_box(laws::find_law("hwang-wu"), 0.55));
   write("one.cpp", opensees_material(subject, metres) + "#include \"drive.hpp\"\n" +

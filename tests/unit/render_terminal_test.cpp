@@ -32,7 +32,7 @@ std::size_t times_in(std::string const& text, std::string const& part) {
   return times;
 }
 
-// The cycles of the last stage are complete, and have lost their force.
+// The cycles of the last stage are complete but do not count, because the device has lost its force.
 TEST(Inspection, SaysThatNoCompleteCycleCounts) {
   auto motion = data::testing::Motion().sine(20.0, 0.5, 3).sine(40.0, 0.5, 3).end().loop();
   for (std::size_t i = 600; i < motion.force_kN.size(); ++i) motion.force_kN[i] *= 0.01;

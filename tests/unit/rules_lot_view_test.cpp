@@ -226,7 +226,7 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
   EXPECT_FALSE(of(one, Quantity::K_eff).cov_percent);
 }
 
-// The bounds that exports take over: with the same standard deviation, those from fewer devices are wider.
+// Exports use these bounds. With the same standard deviation, bounds from fewer devices are wider.
 TEST(LotView, BoundsFromFewDevicesAreWider) {
   auto const width = [](std::size_t devices) {
     auto const n = static_cast<double>(devices);

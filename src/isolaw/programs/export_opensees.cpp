@@ -1,4 +1,5 @@
-// Writes the law as a Tcl script for OpenSees. The script defines procedures only. Its self-check has its own model.
+// Writes the law as a Tcl script for OpenSees. The script only defines procedures; its self-check makes a separate
+// model.
 #include <fmt/format.h>
 
 #include <ranges>

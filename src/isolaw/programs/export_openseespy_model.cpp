@@ -51,10 +51,10 @@ std::string python_isolator(ModelNumbers const& n) {
              : python_springs(n.function);
 }
 
-// How the law itself acts in two horizontal directions, as in isolaw.building: by its own form for two directions, if
-// it has one, else as springs around a circle. Such springs round off the loop's knee and need an odd law, whose force
-// in one direction mirrors that in the other. With a motion along x alone, or a law that is not odd, one spring along
-// each axis follows the law instead.
+// Says how the law itself acts in two horizontal directions, as in isolaw.building. A law with a form for two
+// directions uses it. Any other law acts as springs around a circle, which round off the loop's knee. Such springs need
+// an odd law: its force in one direction must mirror that in the opposite direction. If the law is not odd, or the
+// motion is along x alone, there is one spring along each axis instead.
 building::Coupling coupling_in_model(Subject const& subject) {
   auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);
   bool const springs = laws::springs_follow(subject.law->info.id) && subject.model->motions.size() > 1;

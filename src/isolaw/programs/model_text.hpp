@@ -13,7 +13,7 @@ namespace isolaw::programs {
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a form for every bearing of every draw. Where a substitute stands for the law, one is fitted to each drawn law.
+// Adds a form for every bearing of every draw. If a substitute is used for the law, one is fitted to each drawn law.
 // Throws Error for the first drawn law that the program cannot express. Returns the largest deviation of a form from
 // its drawn law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);

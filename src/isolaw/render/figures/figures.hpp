@@ -43,7 +43,7 @@ struct FigureOutcome {
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
-// The same, but keeps the other figures in dir/figures, which may be those of a campaign.
+// Does the same for these figures, but keeps all other figures in dir/figures, which may belong to a campaign.
 FigureOutcome add_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
 // Removes isolaw's figures from dir/figures, and no other file. It recognises them by the first line of their scripts.
 void remove_figures(std::filesystem::path const& dir);

@@ -43,13 +43,14 @@ export const isReported = (device, block, cycle) =>
 export const reportedCycle = (device) =>
   device.blocks.flatMap((block) => block.cycles.filter((cycle) => isReported(device, block, cycle)))[0] ?? null;
 
-// The cycle that stands for a block: its third counted cycle, or the last one if it has fewer.
+// The cycle whose values represent a block: its third counted cycle, or the last one if it has fewer.
 export function countingCycle(block) {
   const some = counted(block);
   return some[Math.min(some.length, 3) - 1] ?? null;
 }
 
-// The block that counts for a device: the one nearest to the design displacement, or that of the largest amplitude.
+// The block whose values represent a device: the one with the amplitude nearest to the design displacement or, without
+// a design displacement, with the largest amplitude.
 export const assessedBlock = (device) => device.blocks.find((block) => block.number === device.counting_block);
 export function assessedCycle(device) {
   const block = assessedBlock(device);

@@ -93,7 +93,7 @@ function boundsTable(bounds) {
 const span = ([low, high], unit) => (low === high ? trimmed(low) : trimmed(low) + ' to ' + trimmed(high)) + THIN + unit;
 const alone = (value) => (Array.isArray(value) ? value : [value, value]);
 
-// `of` holds numbers or ranges, some of which may be null.
+// Returns the conditions as text. The members of `of` are numbers, ranges [low, high], or null.
 function conditionsText(of) {
   const units = [['temperature_C', '\u00b0C'], ['frequency_Hz', 'Hz'], ['load_kN', KN], ['strain_percent', '% strain'], ['disp_mm', MM]];
   return units.filter(([key]) => isNumber(of[key]) || Array.isArray(of[key])).map(([key, unit]) => span(alone(of[key]), unit)).join(', ');
