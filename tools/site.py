@@ -49,7 +49,7 @@ def on_page_markdown(markdown, page, **_):
 
 
 class Docstrings(griffe.Extension):
-    """Takes signatures from the stub. Turns docstrings into Markdown, with examples as code and parameters as a list."""
+    """Takes signatures from the stub. Makes Markdown of docstrings: examples become code, parameters a list."""
 
     def on_package(self, *, pkg, **_):
         file = ROOT / "python/isolaw/__init__.pyi"

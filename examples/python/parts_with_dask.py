@@ -25,7 +25,7 @@ STORE = "campaign.sqlite"
 
 
 def share(files, settings, number, of, there=None):
-    """Runs on a worker. Computes part `number` of `of`, or continues it from the store `there`; returns the new store."""
+    """Runs on a worker. Computes part `number` of `of`, or continues it from the store `there`; returns its store."""
     with tempfile.TemporaryDirectory(dir=distributed.get_worker().local_directory) as folder:
         if there:
             (pathlib.Path(folder) / STORE).write_bytes(there)
