@@ -121,7 +121,7 @@ Record.plot, Record.to_frame = _record_plot, _record_to_frame
 
 
 class _Unchanging:
-    """What nothing can change is its own copy, also for copy.deepcopy."""
+    """A thing that nothing can change: it is its own copy, also for copy.deepcopy."""
 
     def __copy__(self):
         return self
@@ -525,7 +525,7 @@ class Fit:
 
     @property
     def statistics(self):
-        """What is known of each parameter: a dict by name of dicts, as in summary.json.
+        """All that is known of each parameter: a dict by name of dicts, as in summary.json.
 
         Each has unit, best, mean and std over the runs and, with analysis, identifiability, linear_interval,
         bootstrap_interval and more.

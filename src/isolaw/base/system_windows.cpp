@@ -213,8 +213,8 @@ fs::path make_private_directory(fs::path const& name) {
   return {};
 }
 
-// Windows cannot lock a folder, so a hidden file in it is held open. Windows removes the file when it is closed, also if
-// isolaw is ended.
+// Windows cannot lock a folder, so a hidden file in it is held open. Windows removes the file when it is closed, even
+// if isolaw is ended.
 FolderLock::FolderLock(fs::path const& folder) {
   HANDLE const handle =
       ::CreateFileW((folder / ".isolaw-lock").c_str(), GENERIC_WRITE, 0, nullptr, OPEN_ALWAYS,

@@ -1,5 +1,5 @@
-// The programs for a browser and for Windows are built without the HDF5 library, so they cannot read files of MATLAB 7.3.
-// Windows cannot fork a process, so the library could not be confined there (confined.hpp).
+// The programs for a browser and for Windows are built without the HDF5 library, so they cannot read files of MATLAB
+// 7.3. Windows cannot fork a process, so the library could not be confined there (confined.hpp).
 #include "isolaw/data/files/mat_file.hpp"
 
 namespace isolaw::data {
