@@ -75,22 +75,21 @@ nb::object view_or_none(std::vector<double> const& values, nb::handle owner) {
 // else.
 Rows rows_of(nb::handle given, char const* what, std::string allowed = "an array of numbers") {
   Rows rows;
-  auto const numpy = nb::module_::import_("numpy");
   auto const refuse = [&](std::string found, std::string advice) {
-    throw Error(
-        {.where = what, .found = std::move(found), .allowed = "an array of numbers", .advice = std::move(advice)});
+    throw Error({.where = what, .found = std::move(found), .allowed = allowed, .advice = std::move(advice)});
   };
-  if (nb::cast<bool>(numpy.attr("ma").attr("is_masked")(given)))
+  if (nb::hasattr(given, "mask") && nb::cast<bool>(nb::module_::import_("numpy").attr("ma").attr("is_masked")(given)))
     refuse("an array with masked values", "the values without them");
   if (nb::try_cast(given, rows, false)) return rows;
   try {
+    auto const numpy = nb::module_::import_("numpy");
     nb::object const array = numpy.attr("asarray")(given);
     // NumPy would make nanoseconds of times, and drop imaginary parts.
     auto const kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
     if (kind == "m" || kind == "M") refuse("dates or times", "seconds as numbers, such as times.dt.total_seconds()");
     if (kind == "c") refuse("complex numbers", "");
-    if (kind == "U" || kind == "S") refuse("texts", "numbers, such as values.astype(float)");
-    if (nb::try_cast(numpy.attr("asarray")(array, "float64", "C"), rows, false)) return rows;
+    bool const is_text = kind == "U" || kind == "S";
+    if (!is_text && nb::try_cast(numpy.attr("asarray")(array, "float64", "C"), rows, false)) return rows;
   } catch (nb::python_error& error) {
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
   }
