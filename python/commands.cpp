@@ -95,7 +95,8 @@ nb::tuple exported(Campaign const& campaign, std::string const& law, std::string
     programs::find_target(to);
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    complaints.front().where = "to";  // the option --to of the readers has another keyword
+    // "--to" would become to_s in Python, the keyword of the other --to, which limits the part of a record to read.
+    complaints.front().where = "to";
     throw Error(std::move(complaints));
   }
   auto const result = [&] {

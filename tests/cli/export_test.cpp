@@ -134,8 +134,8 @@ TEST_P(ExportOfLaw, goes_to_every_target) {
       EXPECT_EQ(j["substitute"].get<std::string>().empty(), expected != "re-fitted");
       EXPECT_EQ(j.contains("in_a_building"), expected == "re-fitted");
       for (auto const& form : j["forms"]) EXPECT_TRUE(form["from_law"]["largest_percent_of_peak"].is_number());
-      // The two devices have the stiffness v and 1.1 v. The factor of two devices is 36.52, so no positive stiffness is
-      // a lower bound.
+      // The two devices have the stiffness v and 1.1 v. The tolerance factor k of a sample of two is 36.52, so the mean
+      // minus k standard deviations is negative, and there is no lower bound.
       EXPECT_NEAR(j["bounds"]["upper"]["force"].get<double>(), 1.05 + 36.519 * 0.1 / std::sqrt(2.0), 0.3);
       EXPECT_TRUE(j["bounds"]["lower"].is_null());
       EXPECT_NEAR(j["bounds"]["tolerance_k"].get<double>(), 36.519, 1e-3);

@@ -52,7 +52,7 @@ enum class CellKind {
   grouped,
   text,
   stamp
-};  // grouped: thousands separators, "1.234,56"; stamp: a date or time
+};  // grouped: looks like a number with thousands separators ("1.234,56"), but the format has none; stamp: a date or time
 
 struct Cell {
   CellKind kind = CellKind::empty;

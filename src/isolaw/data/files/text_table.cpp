@@ -18,7 +18,9 @@ namespace isolaw::data {
 namespace {
 
 struct Page {
-  std::string owned;  // the text of a worksheet, which `text.lines` points into; else empty
+  // The text that `text.lines` points into, if it is not the file's own bytes: rows of a worksheet, or a text that was
+  // converted to UTF-8.
+  std::string owned;
   Lines text;
   Dialect dialect;
   std::optional<Exporter> exporter = {};
