@@ -188,6 +188,16 @@ TEST_F(Simulate, anyway_is_of_a_campaigns_law) {
                  {"--anyway", "is given alone", "with --from DIR"});
 }
 
+TEST_F(Simulate, a_dead_band_by_itself_is_that_of_a_campaign) {
+  write("d.csv", csv(record()));
+  Words const words{"simulate", "bilinear", "--set", "K1=2.5",   "--set",
+                    "K2=0.5",   "--set",    "xy=10", "--motion", "d.csv"};
+  EXPECT_EQ(isolaw(words + Words{"--dead-band", "0.1"}).code, 0);
+  auto const o = isolaw(words + Words{"--dead-band", "auto"});
+  EXPECT_EQ(o.code, 2) << o;
+  EXPECT_TRUE(contains(o.err, "--dead-band: auto is given without --from")) << o;
+}
+
 TEST_F(Simulate, the_one_law_of_a_lot) {
   write("r/a.csv", csv(record()));
   write("r/b.csv", csv(record({.strength_kN = 24.0})));

@@ -57,8 +57,8 @@ inline std::vector<double> through(std::initializer_list<double> corners, int st
   return through(std::span(corners.begin(), corners.size()), steps);
 }
 
-// A path with small loops inside larger ones. Several tests compare the forces of a law along this path with those that
-// other programs computed.
+// Displacements in mm between which the path runs straight: small loops inside larger ones. Several tests compare the
+// forces of a law along this path with those that other programs computed.
 inline std::vector<double> const corners{0, 20, 50, 10, -40, -60, 30, 20, 45, 80};
 
 inline double sign(double x) {

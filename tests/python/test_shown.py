@@ -1,4 +1,4 @@
-"""How records, campaigns and fits look, and how SciPy takes a model."""
+"""How records, campaigns, fits and models are shown (text, HTML, tables, plots), and what least_squares of SciPy gets."""
 
 import contextlib
 import copy

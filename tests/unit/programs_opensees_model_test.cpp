@@ -294,7 +294,7 @@ TEST(OpenSeesPyModel, of_draws_does_not_ask_for_springs_that_are_fitted) {
   model.motions.push_back(shaking(450.0));
   subject.model = model;
   auto realisation = realise(subject);
-  // The file's text without its line breaks and their signs of comments.
+  // The file's text as one line, without the # at the start of comment lines.
   auto const text = [&] {
     std::istringstream words(openseespy_model(subject, realisation, unit_systems[0]));
     std::string all;

@@ -43,7 +43,8 @@ TEST(PowerLaws, Scragging) {
                                     {133.626557, -121.483364, -147.377735, 106.630371, 170.597619});
 }
 
-// Two independent implementations, in C++ and Python, gave the expected forces at every corner.
+// The expected forces at all points of `corners` come from two independent implementations of the law, one in C++ and
+// one in Python.
 TEST(PowerLaws, Worn) {
   Values<laws::PowerMasingWorn> const values{96, 0.37, 49, 14, 51, 0.15, 1.9, 0.033};
   std::vector<double> const expected{0,           90.743914, 141.827865, -21.715459, -121.017257,

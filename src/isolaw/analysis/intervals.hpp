@@ -58,8 +58,9 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    std::span<double const> optimum, num::Stream const& stream,
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
-// Serial correlation of a series: the block length in samples for the bootstrap (at least 1), and the autocorrelation,
-// which falls to zero beyond the lags where it is significant. Fewer than twelve values are taken as independent.
+// Serial correlation of a series: the block length in samples for the bootstrap (at least 1), and the estimated
+// autocorrelation. From the last significant lag on, a factor takes it linearly to zero at twice that lag. A series is
+// taken as independent if it has fewer than twelve values, hardly any variance, or no significant lag.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // autocorrelation for lags 0, 1, 2, ...

@@ -374,7 +374,9 @@ void add_simulate(Commands& commands) {
   add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help += "; with --from the default is that of the campaign";
+    option.help = option.key == "dead-band" ? "ignore reversals smaller than this, in mm, 0 to 10000 (default 0; with "
+                                              "--from that of the campaign)"
+                                            : option.help + "; with --from the default is that of the campaign";
     add_option(c, option, a.how);
   }
   auto const add = [&command = c](Heading heading, char const* name, auto& value, char const* help) {

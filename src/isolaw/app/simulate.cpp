@@ -132,6 +132,10 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   campaign::apply(a.how, how);
   taken.integration = how.integration;
   taken.turning_points = how.turning_points;
+  if (!a.from && a.how.contains("dead-band") && !how.clean.dead_band_mm)
+    throw Error({.where = "--dead-band",
+                 .found = "auto is given without --from: it is computed from the noise of the record of a fit",
+                 .allowed = "a number of mm"});
   taken.dead_band_mm = how.clean.dead_band_mm.value_or(taken.dead_band_mm);
   if (a.refinement) taken.refinement = *a.refinement;
   if (taken.refinement < 1 || taken.refinement > finest)

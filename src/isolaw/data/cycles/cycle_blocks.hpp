@@ -16,9 +16,10 @@ bool same_load(double load, double other, double largest);
 struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
-  double period = 0.0;           // from start to end in s or in samples, without holds and rests
-  double rise_and_fall = 0.0;    // twice the time between the two tips, with holds and rests; unit as period
-  double unevenness = 0.0;       // |middle - centre of the motion| over the amplitude
+  double period = 0.0;         // from start to end in s or in samples, without holds and rests
+  double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
+  // How far the middle of the two tips lies from the displacement at which cycles are cut, divided by the amplitude.
+  double unevenness = 0.0;
   double load_kN = 0.0;          // mean vertical load between the two tips; 0 if it is not known
   double load_scatter_kN = 0.0;  // standard deviation of the load between the two tips
   int logged = 0;                // the logger's number of the cycle; 0 if it has none
