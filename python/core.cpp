@@ -236,22 +236,6 @@ campaign::VerticalInput vertical_input(nb::handle const& given, std::string cons
   return test;
 }
 
-std::string inspected(Record const& record, nb::object const& vertical) {
-  if (record.raw.force_kN.empty())
-    throw Error({.where = record.name, .found = "a motion without force", .allowed = "a record of a test"});
-  Contents contents;
-  contents.devices.push_back({.name = record.name,
-                              .file = record.raw.file,
-                              .info = {},
-                              .refusal = {},
-                              .raw = record.raw,
-                              .record = data::clean(record.raw, {})});
-  auto const compression = vertical_input(vertical, "vertical");
-  nb::gil_scoped_release const released;
-  contents.devices.front().vertical = campaign::prepare_vertical(compression, {});
-  return render::inspection_json(study::build_summary(contents));
-}
-
 int steps(int refinement) {
   if (refinement < 1 || refinement > 1000)
     throw Error(
@@ -808,10 +792,7 @@ void add_records(nb::module_& m) {
           "warnings", [](Record const& r) { return wording::remarks(r.raw.warnings); },
           "Sentences about doubtful things in the file.")
       .def(
-          "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.")
-      .def(
-          "_inspection_json", [](Record const& r, nb::object const& vertical) { return inspected(r, vertical); },
-          nb::arg("vertical").none());
+          "__len__", [](Record const& r) { return r.raw.size(); }, "Number of samples.");
 
   m.def("read", &record_of_file, nb::arg("file"), nb::arg("motion"), nb::arg("name"), nb::arg("how"));
 
@@ -915,6 +896,9 @@ void add_campaigns(nb::module_& m) {
   nb::class_<Campaign>(m, "Campaign", "A campaign; see isolaw.Campaign.")
       .def(
           "_summary_json", [](Campaign const& c) { return render::summary_json(c.summary); },
+          nb::call_guard<nb::gil_scoped_release>())
+      .def(
+          "_inspection_json", [](Campaign const& c) { return render::inspection_json(c.summary); },
           nb::call_guard<nb::gil_scoped_release>())
       .def_prop_ro("complete", [](Campaign const& c) { return c.contents.complete(); })
       .def("force",

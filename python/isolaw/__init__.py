@@ -274,9 +274,15 @@ def properties(record, *, vertical=None):
     Returns a dict. Its ``blocks`` are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
     has K_eff in kN/mm, damping in percent of critical, energy in kN mm and more (docs/inspection-json.md; formulas and
     their sources are in docs/properties.md). vertical: the device's compression test, as in calibrate; the result's
-    ``vertical`` has its stiffness or the reason why there is none. Raises Error for a motion without force.
+    ``vertical`` has its stiffness or the reason why there is none. Raises Error for a record that cannot be used, such
+    as a motion without force.
     """
-    return _json.loads(record._inspection_json(_vertical(vertical)))
+    if not isinstance(record, Record):
+        raise Error(f"record: {type(record).__name__}; allowed: a Record; try: read_record(file)")
+    found = inspect(record, vertical=None if vertical is None else {record.name: vertical})
+    if found["status"] == "refused":
+        raise Error(found["message"])
+    return found
 
 
 def laws():
@@ -745,8 +751,13 @@ class Campaign(_Unchanging, _Mapping):
         return self._core.record(device)
 
     def properties(self, device):
-        """Stiffness, damping and more of a device, cycle by cycle: a dict, as properties() returns it."""
-        return properties(self.record(device))
+        """Stiffness, damping and more of a device, cycle by cycle: a dict, as properties() returns it.
+
+        Its ``vertical`` is the compression test of the campaign. Raises Error as record() does.
+        """
+        self.record(device)
+        found = _json.loads(self._core._inspection_json())
+        return next(one for one in found.get("devices", [found]) if one["name"] == device)
 
     def fit_record(self, device):
         """The cleaned, thinned record of the fit: a dict of views time_s, disp_mm and force_kN of shape (samples,)."""

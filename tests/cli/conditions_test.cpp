@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cli/run.hpp"
@@ -421,6 +422,17 @@ TEST_F(Conditions, are_held_to_the_limits_of_the_rule_set) {
   auto const loads = row("load", "K_eff", true);
   EXPECT_EQ(loads["verdict"], "pass");
   near(loads["devices"][0]["ratio"], 1.12574803, 1e-7);
+  // The reference, whose factor is 1, may be either end of the range.
+  for (auto const& [range, other, verdict] :
+       {std::tuple{"[2000, 4000]", "4000 kN", "fail"}, {"[1000, 2000]", "1000 kN", "pass"}}) {
+    auto const changed = Json::parse(with("load-kN = [1000, 3000]", std::string("load-kN = ") + range, {"--json"}).out);
+    double const factor = find(changed["levels"], "K_eff", "load", other)["factor"]["lambda"];
+    auto const& limits = changed["dependence"];
+    auto const own = std::ranges::find_if(limits, [](Json const& each) { return each["load_variation"] == true; });
+    ASSERT_NE(own, limits.end()) << range;
+    EXPECT_EQ((*own)["verdict"], verdict) << range;
+    near((*own)["devices"][0]["ratio"], 1.0 + std::abs(factor - 1.0), 1e-7);
+  }
   auto const text = isolaw({"conditions", "ex/lot.toml"});
   EXPECT_TRUE(contains(text.out, "warning: K_eff under temperature: FAIL: ")) << text;
 }

@@ -79,7 +79,6 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     for (auto const& entry : std::filesystem::directory_iterator(input)) {
       auto const name = entry.path().filename().string();
       // Keeps a link that leads nowhere or in a circle, so that the user gets the error when it is read.
-      std::error_code none;
       bool const is_dead_link = entry.is_symlink(none) && !entry.exists(none);
       if ((!entry.is_regular_file(none) && !is_dead_link) || name.starts_with('.')) continue;
       if (data::is_record_name(name))

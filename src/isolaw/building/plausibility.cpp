@@ -87,13 +87,13 @@ std::vector<Finding> study_doubts(Study const& study) {
 }
 
 std::vector<Finding> run_doubts(Response const& run, std::string const& law, std::string const& motion,
-                                double tested_mm) {
+                                double largest_test_mm) {
   std::vector<Finding> doubts;
   auto const doubt = [&](FindingKind kind, std::vector<FindingNumber> numbers) {
     doubts.push_back({.kind = kind, .law = law, .numbers = std::move(numbers), .words = {{"motion", motion}}});
   };
-  if (double const most = run.of(Measure::isolator); tested_mm > 0.0 && most > tested_mm)
-    doubt(FindingKind::displacement_beyond_tests, {{"most_mm", most}, {"tested_mm", tested_mm}});
+  if (double const most = run.of(Measure::isolator); largest_test_mm > 0.0 && most > largest_test_mm)
+    doubt(FindingKind::displacement_beyond_tests, {{"most_mm", most}, {"tested_mm", largest_test_mm}});
   if (double const error = std::abs(run.of(Measure::balance)); error > largest_energy_error) {
     doubt(FindingKind::energy_error_large, {{"error", error}, {"limit", largest_energy_error}});
     doubts.back().words.push_back({"whose", "the nominal building"});

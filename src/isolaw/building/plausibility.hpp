@@ -32,9 +32,9 @@ inline constexpr double least_period_s = 0.3, most_period_s = 15.0;
 std::vector<Finding> motion_doubts(Motion const& motion);
 // Doubts about the inputs of a study: those about its motions, and period_implausible for each law.
 std::vector<Finding> study_doubts(Study const& study);
-// Doubts about the implicit analysis of the nominal building with a law: displacement_beyond_tests if `tested_mm` is
-// above 0 and the run goes beyond it, energy_error_large, rotation_large.
+// Doubts about the implicit analysis of the nominal building with a law: displacement_beyond_tests if the run goes
+// beyond `largest_test_mm` (0: not known), energy_error_large, rotation_large.
 std::vector<Finding> run_doubts(Response const& run, std::string const& law, std::string const& motion,
-                                double tested_mm);
+                                double largest_test_mm);
 
 }  // namespace isolaw::building

@@ -78,7 +78,7 @@ class RunStore {
   struct Row {
     // Indices of the law and the motion in the study, and of the case in cases_of().
     std::size_t law = 0, motion = 0, place = 0;
-    std::vector<double> measured;
+    std::vector<double> measured = {};
   };
   std::size_t runs_there() const;
   bool is_there(Blocks::Block const& block) const;

@@ -259,7 +259,7 @@ std::optional<double> start_h(std::string_view started) {
   bool const right = static_cast<std::size_t>(read) == text.size() && date.ok() && hour >= 0 && hour < 24 &&
                      minute >= 0 && minute < 60 && second >= 0.0 && second < 60.0;
   if (!right) return std::nullopt;
-  double const days = std::chrono::sys_days(date).time_since_epoch().count();
+  auto const days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
   return 24.0 * days + hour + minute / 60.0 + second / 3600.0;
 }
 

@@ -22,8 +22,8 @@ bool is_one_of(std::string_view word, auto const& words) {
 
 // A number within a name, with the letters that touch it: "T-20C" has `before` = "t", `value` = -20 and `unit` = "c".
 struct NumberInName {
-  std::size_t from = 0, end = 0;  // where the letters before it begin, and where its unit ends
-  std::string before, unit;       // in lower case
+  std::size_t from = 0, end = 0;       // where the letters before it begin, and where its unit ends
+  std::string before = {}, unit = {};  // in lower case
   double value = 0.0;
   bool has_sign = false;  // a dash or a plus sign stands before the number
   bool has_dash = false;  // a dash stands before the number, and is a minus sign or separates two words
@@ -85,7 +85,7 @@ ConditionsInName conditions_in(std::string_view name, bool dash_separates) {
   found.test.is_aged = aged != std::string_view::npos;
   found.test.is_virgin = place_of("virgin", name) != std::string_view::npos;
   found.from = aged;
-  int temperatures = 0;
+  int temperatures_found = 0;
   for (std::size_t i = 0; i < name.size(); ++i) {
     if (!is_digit(name[i])) continue;
     auto const number = number_at(name, i);
@@ -103,7 +103,8 @@ ConditionsInName conditions_in(std::string_view name, bool dash_separates) {
     if (!is_temperature || aged < number.from) continue;
     bool const sign_is_known = !number.has_dash || number.is_minus || dash_separates;
     found.test.temperature_C.reset();
-    if (++temperatures == 1 && sign_is_known) found.test.temperature_C = number.is_minus ? -number.value : number.value;
+    if (++temperatures_found == 1 && sign_is_known)
+      found.test.temperature_C = number.is_minus ? -number.value : number.value;
   }
   return found;
 }

@@ -32,7 +32,7 @@ struct ObservedBlock {
 };
 
 struct ObservedTest {
-  std::string device, test, file, sha256;
+  std::string device, test, file = {}, sha256 = {};
   std::string place = {};  // its table in the lot file, such as "lot.toml:38"; empty for a store of an earlier build
   StatedDevice of_device = {};
   std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
@@ -46,7 +46,7 @@ struct ObservedTest {
 // All tests of all devices, in the order in which each device was tested, and the table [conditions] of the lot file.
 struct ObservedTests {
   StatedConditions stated;
-  std::vector<ObservedTest> tests;
+  std::vector<ObservedTest> tests = {};
 };
 
 // Reads the records of a lot with a table [conditions]. If a test cannot be used, its `refusal` says why.

@@ -76,8 +76,8 @@ std::optional<Softening> softening(std::span<double const> values) {
   };
   constexpr double least_p = 0.2, most_p = 3.0;
   constexpr int bits = std::numeric_limits<double>::digits / 2;  // a minimum is no sharper than half of the digits
-  auto const [p, residual] =
-      boost::math::tools::brent_find_minima([&](double p) { return line_at(p).residual; }, least_p, most_p, bits);
+  auto const [p, residual] = boost::math::tools::brent_find_minima(
+      [&](double power) { return line_at(power).residual; }, least_p, most_p, bits);
   auto const line = line_at(p);
   return Softening{.first = line.start + line.slope, .last = line.start, .p = p};
 }

@@ -54,7 +54,7 @@ struct BoundFactors {
 };
 
 struct Bounds {
-  std::optional<BoundFactors> lower, upper;
+  std::optional<BoundFactors> lower = {}, upper = {};
   std::string source;  // where the factors come from, or why there are none
   // The tolerance factor k (num/tolerance_factor.hpp), if all factors were computed with it. The bounds then hold 95 %
   // of the devices with a confidence of 95 %.

@@ -131,8 +131,8 @@ struct BoundRow {  // the bounds of a property from all effects together
 struct HowCombined {  // how the factors of all effects make a bound
   conditions::Form form = conditions::Form::product;
   double adjust = 1.0, margin = 1.0;  // see rules::CombinationRule
-  std::string rules;                  // the rule set that states the form; empty: isolaw's own rule
-  std::string clause;
+  std::string rules = {};             // the rule set that states the form; empty: isolaw's own rule
+  std::string clause = {};
   bool verified = false;
 };
 
@@ -140,7 +140,7 @@ struct HowCombined {  // how the factors of all effects make a bound
 // over the design conditions.
 struct MeanProperties {
   rules::MeanAnalysisRule rule;
-  std::optional<bool> permitted;                      // empty: the answer depends on factors that no test shows
+  std::optional<bool> permitted = {};                 // empty: the answer depends on factors that no test shows
   rules::Quantity quantity = rules::Quantity::K_eff;  // K_eff or energy, whichever changes more
   double farthest_percent = 0.0;                      // largest change of `quantity` from its value at reference
 };

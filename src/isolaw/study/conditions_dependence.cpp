@@ -76,18 +76,21 @@ DependenceRow load_variation(ConditionsResult const& result, rules::LoadVariatio
     limit.levels = {load_kN};
     return judge_dependence(limit, verified, *response, {}, as_asked);
   };
-  auto low = at(loads->low);
-  for (auto const& high : at(loads->high)) {
-    auto const own = std::ranges::find(low, high.device, &DeviceDependence::device);
-    DeviceDependence both{.device = high.device};
-    // If an end is the reference itself, judge_dependence() leaves it out, and its ratio is 1.
-    auto const ln_low = own == low.end() ? std::optional(0.0)
-                        : own->ratio     ? std::optional(own->ratio->ln)
-                                         : std::nullopt;
-    both.reason = high.reason ? high.reason : own != low.end() ? own->reason : std::nullopt;
-    if (high.ratio && ln_low) {
-      both.ratio = high.ratio;
-      both.ratio->ln = std::log(1.0 + std::abs(std::exp(*ln_low) - high.ratio->lambda()));
+  // judge_dependence() leaves out an end that is the reference itself. The ratio at this end is 1.
+  auto const low = at(loads->low), high = at(loads->high);
+  for (auto const& device : high.empty() ? low : high) {
+    DeviceDependence both{.device = device.device};
+    std::vector<double> ratios(2, 1.0);
+    for (auto const* ends : {&low, &high}) {
+      auto const own = std::ranges::find(*ends, device.device, &DeviceDependence::device);
+      if (own == ends->end()) continue;
+      if (own->reason) both.reason = own->reason;
+      both.ratio = own->ratio;
+      if (!own->ratio) break;
+      ratios[ends == &low ? 0 : 1] = own->ratio->lambda();
+    }
+    if (both.ratio) {
+      both.ratio->ln = std::log(1.0 + std::abs(ratios[0] - ratios[1]));
       if (!both.reason)
         both.verdict = !verified ? Verdict::information
                        : rules::is_within(both.ratio->lambda(), 1.0, std::nullopt, rule.largest_percent)

@@ -113,7 +113,8 @@ class TestReader {
     auto const& last = of_device.back();
     ConditionsDevice device{
         .name = last.device, .is_scaled = last.stated.is_scaled, .is_compared = is_compared(last.of_device)};
-    if (auto const& aged = last.stated.aged) device.aged = conditions::Ageing{.days = aged->days, .at_C = aged->at_C};
+    if (auto const& ageing = last.stated.aged)
+      device.aged = conditions::Ageing{.days = ageing->days, .at_C = ageing->at_C};
     for (auto const& block : blocks)
       device.largest_percent = std::max(device.largest_percent, block.condition.strain_percent.value_or(0.0));
     out_.devices.push_back(std::move(device));

@@ -79,7 +79,7 @@ void add_uncorrected(Summary& summary, std::vector<AssessedTest> tests) {
       all_are_known = all_are_known && device.uncorrected;
       if (counting_cycle(device.properties, device.acceptance.block) != nullptr)
         device.raw.warnings.push_back(values_of(device, devices[d], summary.acceptance.has_rules()));
-      auto const verdict = [](DeviceAcceptance const& acceptance) { return device_verdict(acceptance).verdict; };
+      auto const verdict = [](DeviceAcceptance const& of_device) { return device_verdict(of_device).verdict; };
       device.acceptance.as_corrected = device.uncorrected && verdict(device.acceptance) == rules::Verdict::pass &&
                                        verdict(devices[d]) != rules::Verdict::pass;
     }

@@ -93,30 +93,30 @@ struct ViscousLaw {       // data/properties/device_kind.hpp
 };
 struct Slider {  // data/properties/device_kind.hpp
   double mu = 0.0, N_kN = 0.0;
-  std::optional<double> R_mm;
+  std::optional<double> R_mm = {};
 };
 
 struct Properties {
-  std::vector<Block> blocks;
+  std::vector<Block> blocks = {};
   // The third counted cycle of the block of largest amplitude, or the last if it counts fewer. If the amplitudes of two
   // blocks differ by at most 2 %, the earlier block is taken. Empty if there is a refusal.
-  std::optional<Cycle> reported;
+  std::optional<Cycle> reported = {};
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
-  std::vector<Finding> refusal;
+  std::vector<Finding> refusal = {};
   bool is_false = false;  // the refusal is about a signal or a cycle that cannot be true
   // Set only for a TestRecord. A fault that lies outside all blocks has the word "outside" in its finding.
-  std::vector<SignalFault> faults;
+  std::vector<SignalFault> faults = {};
   // Faults that make the cycles of some blocks not count, while the cycles of other blocks count. Empty if there is a
   // refusal.
-  std::vector<Finding> faulty;
-  std::optional<ViscousLaw> viscous;  // set for a device without stiffness, for which K_eff and damping mean nothing
-  std::optional<Slider> slider;
-  std::optional<Finding> failure;  // force_lost: the cycle in which the force is suddenly lost
+  std::vector<Finding> faulty = {};
+  std::optional<ViscousLaw> viscous = {};  // set for a device without stiffness: its K_eff and damping mean nothing
+  std::optional<Slider> slider = {};
+  std::optional<Finding> failure = {};  // force_lost: the cycle in which the force is suddenly lost
   // Samples, first and last, in which the device has lost its force. The last is infinite if the force does not come
   // back.
-  std::vector<std::pair<double, double>> lost;
-  std::optional<double> samples_per_cycle;  // median over the counted cycles, without rests and holds
-  double centre_mm = 0.0;                   // displacement at which cycles are cut
+  std::vector<std::pair<double, double>> lost = {};
+  std::optional<double> samples_per_cycle = {};  // median over the counted cycles, without rests and holds
+  double centre_mm = 0.0;                        // displacement at which cycles are cut
 
   Cycle const* find(int block, int number) const;  // nullptr if there is none
   std::vector<Cycle const*> counted() const;       // counted cycles of all blocks, in order

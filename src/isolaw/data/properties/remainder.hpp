@@ -13,9 +13,9 @@ namespace isolaw::data {
 struct Remainder {
   bool of_force = true;  // else of displacement
   int block = 0;
-  std::size_t first = 0;       // index of the sample to which values[0] belongs
-  std::vector<double> values;  // kN or mm; NaN between cycles that do not follow one another
-  std::vector<double> at;      // where the faults are: in s, or sample indices if the record has no time
+  std::size_t first = 0;            // index of the sample to which values[0] belongs
+  std::vector<double> values = {};  // kN or mm; NaN between cycles that do not follow one another
+  std::vector<double> at = {};      // where the faults are: in s, or sample indices if the record has no time
 };
 
 // Subtracts from each sample the mean of the block's cycles at the same phase. If the block has three or more cycles,

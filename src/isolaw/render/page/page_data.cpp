@@ -421,8 +421,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
     out.member("id", system.id).key("units").object([&] {
       for (auto const& stored : result_units)
         out.key(stored.unit).object([&] {
-          auto const shown = shown_unit(stored.unit, system);
-          out.member("unit", shown.unit).member("factor", shown.factor);
+          auto const unit = shown_unit(stored.unit, system);
+          out.member("unit", unit.unit).member("factor", unit.factor);
         });
     });
   });

@@ -28,16 +28,14 @@ std::string converged_csv(Summary const& summary) {
                             "success_reference", "loo_objective", "loo_worst", "loo_worst_device", "on_front_loo"});
   constexpr auto of_lot =
       columns(lot_law_results, {"mean_objective", "worst_objective", "least_worst_objective", "least_worst_bound"});
-  constexpr auto blocks = columns(law_results, {"left_out_of_beta", "fitted_objective", "predicted_objective"});
-  constexpr auto grade = columns(law_results, {"prediction_grade"});
-  constexpr auto note = columns(law_results, {"beta_converged_note"});
+  constexpr auto blocks = columns(law_results, {"left_out_of_beta", "fitted_objective", "predicted_objective",
+                                                "prediction_grade", "beta_converged_note"});
   CsvTable table;
-  table.head(of_law).head(of_lot).head(blocks).head(grade).head(note).end_row();
+  table.head(of_law).head(of_lot).head(blocks).end_row();
   for (auto const& law : summary.laws) {
     table.cells(of_law, law);
     law.lot ? table.cells(of_lot, *law.lot) : table.empty(of_lot.size());
-    table.cells(blocks, law);
-    table.cells(grade, law).cells(note, law).end_row();
+    table.cells(blocks, law).end_row();
   }
   return table.take();
 }
