@@ -27,7 +27,7 @@ double quantile(std::vector<double> sorted, double probability) {
 }
 
 // For each sample, the mean |residual| in the eighth of the record around it, but at least a tenth of the mean over the
-// record. In a narrower window, samples that the fit happens to meet would make this mean too small.
+// record. In a narrower window, the samples that the fit passes through exactly would make this mean too small.
 Vector local_size(Vector const& residuals) {
   constexpr double rounding = 1e-12;
   Index const n = residuals.size(), half = std::max<Index>(1, n / 16);
@@ -40,8 +40,8 @@ Vector local_size(Vector const& residuals) {
   return sizes;
 }
 
-// Probability density at zero of residuals scaled to unit size, by a Gaussian kernel. The `fitted` smallest are left
-// out: a fit by least absolute residuals meets as many samples exactly as it has parameters.
+// Probability density at zero of residuals scaled to unit size, by a Gaussian kernel. The `fitted` smallest residuals
+// are left out: a fit by least absolute residuals passes exactly through as many samples as it has parameters.
 double density_at_zero(Vector const& residuals, Index fitted) {
   std::vector<double> sizes;
   for (double const r : residuals) sizes.push_back(std::abs(r));
@@ -60,8 +60,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
 }
 
 // Computes H (intervals.hpp). The density f of a sample's residual at zero is estimated from the residuals around the
-// sample. The residual of the sample alone tells nothing if few samples decide on a parameter, since the fit then meets
-// these samples exactly.
+// sample. Its own residual tells nothing if few samples decide on a parameter, since the fit then passes through these
+// samples exactly.
 Matrix curvature(Sensitivity const& response) {
   Vector const size = local_size(response.residuals);
   double const density = density_at_zero(response.residuals.cwiseQuotient(size), response.jacobian.cols());

@@ -59,8 +59,9 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
                                    IntervalOptions const& options = {}, Interrupted const& interrupted = {});
 
 // Serial correlation of a series: the block length in samples for the bootstrap (at least 1), and the estimated
-// autocorrelation. From the last significant lag on, a factor takes it linearly to zero at twice that lag. A series is
-// taken as independent if it has fewer than twelve values, hardly any variance, or no significant lag.
+// autocorrelation. From the last significant lag on, the autocorrelation is multiplied by a factor that falls linearly
+// to zero at twice that lag. A series is taken as independent if it has fewer than twelve values, hardly any variance,
+// or no significant lag.
 struct Serial {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // autocorrelation for lags 0, 1, 2, ...

@@ -36,7 +36,7 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
 // rounds.
 struct LeastWorst {
   OneLaw law;
-  double bound = 0.0;  // no parameters make the worst device's objective smaller than this: the largest bound found
+  double bound = 0.0;  // lower bound for the worst device's objective with any parameters
 };
 std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
                                       OneLaw const& mean, Interrupted const& interrupted = {});

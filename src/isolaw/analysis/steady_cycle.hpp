@@ -28,7 +28,7 @@ struct SteadyCycle {
   double jump = 0.0;
 };
 
-// One cycle for each set of parameters. The parameters are in the law's order and units.
+// Returns one cycle for each set of parameters. The parameters are in the law's order and units.
 std::vector<SteadyCycle> steady_cycles(laws::LawEntry const& law, std::span<std::vector<double> const> parameters,
                                        SteadyMotion const& motion, laws::Integration integration);
 

@@ -10,7 +10,7 @@ namespace isolaw::conditions {
 
 struct AtReference {
   std::optional<double> ln = {};          // natural logarithm of the value at reference; empty: see `obstacle`
-  std::optional<double> half_width = {};  // of this device's 95 % interval, in ln; empty if a factor has no interval
+  std::optional<double> half_width = {};  // half of this device's 95 % interval, in ln; empty if a factor has none
   std::optional<Effect> obstacle = {};    // the first effect whose factor is neither shown nor interpolated
 };
 // Divides a measured value by the factors of all conditions in which the test differs from the reference. A factor may

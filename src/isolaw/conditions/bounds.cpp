@@ -30,7 +30,7 @@ bool keeps_limits(laws::LawEntry const& law, std::span<double const> parameters)
   return !law.unmet(parameters);
 }
 
-constexpr int samples = 400;  // of one cycle
+constexpr int samples = 400;  // in one cycle of the simulated block
 
 data::FitRecord motion_of(ReferenceBlock const& block) {
   constexpr double two_pi = 2.0 * std::numbers::pi;
@@ -108,7 +108,7 @@ std::optional<BoundLaw> bound_law(laws::LawEntry const& law, std::span<double co
                                   ReferenceBlock const& block, double C_K, double C_E) {
   auto const at_reference = loop_of(law, parameters, block);
   auto const sound = [](double value) { return value > 0.0 && std::isfinite(value); };
-  constexpr double rounding = 1e-9;  // by rounding, an elastic law's loop may have this share of `square` as its energy
+  constexpr double rounding = 1e-9;  // rounding may give an elastic law's loop an energy up to this share of `square`
   double const square = at_reference.K_eff_kN_per_mm * block.amplitude_mm * block.amplitude_mm;
   if (!sound(square) || !sound(at_reference.energy_kN_mm - rounding * square)) return std::nullopt;
   BoundLaw bound{.target = {C_K * at_reference.K_eff_kN_per_mm, C_E * at_reference.energy_kN_mm}};

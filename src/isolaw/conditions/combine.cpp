@@ -9,7 +9,7 @@ namespace isolaw::conditions {
 namespace {
 
 double lambda_of(Part const& part) {
-  return part.factor.lambda();  // if the effect is not covered: as much of the factor as is known, else 1
+  return part.factor.lambda();  // if the effect is not covered: the known part of the factor, or 1
 }
 
 bool counts(Part const& part, Form form) {

@@ -36,7 +36,7 @@ struct Combined {
   bool complete() const { return not_covered.empty(); }  // if false, reports say "at least" or "at most" this factor
 };
 
-// A factor that is not covered counts with as much of it as is known, or as 1. An assumed factor is a constant without
+// If a factor is not covered, its known part is used, or 1 if nothing is known. An assumed factor is a constant without
 // uncertainty. If a factor from tests has no interval, or if one is not covered, the combined factor has no interval.
 // The degrees of freedom are those of Welch and Satterthwaite.
 Combined combine(Combination const& how, std::span<Part const> parts);

@@ -169,7 +169,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
   for (auto const& tests : clusters) {
     Level level{.ageing = effect == Effect::ageing ? tests.front().condition.ageing : std::nullopt,
                 .tests = static_cast<int>(tests.size())};
-    // The level lies at the mean of the tests that count: those of devices with a reference test, if there are any.
+    // The level lies at the mean of the tests of devices with a reference test or, without any, of all tests.
     std::vector<double> at, at_unpaired;
     for (auto const& test : tests)
       (at_reference.contains(test.device) ? at : at_unpaired).push_back(condition_of(effect, test.condition));

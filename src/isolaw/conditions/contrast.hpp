@@ -1,6 +1,6 @@
-// How much one condition changes a property. For every device that was tested under reference conditions and under
-// another condition, its value under the latter is divided by its value under the former. Then the mean of these ratios
-// over the devices is computed, with its interval. All values are logarithms (ln), since factors multiply.
+// How much one condition changes a property. If a device was tested under reference conditions and under another
+// condition, its value under that condition is divided by its value at reference. Then the mean of these ratios over
+// the devices is computed, with its interval. All values are logarithms (ln), since factors multiply.
 #pragma once
 
 #include <optional>
@@ -44,7 +44,7 @@ struct Level {
 
 // How sure a factor is, from the strongest status to the weakest. shown: devices were tested at the condition;
 // unpaired: only devices without a reference test were tested; scaled: only scaled specimens were tested; assumed: the
-// factor is a rule set's.
+// factor is a default of the rule set.
 enum class Status { shown, interpolated, extrapolated, unpaired, scaled, assumed, not_covered };
 std::string_view name(Status status);
 
@@ -73,7 +73,7 @@ struct Factor {
   double std = 0.0;                        // standard deviation of ln over the devices
   std::optional<double> se = {}, df = {};  // standard error of ln and its degrees of freedom; empty: no interval
   double line_error = 0.0;                 // error in ln of the straight line between two levels; 0 at a level
-  double drift = 0.0;                      // Response::drift()
+  double drift = 0.0;                      // drift of the devices between tests, in ln: Response::drift()
   std::optional<Lack> lack = {};           // the reason, if the factor is not covered
 
   double lambda() const;
@@ -94,7 +94,7 @@ struct Interval {
 // The 95 % interval of lambda. Empty if the factor has no standard error. Also empty if it comes from a single device
 // and the interval is about other devices. `installed` is the number of installed devices.
 std::optional<Interval> interval(Factor const& factor, About about, int installed = 0);
-std::optional<double> half_width(Factor const& factor, About about, int installed = 0);  // of this interval, in ln
+std::optional<double> half_width(Factor const& factor, About about, int installed = 0);  // of interval() above, in ln
 
 // How a property changes with the condition of one effect: the levels at which devices were tested. Between two levels
 // of a device, ln is taken as a straight line over the temperature, the logarithm of the frequency, or the square of
@@ -141,12 +141,12 @@ class Response {
   // For a condition between tests: the lines of the devices that were tested on both sides of it. For a condition
   // beyond all tests, but near enough for at(): the lines of the devices that were tested at the outermost level.
   std::vector<Line> lines_at(double condition) const;
-  // The levels that paired_at() uses for a device: the level that agrees with the test, or the two of the device's
-  // line.
+  // The levels that paired_at() uses for a device: the level that agrees with the test, or the two levels through which
+  // the device's line goes.
   std::vector<Level const*> behind(std::string_view device, Condition const& test) const;
   // The largest and the smallest factor in a range of the condition, among those of the reference, of the two ends and
-  // of the levels within the range. If an end is not covered, neither is; their values are then the largest and the
-  // smallest that are known.
+  // of the levels within the range. If an end is not covered, both count as not covered; their values are then the
+  // largest and the smallest that are known.
   struct Extremes {
     Factor max, min;
   };

@@ -27,7 +27,7 @@ struct AskedAgeing {
   // The life of the design, and the life for which the test stands. Both are 0 if the design asks for the test itself.
   double years = 0.0, test_stands_for_years = 0.0;
 };
-// The conditions of the design. A limit without levels holds at these.
+// The conditions of the design. A limit for which the rule set states no levels holds at these conditions.
 struct DesignConditions {
   std::vector<double> ends = {};  // ends of the design's range of the condition, in C, Hz or kN
   std::optional<AskedAgeing> ageing = {};

@@ -17,10 +17,10 @@ double stands_for_years(Ageing const& test, double service_temperature_C, double
 // that stands for the longest life. nullptr if no level is aged.
 Level const* ageing_level_for(double years, std::span<Level const> levels, double service_temperature_C,
                               double activation_energy_kJ_per_mol);
-// The ageing in an oven of this temperature that stands for so many years.
+// The ageing in an oven at `oven_C` that stands for `years` of service.
 Ageing ageing_for(double years, double oven_C, double service_temperature_C, double activation_energy_kJ_per_mol);
-// The factor of ageing after so many years. Up to the life for which the test stands, it is the factor of the test. Up
-// to twice this life, ln of the factor rises in proportion to the life and is extrapolated. Beyond, it is not covered.
+// The factor of ageing after `years`. Up to the life for which the test stands, it is the factor of the test. Up to
+// twice this life, ln of the factor rises in proportion to the life and is extrapolated. Beyond, it is not covered.
 Factor aged_factor(Factor const& of_test, double years, double test_stands_for_years);
 
 // A reference test of one device: ln of a property in its first and in its third cycle, and ln of the mean over the

@@ -15,7 +15,7 @@
 
 namespace isolaw::conditions {
 
-inline constexpr std::size_t quantities = 5;  // those of rules::measured_quantities(), in their order
+inline constexpr std::size_t quantities = 5;  // number of properties of a cycle: rules::measured_quantities()
 
 struct CycleValues {
   int number = 0;                              // number of the cycle within its block, from 1

@@ -23,7 +23,7 @@ struct DesignEnd {
   Condition condition = {};             // condition of a test that shows this end: the reference except in this effect
   int cycles = 3;                       // least number of cycles of such a test
   std::optional<double> rest_h = {};    // rest before such a test, if the effect is the recovery at rest
-  Status status = Status::not_covered;  // present status, and below it the number of devices that it rests on
+  Status status = Status::not_covered;  // present status, which rests on `devices` devices
   int devices = 0;
   std::vector<std::string> shown_on = {}, tested = {};  // devices that show it, and those with any test of the effect
   // Devices that were tested at this end and have no reference test, but could still get one that is comparable.
@@ -32,7 +32,7 @@ struct DesignEnd {
 
 struct PlannedTest {
   std::string device;
-  bool is_new = false;                  // the device is not one of the lot: one of the same type that was never tested
+  bool is_new = false;                  // the device is not from the lot, but a new one of the same type
   bool is_reference = false;            // a reference test, without which the device's other tests cannot be compared
   Effect effect = Effect::temperature;  // the effect that the test helps to show
   Condition condition = {};

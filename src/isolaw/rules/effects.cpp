@@ -7,7 +7,7 @@ namespace isolaw::rules {
 namespace {
 
 template <class Value, std::size_t count>
-constexpr auto in_order() {  // the enumerators of Value
+constexpr auto in_order() {  // all enumerators of Value, in order
   std::array<Value, count> all{};
   for (std::size_t i = 0; i < count; ++i) all[i] = static_cast<Value>(i);
   return all;

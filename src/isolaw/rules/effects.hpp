@@ -8,17 +8,17 @@
 namespace isolaw::rules {
 
 // An effect is a cause by which the properties of a device change. The first four are conditions of a test, scragging
-// and cycles are its history. No test of this program shows contamination, so it can only be assumed. The environment
-// stands for temperature, ageing and contamination together, as the factors of some standards do.
+// and cycles are its history. isolaw evaluates no test that shows contamination, so its factor can only be assumed. The
+// environment stands for temperature, ageing and contamination together, as the factors of some standards do.
 enum class Effect { temperature, rate, load, ageing, scragging, cycles, contamination, environment };
 std::span<Effect const> effects();  // without the environment, which tests and lot files cannot name
 std::string_view name(Effect effect);
 
-enum class Group { environment, test, none };  // none: the factor is shown, but Form::asce does not use it
+enum class Group { environment, test, none };  // none: reports give the factor, but Form::asce does not use it
 std::span<Group const> groups();
 std::string_view name(Group group);
-// The group of an effect for which a rule set states none: environment for temperature, ageing and contamination, none
-// for load, test for the others.
+// The group of an effect if the rule set states no group for it: `environment` for temperature, ageing and
+// contamination, `none` for load, `test` for the others.
 Group usual_group(Effect effect);
 
 // How the factors l of the effects make one factor. The formulas also use three numbers of the rule set:

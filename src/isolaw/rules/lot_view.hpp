@@ -45,7 +45,7 @@ struct Bound {         // factors on the design value (or the lot's mean), and t
   CombinedFactors combined;         // `spec` combined with the factors of environment and test; see combine()
   double lower = 0.0, upper = 0.0;  // combined factors times the design value or the mean
   std::string note;                 // explains the source
-  bool is_tolerance = false;        // a tolerance limit: holds 95 % of the devices with confidence 95 %
+  bool is_tolerance = false;        // true for a tolerance limit, which holds 95 % of the devices with confidence 95 %
   std::string no_lower;             // why there is no lower bound
 };
 
@@ -62,7 +62,7 @@ struct LotQuantity {
   std::optional<double> worst_deviation_percent;  // deviation of the device farthest from the design value
   std::string worst_device;
   std::optional<double> fractile_5, fractile_95;        // mean +- 1.645 std
-  std::optional<double> tolerance_factor;               // two-sided: holds 95 % of devices with confidence 95 %
+  std::optional<double> tolerance_factor;               // mean +- this many std holds 95 % of devices, confidence 95 %
   std::optional<double> tolerance_low, tolerance_high;  // mean +- tolerance_factor std
   std::string no_lower;                                 // why fractile_5 or tolerance_low is missing
   std::vector<Outlier> outliers;
@@ -77,7 +77,7 @@ struct LotQuantity {
   // of the supply differ, because the records show neither ageing nor the environment.
   std::optional<double> largest_from_mean_percent;  // largest deviation of a tested device from the mean
   std::optional<bool> mean_analysis_permitted;
-  std::string mean_analysis_open;  // why the permission is open although all deviations are small enough
+  std::string mean_analysis_open;  // why the permission is not decided although all deviations are small enough
 };
 
 struct LotView {

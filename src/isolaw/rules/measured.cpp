@@ -93,8 +93,8 @@ Reduced reduce(RuleSet const& rules, Quantity quantity, Side side, BlockValues c
   return reduced;
 }
 
-// Stores a positive value. For any other it stores the reason why there is none: the motion misses one side or is no
-// complete cycle.
+// Stores a positive value. For any other value, which arises if the motion misses one side or is no complete cycle, it
+// stores the reason why there is none.
 void set_value(DerivedValue& derived, double value) {
   if (std::isfinite(value) && value > 0.0)
     derived.value = value;

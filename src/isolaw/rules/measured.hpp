@@ -26,7 +26,7 @@ struct BlockValues {
   int number = 0;  // number of the block in its record, from 1
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz = {}, shear_strain_percent = {}, load_mean_kN = {};
-  std::optional<std::pair<double, double>> sweep_Hz = {};  // as in data::Block
+  std::optional<std::pair<double, double>> sweep_Hz = {};  // first and last frequency of a sweep (data::Block)
   std::vector<data::Cycle> cycles = {};                    // the counted cycles, in order
   VerticalValue vertical = {};                             // K_v of the device, the same for every block
 

@@ -364,7 +364,7 @@ class Reader {
     EffectRule rule;
     table.choice("name", by_name(effects()), rule.effect);
     if (table.has("group")) table.choice("group", by_name(groups()), rule.group.emplace());
-    // Nobody needs the factors of damping, which follow from those of K_eff and energy, nor of K_v.
+    // Damping needs no default factors, because it follows from K_eff and energy. K_v has none either.
     Choices<Quantity> combined;
     for (auto const& choice : by_name<Quantity>(measured_quantities()))
       if (choice.second != Quantity::damping) combined.push_back(choice);

@@ -146,7 +146,7 @@ struct RuleSet {
   SameCondition same_condition;
   std::optional<MeanAnalysisRule> mean_analysis;
   FactorRule factors;
-  std::optional<CombinationRule> combination;  // a set with factors that states none has Form::asce
+  std::optional<CombinationRule> combination;  // if empty: Form::asce for a set with factors, else the product
   std::vector<EffectRule> effects;
   std::vector<DependenceLimit> dependence;
 
@@ -168,7 +168,7 @@ std::string load_rule_text(std::string_view name_or_file);
 // Reads a built-in set or a file. Throws Error as read_rule_text() does; if there is no such file, the message names
 // the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);
-// The text of a built-in set or of "template", with its comments. Throws an Error that lists these names for any other.
+// The text of a built-in set or of "template", with its comments. Throws Error, which lists the names, for others.
 std::string_view rule_set_text(std::string_view name);
 // Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share_percent N / 100))).
 int required_sample(SampleRule const& rule, int lot_size);

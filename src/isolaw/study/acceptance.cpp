@@ -52,8 +52,8 @@ std::optional<rules::LoadPair> load_pair(AssessedTest const& test, data::Block c
   return rules::LoadPair{.largest = values_of(*largest, test), .smallest = values_of(*smallest, test)};
 }
 
-// If a faulty block has a larger amplitude than the chosen block, chooses the largest such block instead, since the
-// verdict would rest on it if it were sound.
+// A faulty block may have a larger amplitude than the chosen one. If it were sound, the verdict would rest on it.
+// Therefore the largest such block is chosen instead.
 void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen) {
   for (auto const& block : properties.blocks)
     if (!block.fault.empty() &&
@@ -61,8 +61,8 @@ void choose_faulty(data::Properties const& properties, DeviceAcceptance& chosen)
       chosen.block = block.number;
 }
 
-// Chooses the block of a record that is assessed. With a rule set it may be a faulty block, with which the device
-// cannot pass (why_withheld()).
+// Chooses the block of a record that is assessed. With a rule set this may be a faulty block. The device then cannot
+// pass (why_withheld()).
 DeviceAcceptance choose_block(data::Properties const& properties, rules::Design const& design, bool has_rules) {
   DeviceAcceptance chosen;
   if (!properties.reported) {
@@ -105,9 +105,9 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
   return fmt::format("{} has lost {:.0f} % of the force", failure->word("where"), 100.0 - failure->number("percent"));
 }
 
-// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. Also gives this
-// reason where a value is missing. A failure stays, since it may be due to the fault itself: a loss of force may exceed
-// a limit on the change from cycle to cycle.
+// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. A missing value
+// gets this reason too. A fail stays, since the fault of the test may be its cause: a loss of force may exceed a limit
+// on the change from cycle to cycle.
 void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {
   for (auto& a : assessments) {
     bool const without = a.verdict == rules::Verdict::not_assessed && !a.value && a.subject != rules::Subject::loads;

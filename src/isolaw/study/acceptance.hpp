@@ -24,7 +24,7 @@ struct AssessedTest {
 struct DeviceAcceptance {
   std::optional<int> block;   // the block that is assessed; empty if the record has no cyclic properties
   std::string choice;         // why this block was chosen
-  std::string copy_of;        // the device that is assessed instead: AssessedTest::copy_of
+  std::string copy_of;        // the device with the same record that is assessed instead; else empty
   std::string withheld = {};  // why the device cannot pass: its test lost force, or the block is faulty; else empty
   bool as_corrected = false;  // the device passes, but would not without the corrections that the user asked for
   std::vector<rules::Assessment> assessments;
@@ -34,7 +34,7 @@ struct LotAcceptance {
   rules::RuleSet rules;  // its id is empty if no rule set was asked for
   rules::Design design;
   rules::LotView lot;
-  bool conditions_forbid_mean = false;  // see MeanProperties: its `permitted` is false
+  bool conditions_forbid_mean = false;  // MeanProperties::permitted is false
 
   bool has_rules() const { return !rules.id.empty(); }
 };
@@ -57,8 +57,8 @@ struct DesignValue {
 };
 std::vector<DesignValue> design_values(rules::Design const& design);
 
-// Whether the devices differ so little that a structure may be analysed with the lot's mean properties. Every quantity
-// whose scatter the rule set limits must permit it, and the design conditions too. K_v is not considered.
+// Whether a structure may be analysed with the lot's mean properties. Every quantity whose scatter the rule set limits
+// must scatter little enough, and the design conditions must allow it too. K_v is not considered.
 struct MeanAnalysis {
   std::optional<bool> permitted;  // empty: no verified rule set has a limit, or a quantity cannot be judged
   std::string sentence;

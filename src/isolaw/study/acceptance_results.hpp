@@ -1,5 +1,5 @@
-// The rows that inspection.json, the page's data, tests.csv, lot.csv and lambda.csv take from the assessments of the
-// devices and the lot. A test compares docs/inspection-json.md with them.
+// The rows (results.hpp) from which inspection.json, the page's data, tests.csv, lot.csv and lambda.csv print the
+// assessments of the devices and the lot. A test compares docs/inspection-json.md with these rows.
 #pragma once
 
 #include "isolaw/study/acceptance.hpp"

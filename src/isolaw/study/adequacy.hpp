@@ -11,9 +11,9 @@
 
 namespace isolaw::study {
 
-// An adequate law exceeds none of these limits. They hold for means over the devices: of the objective, and of the
-// magnitudes of the errors of K_eff and energy in the cycle where law and test are compared (normally the reported
-// one).
+// A law is adequate if it exceeds none of these limits. They apply to means over the devices: the mean objective, and
+// the mean magnitudes of the errors of K_eff and energy in the cycle where law and test are compared (normally the
+// reported one).
 inline constexpr double adequate_objective = 0.3;
 inline constexpr double adequate_K_eff_percent = 15.0, adequate_energy_percent = 30.0;
 // The errors by which the law exceeds these limits (FindingKind::law_inadequate); nullopt for an adequate law, and for
@@ -23,13 +23,13 @@ inline bool is_adequate(LawResult const& law) {
   return !inadequacy(law);
 }
 
-// `calibrated` counts the free parameters, `count` those of them that lie at a bound on at least half of the devices.
-// The search box alone makes such a parameter agree between devices. With fewer than two fitted devices there are no
-// values to compare, and both counts are 0.
+// `calibrated` is the number of free parameters. `count` is the number of free parameters that lie at a bound on at
+// least half of the devices. Such a parameter agrees between the devices only because of the search box. With fewer
+// than two fitted devices there are no values to compare, and both numbers are 0.
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
   bool decides() const { return 3 * count >= calibrated && count > 0; }  // true: the search box decides this law's beta
-  Finding finding(std::string const& law) const;                         // FindingKind::held_by_box
+  Finding finding(std::string const& law) const;                         // says so (FindingKind::held_by_box)
 };
 Pinned pinned(LawResult const& law);
 

@@ -1,5 +1,5 @@
-// Makes findings from the analyses: the front and beta of the best fits (not of the means over the runs), the error on
-// devices left out, the prediction of blocks, and the share of parameters that the tests determine.
+// Makes findings from the campaign's analyses: the front and beta of the best fits (not of the means over the runs),
+// the error on devices left out, the prediction of blocks, and the share of parameters that the tests determine.
 #pragma once
 
 #include <vector>

@@ -41,7 +41,7 @@ void add_success(DeviceFit& fit, campaign::Contents const& contents, campaign::S
     ++usable;
     found += run.objective <= least * (1.0 + found_within) + 1e-9 ? 1 : 0;
   }
-  // A single run has no other run to agree with, so its share would say nothing.
+  // A single run cannot agree with another one, so there is no share.
   if (usable < 2) return;
   fit.success_share = static_cast<double>(found) / usable;
   fit.success_reference = "best of this campaign";
@@ -59,7 +59,7 @@ void add_blocks(DeviceFit& fit, data::FitRecord const& record) {
     fitted[block] = fitted[block] || record.is_scored(i);
   }
   for (auto& [block, mask] : members) {
-    // The law may have been fitted to some cycles of a block only. The block's objective is then of these cycles alone.
+    // If the law was fitted to some cycles of a block only, the block's objective is computed from these cycles alone.
     if (fitted[block])
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] *= record.is_scored(i) ? 1.0 : 0.0;
     double const objective = fit::objective_on(record, fit.force_kN, std::move(mask));
@@ -139,10 +139,10 @@ std::vector<fit::SearchParameter> parameters_of_search(campaign::Contents const&
   return {};
 }
 
-// The covariance of one device's estimates by linearisation, [parameter][parameter] over the free ones. If a parameter
-// is at its bound and the test does not determine it, its variance is a quarter of the squared width of its box: no
-// distribution inside the box has a larger one. To keep every variance above zero, (1e-6 s)^2 is added, where s is the
-// estimate's magnitude or a thousandth of the box's width, whichever is larger.
+// The covariance of the estimates of one device's free parameters by linearisation, as [parameter][parameter]. If a
+// parameter is at its bound and the test does not determine it, its variance is a quarter of the squared width of its
+// box: no distribution inside the box has a larger one. To keep every variance above zero, (1e-6 s)^2 is added, where s
+// is the estimate's magnitude or a thousandth of the box's width, whichever is larger.
 lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis const& analysis) {
   constexpr double rounding = 1e-6;
   auto const& intervals = analysis.intervals;
@@ -159,7 +159,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
   return covariance;
 }
 
-// Fixes the redundant parameter as LawEntry::reduce() does, and converts the covariance of the others to first order.
+// Fixes the redundant parameter as LawEntry::reduce() does. First derivatives convert the others' covariance.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {
@@ -260,7 +260,7 @@ void add_prediction(LawResult& law) {
   law.prediction_grade = graded(*law.fitted_objective, *law.predicted_objective, worst);
 }
 
-// The share of the usable runs on all devices that found the least objective known for their device.
+// Sets the share of the usable runs, over all devices, that found the least objective known for their device.
 void add_success_on_lot(LawResult& law) {
   double usable = 0.0, found = 0.0;
   for (auto const& fit : law.devices) {
@@ -320,7 +320,7 @@ void add_larger_swings(LawResult& law) {
   law.larger_swings_least = least / count;
 }
 
-// Adds the error on each device with the law that was fitted to the other devices.
+// Sets the law's error on each device with parameters fitted to all other devices.
 void add_left_out(LawResult& law, campaign::Contents const& contents) {
   double sum = 0.0;
   std::size_t count = 0;

@@ -12,12 +12,12 @@ namespace isolaw::study {
 
 // A run has found the campaign's least objective if it ends within this relative distance of it.
 inline constexpr double found_within = 1e-3;
-// The largest mean objective on the predicted blocks for each grade. Beyond the last value a prediction is unusable.
+// The largest mean objective on the blocks left out of the fit for each grade; above the last, it is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
 // A prediction that collapses is unusable too. It collapses if the objective on some predicted block exceeds
-// collapsed_objective (a constant force does no worse), or if the mean objective on the predicted blocks is at least
-// collapsed_least and more than collapsed_ratio times the mean on the fitted blocks. docs/decision.md gives the
-// reasons.
+// collapsed_objective, so that the law does worse than a constant force. It also collapses if the mean objective on the
+// predicted blocks is at least collapsed_least and more than collapsed_ratio times the mean on the fitted blocks.
+// docs/decision.md gives the reasons.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
 // `constant`: on some predicted block the law does worse than a constant force. `far`: it does much worse on predicted
@@ -25,7 +25,7 @@ PredictionGrade graded(double fitted_objective, double predicted_objective, doub
 enum class Collapse { no, constant, far };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
-// Adds a search's analysis to a fit that build_summary() has filled in, including the force of its best run.
+// Adds the analysis of a search (a law on a device) to its fit. The fit must already have the force of its best run.
 void add_analysis(DeviceFit& fit, campaign::Contents const& contents, campaign::Search const& search);
 // Must be called after the fits of this law on all devices are filled in.
 void add_lot_analysis(LawResult& law, campaign::Contents const& contents);

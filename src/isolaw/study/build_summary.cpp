@@ -29,9 +29,9 @@
 namespace isolaw::study {
 namespace {
 
-// True if a record has no reported cycle for the sole reason that its motion is not cyclic. For properties of a
-// TestRecord this also means that its signals are sound, since faults would be among the reasons. Properties of a
-// CycleView come without a check of the signals.
+// True if the only reason why a record has no reported cycle is that its motion is not cyclic. If the properties were
+// computed from a TestRecord, its signals are then sound, since a fault would be another reason. If they were computed
+// from a CycleView, the signals were not checked.
 bool is_irregular(data::Properties const& properties) {
   return !properties.reported && std::ranges::all_of(properties.refusal, [](Finding const& finding) {
     return finding.kind == FindingKind::not_cyclic || finding.kind == FindingKind::no_complete_cycle ||
@@ -68,8 +68,8 @@ void add_vertical(DeviceResult& result) {
   if (!test.refusal.empty())
     warnings.push_back({.kind = FindingKind::vertical_test_refused, .words = {{"reason", test.refusal}}});
   if (result.vertical) std::ranges::copy(result.vertical->warnings, std::back_inserter(warnings));
-  // Isolators carry weight, so they are far stiffer vertically. A vertical stiffness below this many times the
-  // horizontal stiffness is implausible.
+  // Isolators carry weight, so they are far stiffer vertically than horizontally. A vertical stiffness below this many
+  // times the horizontal stiffness is implausible.
   constexpr double least_ratio = 3.0;
   auto const& reported = result.properties.reported;
   if (result.vertical && reported && result.vertical->K_v_kN_per_mm < least_ratio * reported->K_eff_kN_per_mm)
@@ -86,7 +86,8 @@ rules::VerticalValue vertical_value(DeviceResult const& device) {
   return value;
 }
 
-// For each sample, whether it lies in the large swings that laws predict from a fit to the small ones.
+// For each sample, whether it lies in a large swing. Laws that were fitted to the small swings are judged on the large
+// ones. Empty if the tests have no such swings.
 std::vector<bool> in_large_swings(data::FitRecord const& record, std::optional<data::Weighting> weighting) {
   auto const sizes = data::swing_sizes(data::tests_of(record), weighting.value_or(data::Weighting::swing));
   if (!sizes.tell) return {};
@@ -135,7 +136,7 @@ DeviceResult device_result(campaign::Device const& device, data::CleanOptions co
                                           {"K_kN_per_mm", swings->K_kN_per_mm},
                                           {"damping_percent", swings->damping_percent}}});
   result.effects = std::move(budget.effects);
-  // Reading a record does not smooth it, so the warnings about smoothing are added here.
+  // The record has the warnings about its unsmoothed signals. Smoothing may cause others, which are added here.
   if (smooth > 1) {
     auto const read = data::error_budget(device.raw, result.properties).warnings;
     for (auto const& warning : budget.warnings)

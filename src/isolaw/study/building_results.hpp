@@ -1,5 +1,6 @@
-// The rows that building.json, the page and the tables take from a building's analyses: name, unit and meaning.
-// building::quantities() lists the responses of the building. A test compares docs/building-json.md with these rows.
+// The rows (results.hpp: name, unit and meaning) from which building.json, the page and the tables print a building's
+// analyses. building::quantities() lists the responses of the building. A test compares docs/building-json.md with
+// these rows.
 #pragma once
 
 #include "isolaw/building/answers.hpp"

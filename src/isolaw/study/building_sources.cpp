@@ -53,8 +53,8 @@ building::LawSource source_of(campaign::Contents const& contents, Summary const&
         source.tested_mm = std::max(source.tested_mm, std::abs(x));
       source.devices.emplace(contents.devices[d].name, analysis->determination.optimum);
     }
-  // If only one device that counts was analysed, there is no law of the lot. The device's parameters then represent the
-  // lot.
+  // If only one device was analysed (copies of records do not count), there is no law of the lot. The device's
+  // parameters then represent the lot.
   auto const is_analysed = [](DeviceFit const& fit) { return fit.counts && fit.optimum; };
   if (law->lot)
     source.lot = law->lot->parameters;
@@ -100,7 +100,7 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
   return any ? std::optional(std::move(contents)) : std::nullopt;
 }
 
-// If the building file asks for the bound laws over the design conditions, takes them over.
+// If the building file states no factors for a bound, takes those of the bound law over the design conditions.
 void take_bounds(building::LawSource& source, Summary const& summary, building::Settings const& asked,
                  std::string_view where) {
   auto const bounds = design_bounds(summary, laws::find_law(source.law), source.lot);
@@ -121,7 +121,8 @@ void take_bounds(building::LawSource& source, Summary const& summary, building::
   if (!asked.upper) take("upper", *bounds.upper, &building::LawSource::upper);
 }
 
-// Throws Error if the building file states two factors for a law whose parameters scale both parts of the force alike.
+// Throws Error if the building file states one factor for the elastic part of the force and another one for the
+// hysteretic part, but the law's parameters can only scale both alike.
 void require_one_factor(laws::LawEntry const& law, building::Settings const& asked, std::string_view where) {
   for (auto const& factors : {asked.lower, asked.upper})
     if (law.one_factor && factors && !factors->is_whole())

@@ -31,8 +31,8 @@ std::vector<std::string> files_of(DeviceResult const& device) {
   return files;
 }
 
-// The options of reading that each record was read with, as a JSON object; empty if there were none. The first finding
-// of a record holds them.
+// Returns, for each record, the options with which it was read, as a JSON object; empty if there were none. The first
+// finding of a record holds this text.
 std::vector<std::string_view> options_of(DeviceResult const& device) {
   auto const& recognised = device.raw.recognised;
   if (device.raw.tests.empty())

@@ -21,8 +21,8 @@ std::optional<double> ln_of(Level const& level, std::string const& device) {
   return found == level.ratios.end() ? std::nullopt : std::optional(found->ln);
 }
 
-// Appends the line between two places. Over the load it is drawn as a curve, since it is straight over the square of
-// the load.
+// Appends the line between two places. On an axis of the load it is drawn as a curve, since it is straight over the
+// square of the load.
 void append_line(ConditionCurve& curve, Response const& response, Place const& from, Place const& to) {
   int const steps = response.effect() == Effect::load ? 12 : 1;
   for (int i = curve.at.empty() ? 0 : 1; i <= steps; ++i) {

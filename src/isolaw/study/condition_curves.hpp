@@ -14,7 +14,7 @@ enum class CurveKind {
   device,        // one device, through the levels at which it was tested
   mean,          // mean over the devices that were tested at both of two neighbouring levels
   extrapolated,  // from the outermost level to an end of the design range
-  smooth,        // a CurveRow, from which no factor is taken
+  smooth,        // a curve fitted to the levels (CurveRow), only for drawing
 };
 std::string_view name(CurveKind kind);
 

@@ -59,9 +59,10 @@ class Builder {
     return shares.empty() ? 0.0 : num::moments(shares).mean;
   }
 
-  // The tests that show an effect, and the reference tests with which they are compared. From each device only tests
-  // with one and the same history of the reference cycle are taken: the history that most tests of the effect share
-  // with a reference test of the device. Scaled specimens are taken only if no device of full size shows the effect.
+  // The tests that show an effect, and the reference tests with which they are compared. All tests of a device that are
+  // taken have the same history in the reference cycle. This is the history, among those of the device's reference
+  // tests, that most of its tests of the effect have. Scaled specimens are taken only if no device of full size shows
+  // the effect.
   struct Compared {
     std::vector<conditions::Sample> reference, others;
     std::vector<Observed const*> without_reference;  // tests in `others` of devices without a reference test
@@ -122,8 +123,8 @@ class Builder {
     return is_scaled(true) && !is_scaled(false);
   }
 
-  // At a level where no device with a reference test was tested, the tests of the other devices show the effect. Gives
-  // them this role.
+  // At a level where no device with a reference test was tested, the other devices show the effect. Gives their tests
+  // the role TestRole::effect.
   void mark_unpaired(Compared const& tests, conditions::Response const& response) {
     for (auto const* seen : tests.without_reference)
       for (auto const& level : response.levels())
@@ -250,7 +251,7 @@ class Builder {
 
   static Factor as_reference() { return {.se = 0.0, .df = 1.0}; }
 
-  // Adds scragging, its recovery, and the softening over many cycles.
+  // Adds the effects of scragging, of the recovery at rest, and of the softening over many cycles.
   void add_history(Quantity quantity, auto const& add) {
     std::vector<conditions::ReferenceTest> first, again;
     // The value in cycle 1, and in the cycle that the design states, relative to the value in the reference cycle.
@@ -323,7 +324,7 @@ class Builder {
       auto factor = share ? conditions::scragging_factor(first, share) : Factor::without(conditions::Lack::no_rest);
       bool const is_tested =
           std::ranges::find(recovered_, *design.rest_h, &conditions::Recovered::rest_h) != recovered_.end();
-      // There is no interval: it would have to allow for the uncertainty of the recovery, which few devices show.
+      // No interval is given, because it would have to include the uncertainty of the recovery, which few devices show.
       factor.se = factor.df = std::nullopt;
       for (auto const& each : recovered_) factor.devices = std::min(factor.devices, each.devices);
       if (factor.status == conditions::Status::shown && !is_tested) factor.status = conditions::Status::interpolated;

@@ -49,34 +49,34 @@ struct ConditionsTest {                           // one block of one test
   conditions::Condition
       condition;  // frequency, strain and, if there is a channel, load as measured; the rest as stated
   std::optional<double> rest_h = {};
-  std::optional<conditions::History> history = {};  // of the reference cycle; empty if there is no such cycle
+  std::optional<conditions::History> history = {};  // history of the reference cycle; empty if there is no such cycle
   TestRole role = TestRole::reference;
   std::optional<conditions::Effect> effect = {};  // the effect that the block shows, if it shows one
   // Values in the reference cycle.
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
   std::optional<double> heating_K = {};  // upper bound of the temperature rise in the reference cycle
-  // For a test at another temperature than the reference, in a chamber whose temperature is stated: how long the rubber
-  // takes to come to it, and how long it was there.
+  // warming_h: how long the rubber takes to reach the temperature of the test. Set only if this is not the reference
+  // temperature and was measured in a chamber. conditioned_h: how long the device was kept at it, as stated.
   std::optional<double> warming_h = {}, conditioned_h = {};
   std::vector<ConditionsCycle> cycles = {};
   std::vector<double> loop_mm = {}, loop_kN = {};  // the loop of one cycle (ObservedBlock), for drawing
 };
 
-struct RefusedTest {  // a test, or one block of it
+struct RefusedTest {  // a test that is not used, or a block of a test
   std::string device, test, place, reason;
 };
 
-struct DoubtedTest {  // a test about whose record there is a doubt
+struct DoubtedTest {  // a test with a doubt about its record
   std::string device, test, place;
   Finding doubt;
 };
 
-struct LacksTests {  // a device whose last test has an order above the number of its tests: the lot file lacks some
+struct LacksTests {  // the lot file lacks tests of this device: the order of its last test is above their number
   std::string device;
   int tests = 0, last_order = 0;
 };
 
-struct LevelRow {  // a level of an effect that was tested
+struct LevelRow {  // one tested level of an effect, such as a temperature of -20 C
   rules::Quantity quantity;
   conditions::Effect effect;
   std::string level;  // as the user would write it: "-20 C", "14 days at 70 C", "cycle 1"
@@ -97,7 +97,7 @@ struct EffectResponse {
   conditions::Response response;
 };
 
-struct CurveRow {  // the parameter of a smooth curve through what tests showed (conditions/curves.hpp)
+struct CurveRow {  // a smooth curve fitted to test results (conditions/curves.hpp), and its parameter
   rules::Quantity quantity;
   conditions::Effect effect;
   std::string parameter;  // "exponent", "critical load" or "p"
@@ -145,7 +145,8 @@ struct MeanProperties {
   double farthest_percent = 0.0;                      // largest change of `quantity` from its value at reference
 };
 
-// Says in print how sure a factor is: a word of the status, in capitals if no test shows it, or "reference".
+// The word that reports print for how sure a factor is: its status, in capitals if it is assumed or not covered, or
+// "reference" for the factor 1 of the reference itself.
 std::string_view status_word(conditions::Factor const& factor);
 
 struct RecoveryRow {
@@ -155,7 +156,7 @@ struct RecoveryRow {
 
 struct ConditionsDevice {  // a device of the lot, in the order of the lot file
   std::string name;
-  double largest_percent = 0.0;  // largest strain in any of its tests; infinite if a test could not be read
+  double largest_percent = 0.0;  // largest strain in any of its tests; infinite if that of a test is not known
   std::optional<conditions::Ageing> aged = {};  // ageing in its last test
   bool is_scaled = false, is_compared = true;   // is_compared: it has the compound and size that [conditions] names
 };
@@ -188,7 +189,7 @@ struct ConditionsResult {
   std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
   std::vector<DependenceRow> dependence;
-  std::optional<MeanProperties> mean_properties = {};  // if a verified rule set has a rule for it
+  std::optional<MeanProperties> mean_properties = {};  // empty unless a verified rule set has a rule for it
   std::vector<AtReferenceRow> at_reference;
   ConditionsPlan plan;
 };

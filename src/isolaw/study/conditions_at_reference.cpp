@@ -93,7 +93,7 @@ std::vector<AtReferenceRow> values_at_reference(ConditionsResult const& result) 
       if (test.is_acceptance && test.device == device.device) blocks.push_back(&test);
     auto const has_role = [](TestRole role) { return [role](auto const* block) { return block->role == role; }; };
     if (std::ranges::any_of(blocks, has_role(TestRole::reference))) continue;
-    // Blocks of another strain count only if the test has no others.
+    // Blocks of another strain get rows only if the test has no block of the reference strain.
     if (!std::ranges::all_of(blocks, has_role(TestRole::other_strain)))
       std::erase_if(blocks, has_role(TestRole::other_strain));
     for (auto const* block : blocks) {

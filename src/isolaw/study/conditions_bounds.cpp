@@ -21,8 +21,8 @@ bool is_covered(DesignRow const& row) {
   return row.max.status != Status::not_covered && row.min.status != Status::not_covered;
 }
 
-// The form that the rule set states. If it states only property modification factors, Form::asce; otherwise the product
-// of all effects.
+// Returns the form that the rule set states. A set that states only property modification factors gets Form::asce, and
+// any other set the product of all effects.
 HowCombined how_combined(rules::RuleSet const& rules) {
   HowCombined how;
   if (auto const& stated = rules.combination)
@@ -52,8 +52,8 @@ std::optional<Defaults> stated_defaults(rules::RuleSet const& rules, Effect effe
   return Defaults{.max = rule->default_max, .min = rule->default_min, .clause = rule->clause};
 }
 
-// K_eff and energy follow from the defaults of K_d and Q_d if the set states none for them: K_eff is K_d + Q_d/D, and
-// the energy is proportional to Q_d.
+// Returns the default factors of a quantity. If the set states none for K_eff or energy, they follow from those of K_d
+// and Q_d: K_eff is K_d + Q_d/D, and the energy is proportional to Q_d.
 std::optional<Defaults> defaults(rules::RuleSet const& rules, Effect effect, Quantity quantity, double strength_share) {
   if (auto own = stated_defaults(rules, effect, quantity)) return own;
   auto const stiffness = stated_defaults(rules, effect, Quantity::K_d),
@@ -150,7 +150,7 @@ std::optional<MeanProperties> BoundMaker::mean_properties(std::vector<BoundRow> 
       double const change_percent = 100.0 * (side->factor - 1.0);
       if (std::abs(change_percent) > std::abs(found.farthest_percent))
         found.quantity = row.quantity, found.farthest_percent = change_percent;
-      // Factors that are not covered yet can only move a bound farther from 1. Assumed factors prove nothing.
+      // An effect that is not covered yet can only move a bound farther from 1. Assumed factors prove nothing.
       if (side->assumed.empty() && std::abs(change_percent) > found.rule.within_percent) exceeds = true;
       if (!side->assumed.empty() || !side->complete()) is_open = true;
     }

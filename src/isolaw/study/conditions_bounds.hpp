@@ -1,5 +1,5 @@
-// Makes the bounds of a property from the factors of all effects, with what the rule set states: the form in which they
-// are combined, default factors, and limits on the bounds.
+// Makes the bounds of a property from the factors of all effects. The rule set states the form in which the factors are
+// combined, default factors, and limits on the bounds.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ class BoundMaker {
   // this group. `strength_share` is the share of Q_d / D in K_eff, with the amplitude D.
   std::vector<DesignRow> completed(std::vector<DesignRow> shown, rules::Quantity quantity, double strength_share) const;
 
-  // `bounds` has a row for K_eff and energy if the design has conditions.
+  // nullopt without a verified rule set that has a rule for it, and if `bounds` has no row for K_eff or energy.
   std::optional<MeanProperties> mean_properties(std::vector<BoundRow> const& bounds) const;
 
   BoundRow bound(rules::Quantity quantity, std::vector<DesignRow> const& effects) const;

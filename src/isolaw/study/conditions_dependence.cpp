@@ -80,17 +80,19 @@ DependenceRow load_variation(ConditionsResult const& result, rules::LoadVariatio
   auto const low = at(loads->low), high = at(loads->high);
   for (auto const& device : high.empty() ? low : high) {
     DeviceDependence both{.device = device.device};
-    std::vector<double> ratios(2, 1.0);
-    for (auto const* ends : {&low, &high}) {
-      auto const own = std::ranges::find(*ends, device.device, &DeviceDependence::device);
-      if (own == ends->end()) continue;
-      if (own->reason) both.reason = own->reason;
-      both.ratio = own->ratio;
-      if (!own->ratio) break;
-      ratios[ends == &low ? 0 : 1] = own->ratio->lambda();
+    double difference = 0.0;
+    bool known = true;
+    for (auto const* end : {&low, &high}) {
+      auto const own = std::ranges::find(*end, device.device, &DeviceDependence::device);
+      bool const is_reference = own == end->end();
+      if (!is_reference && own->reason) both.reason = own->reason;
+      if (!is_reference && own->ratio) both.ratio = own->ratio;
+      known = known && (is_reference || own->ratio);
+      difference = (is_reference ? 1.0 : own->ratio ? own->ratio->lambda() : 0.0) - difference;
     }
+    if (!known) both.ratio.reset();
     if (both.ratio) {
-      both.ratio->ln = std::log(1.0 + std::abs(ratios[0] - ratios[1]));
+      both.ratio->ln = std::log(1.0 + std::abs(difference));
       if (!both.reason)
         both.verdict = !verified ? Verdict::information
                        : rules::is_within(both.ratio->lambda(), 1.0, std::nullopt, rule.largest_percent)
@@ -130,7 +132,7 @@ std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rule
           {.limit = limit,
            .devices = judge_dependence(limit, rules.verified(), *response, asked(result, limit.effect), as_asked)});
   if (rules.load_variation) rows.push_back(load_variation(result, *rules.load_variation, rules.verified(), as_asked));
-  // A limit that concerns only the reference condition is always kept, so it gets no row.
+  // A limit that concerns only the reference condition is always met, so it gets no row.
   std::erase_if(rows, [](DependenceRow const& row) { return row.devices.empty(); });
   return rows;
 }

@@ -1,4 +1,4 @@
-// The limits of a rule set on how far properties may change with conditions, judged on the devices of a lot.
+// Judges the devices of a lot by a rule set's limits on how far properties may change with conditions.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,8 @@ struct DependenceRow {
 std::vector<DependenceRow> judge_dependence(ConditionsResult const& result, rules::RuleSet const& rules,
                                             rules::Design const& design);
 
-// True if a limit of a verified rule set is not kept. `conditions`, `inspect` and `calibrate` take their exit code from
-// it.
+// True if a limit of a verified rule set is not kept. The commands `conditions`, `inspect` and `calibrate` set their
+// exit code by this result.
 bool dependence_failed(ConditionsResult const& result);
 
 }  // namespace isolaw::study

@@ -53,14 +53,14 @@ Finding bound(rules::Quantity quantity, std::string which, conditions::Combined 
   return finding;
 }
 
-// Doubts tests whose numbers can hardly be those of such a device, and devices that do not agree with one another.
+// Adds doubts about tests with implausible values and about devices that respond differently to a condition.
 void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<double> at_reference;
   for (auto const& test : result.tests)
     if (test.role == TestRole::reference && test.K_eff_kN_per_mm) at_reference.push_back(*test.K_eff_kN_per_mm);
   if (!at_reference.empty()) {
     double const median = num::median(at_reference);
-    constexpr double most_times = 4.0;  // conditions change the values less than this, a wrong unit of force more
+    constexpr double most_times = 4.0;  // conditions change K_eff by less than this factor, a wrong unit by more
     for (auto const& test : result.tests) {
       bool const is_compared = test.role != TestRole::other_device && test.role != TestRole::scaled && !test.is_scaled;
       if (!is_compared || !test.K_eff_kN_per_mm) continue;
@@ -97,7 +97,7 @@ void add_doubts(ConditionsResult const& result, std::vector<Finding>& findings) 
   }
 }
 
-// Doubts tests whose name, or whose record's name, states another temperature, load or ageing than the lot file.
+// Adds a doubt about each test whose name or file name contradicts what the lot file states about the test.
 void add_misnamed(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<std::string> tests, files;
   for (auto const& test : result.tests) {
@@ -159,7 +159,7 @@ void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& fin
          .numbers = {{"last_order", static_cast<double>(last_order)}, {"tests", static_cast<double>(tests)}}});
 }
 
-// Names the effects, and the reference, that rest on a test which another finding doubts.
+// Names the effects that rest on a test which another finding doubts, and the reference if it rests on one.
 void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   if (result.bounds.empty()) return;
   auto const is_doubt = [](Finding const& finding) {
@@ -187,7 +187,7 @@ void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& f
     findings.push_back({.kind = FindingKind::bounds_rest_on_doubts, .words = {{"named", joined(named)}}});
 }
 
-// Warns if the reference cycles of the reference tests do not all have the same history.
+// Warns if the histories of the reference cycles differ between the devices' first reference tests.
 void add_histories(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::map<std::string, std::string> histories;  // for each device, the history in its first reference test
   for (auto const& test : result.tests)
@@ -374,7 +374,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
     if (auto const* factor = row.max.status == Status::not_covered   ? &row.max
                              : row.min.status == Status::not_covered ? &row.min
                                                                      : nullptr) {
-      // The rule set may have default factors for other quantities but none for damping, which no bound needs.
+      // Default factors of a rule set do not cover damping. It needs none, because it has no bounds.
       bool const is_assumed = std::ranges::any_of(
           result.design, [&](DesignRow const& other) { return other.effect == row.effect && other.assumed; });
       if (!is_assumed) add_not_covered(result, row, *factor, findings);
@@ -390,7 +390,7 @@ std::vector<Finding> conditions_findings(ConditionsResult const& result) {
       findings.push_back(std::move(finding));
     }
   }
-  // An effect that is not covered has equal findings for most quantities. Each is kept once, after all others.
+  // If an effect is not covered, most quantities give the same finding. It is kept once, after all other findings.
   auto const covered = std::ranges::stable_partition(
       findings, [](Finding const& finding) { return finding.kind != FindingKind::effect_not_covered; });
   std::vector<Finding> lacking;

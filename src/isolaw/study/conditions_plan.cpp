@@ -25,7 +25,7 @@ class Planner {
       if (auto const why = add_ends(effect); why && is_asked(effect)) all.unplanned.push_back({effect, *why});
     std::vector<conditions::Candidate> candidates;
     for (auto const& device : result_.devices)
-      // A test of a device that was stretched too far cannot be compared with its earlier tests.
+      // If a device was stretched too far, a new test of it cannot be compared with its earlier tests.
       if (device.is_compared && !device.is_scaled && history_of_next(device) != History::disturbed)
         candidates.push_back({.device = device.name,
                               .has_reference = has_reference(device),
@@ -82,7 +82,7 @@ class Planner {
     return names;
   }
 
-  // Adds the ends of the design for this effect, or returns why there are none.
+  // Adds the ends of the design's range of this effect, or returns why there are none.
   std::optional<NoPlan> add_ends(Effect effect) {
     auto const& reference = result_.stated.reference;
     switch (effect) {
@@ -178,8 +178,8 @@ class Planner {
     ends_.push_back(std::move(end));
   }
 
-  // The present factor on K_eff of an effect: the largest in the design range or, if this is the reference itself, the
-  // smallest.
+  // The present factor of an effect on K_eff: the largest in the design range or, if this one belongs to the reference
+  // itself, the smallest.
   Factor now(Effect effect) const {
     for (auto const& row : result_.design)
       if (row.quantity == rules::Quantity::K_eff && row.effect == effect)

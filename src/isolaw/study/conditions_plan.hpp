@@ -17,7 +17,7 @@ enum class NoPlan {  // why no test can be planned for an effect
   no_reference,      // the reference does not state this condition
   no_energy,         // the design states years in service, but no activation energy is stated
   no_oven,           // the design states years in service, but there is no ageing test whose oven could be planned
-  no_such_test,      // no test of this program shows the effect
+  no_such_test,      // isolaw knows no test that shows the effect
 };
 
 std::string_view name(NoPlan why);

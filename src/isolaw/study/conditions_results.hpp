@@ -1,5 +1,5 @@
-// The rows that conditions.json and the tables take from the results of `isolaw conditions`: name, unit and meaning. A
-// test compares docs/conditions.md with these rows.
+// The rows (results.hpp: name, unit and meaning) from which conditions.json and the tables print the results of `isolaw
+// conditions`. A test compares docs/conditions.md with these rows.
 #pragma once
 
 #include "isolaw/study/conditions.hpp"
@@ -72,13 +72,13 @@ inline constexpr Result<ConditionsCycle> conditions_cycle_results[]{
     {"K_d_kN_per_mm", "kN/mm", "K_d", "stiffness after yield", get<&ConditionsCycle::K_d_kN_per_mm>, significant(4)},
 };
 
-// A factor, and the number of installed devices, on which an interval depends.
+// A factor and the number of installed devices. The interval of the factor depends on both.
 struct ConditionFactor {
   conditions::Factor factor;
   std::optional<int> installed = {};
 
   bool is_covered() const { return factor.status != conditions::Status::not_covered; }
-  // The devices tested are some of those installed, or prototypes if there are more of them.
+  // The tested devices are some of the installed ones or, if more were tested than are installed, prototypes.
   conditions::About of_installed() const {
     return installed && factor.devices > *installed ? conditions::About::prototypes : conditions::About::system;
   }

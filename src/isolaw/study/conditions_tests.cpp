@@ -100,7 +100,7 @@ class TestReader {
       if (test.stated.aged) aged = &test;
       if (why.empty()) continue;
       refuse(test, std::move(why));
-      // A test that cannot be read may have gone to any strain, so everything after it has an unknown history.
+      // A refused test of unknown strain may have had any strain, so all later tests have an unknown history.
       auto const strain_percent = test.farthest_mm ? strain_of(test, *test.farthest_mm) : std::nullopt;
       own.push_back({.block = {.device = test.device,
                                .test = test.test,
@@ -125,7 +125,7 @@ class TestReader {
     }
   }
 
-  // Why the stated ageing of a test cannot be true after that of an earlier one; empty if it can.
+  // Returns how the ageing stated for a test contradicts that of an earlier test; empty if it does not.
   static std::string younger_than(campaign::ObservedTest const& before, campaign::ObservedTest const& test) {
     auto const& now = test.stated.aged;
     constexpr double rounding = 1e-9;
@@ -205,8 +205,9 @@ class TestReader {
     });
   }
 
-  // The strain in percent of the rubber's thickness; if the reference states a displacement, the amplitude in mm
-  // instead. nullopt if the reference states a strain and the thickness is not known.
+  // The strain in percent of the rubber's thickness. The amplitude in mm takes its place if the reference states a
+  // displacement, or if it states no strain and the thickness is not known. nullopt if the reference states a strain
+  // and the thickness is not known.
   std::optional<double> strain_of(campaign::ObservedTest const& test, double amplitude_mm) const {
     if (stated_.reference.disp_mm) return amplitude_mm;
     if (!test.rubber_thickness_mm) return stated_.reference.strain_percent ? std::nullopt : std::optional(amplitude_mm);

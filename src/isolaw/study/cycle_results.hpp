@@ -1,5 +1,5 @@
-// The rows that inspection.json, the page and cycles.csv take from the properties of cycles and blocks and from the
-// error budget. A test compares docs/inspection-json.md with them.
+// The rows (results.hpp) from which inspection.json, the page and cycles.csv print the properties of cycles and blocks
+// and the error budget. A test compares docs/inspection-json.md with these rows.
 #pragma once
 
 #include "isolaw/study/levels.hpp"

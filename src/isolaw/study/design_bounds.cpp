@@ -20,7 +20,7 @@ BoundRow const* row_of(ConditionsResult const& conditions, rules::Quantity quant
   return row == conditions.bounds.end() ? nullptr : &*row;
 }
 
-// The effects because of which a factor is not complete, each once.
+// The effects that are not covered in one of these factors, each named once.
 std::vector<std::string> not_covered(BoundRow const& K_eff, BoundRow const& energy) {
   std::vector<std::string> effects;
   for (auto const* combined : {&K_eff.max, &K_eff.min, &energy.max, &energy.min})

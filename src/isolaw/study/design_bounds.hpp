@@ -16,17 +16,17 @@ namespace isolaw::study {
 struct DesignBound {
   double C_K = 1.0, C_E = 1.0;                            // factors on K_eff and energy at reference
   conditions::Status status = conditions::Status::shown;  // the weaker status of the two factors
-  double share_shown = 1.0;                               // the smaller Combined::share_shown of the two factors
+  double share_shown = 1.0;                               // share from tests: the smaller Combined::share_shown
   conditions::BoundLaw law;
 };
 
 struct DesignBounds {
-  std::optional<DesignBound> lower = {}, upper = {};  // both or none
-  std::optional<Finding> none = {};                   // why there is none
+  std::optional<DesignBound> lower = {}, upper = {};  // both are set or neither
+  std::optional<Finding> none = {};                   // why there are no bounds
 };
 
-// `parameters` are those of a device or of the lot. The reference block has the mean amplitude and frequency of the
-// reference tests.
+// `parameters` are those of a device or of the lot. K_eff and energy are simulated in a block with the mean amplitude
+// and frequency of the reference tests.
 DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, std::span<double const> parameters);
 
 // The bound laws of a fitted law, for the outputs of a campaign.

@@ -17,7 +17,7 @@ struct Draws {
   std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns; points into the summary
   std::vector<std::vector<double>> values;                // [device][parameter], in the law's order
   lot::Population const* population = nullptr;
-  std::size_t rejected = 0, pulled_back = 0;  // draws outside the limits, and devices moved inside: lot::Sample
+  std::size_t rejected = 0, pulled_back = 0;  // draws thrown away, and devices moved into the limits (lot::Sample)
 };
 
 // Where a parameter of the drawn devices comes from. `place` is its index in the population from which it is drawn. If
@@ -33,7 +33,7 @@ void require_draws(int count);  // throws Error about --count unless it is a num
 // with `where`, if the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
-std::vector<std::string> warnings(Draws const& draws);   // sentences, if limits or too few devices shape the sample
+std::vector<std::string> warnings(Draws const& draws);   // says so if limits or too few devices shape the sample
 std::vector<std::string> sentences(Draws const& draws);  // what was drawn, and the warnings
 
 }  // namespace isolaw::study

@@ -13,9 +13,9 @@
 namespace isolaw::study {
 
 // Chooses the block in which the energy on the device falls by the largest percentage from the third counted cycle to
-// the last. A block is considered only if it has eight or more counted cycles and the fall is at least a tenth, with at
-// least a quarter of it in each half. `force_kN` is the law's force at the record's samples. nullopt without such a
-// block.
+// the last. A block is considered only if it has at least eight counted cycles and the energy falls by at least a
+// tenth. At least a quarter of the fall must occur in each half of these cycles. `force_kN` is the law's force at the
+// record's samples. nullopt without such a block.
 std::optional<EnergyFall> energy_fall(data::Properties const& measured, data::FitRecord const& record,
                                       std::vector<double> const& force_kN);
 // True if the energy falls in the law by at least half the percentage by which it falls on the device.

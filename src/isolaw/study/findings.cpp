@@ -25,8 +25,8 @@ bool dominates(LawResult const& a, LawResult const& b) {
   return no_worse && (*a.objective.mean < *b.objective.mean || *a.beta < *b.beta);
 }
 
-// Adds warnings about a law that is offered as a choice: bounds of its search box decide its fit (pinned), or its
-// prediction of the blocks left out of the fit is worse than fair.
+// Adds warnings about a law that is offered as a choice: the search box decides its beta (pinned()), or its prediction
+// of the blocks left out of the fit is worse than fair.
 void add_cautions(std::vector<Finding>& findings, Summary const& summary, LawResult const& law) {
   if (auto const held = pinned(law); held.decides()) findings.push_back(held.finding(law.id));
   if (!law.prediction_holds()) findings.push_back(prediction_of(summary, law));

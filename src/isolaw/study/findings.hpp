@@ -48,13 +48,13 @@ Findings findings(Summary const& summary);
 // Whether a warning is shown beside the answer: not if it is about a law that is not recommended, and not if it repeats
 // a doubt that the answer states.
 bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning);
-// Delta_n, a parameter's largest relative difference between a device and the lot's mean; empty if fixed or undefined.
+// Delta_n: a parameter's largest relative difference from the lot's mean. Empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
 std::optional<double> mean_magnitude(LawResult const& law, std::optional<double> DeviceFit::*error);
 // The largest displacement in mm at which a law was shown to hold: that of the whole tests if its prediction is fair or
 // better, otherwise that of the part to which it was fitted. nullopt if the law was identified on no device.
 std::optional<double> largest_displacement(Summary const& summary, LawResult const& law);
-// Groups of two or more devices with one record: the one that counts and its copies (DeviceResult::copy_of).
+// Groups of two or more devices with the same record. All but one of them are copies (DeviceResult::copy_of).
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
 // Indices of the laws by rising mean objective; laws without one come last, in their order.

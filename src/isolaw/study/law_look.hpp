@@ -1,6 +1,6 @@
 // How each law is drawn on the page and in printed figures. Colour-blind readers can tell the colours apart (after
-// Okabe, Ito 2008). None is grey, the colour of what was measured. Each colour has a variant for a dark screen, and the
-// markers stay distinct in grey print.
+// Okabe, Ito 2008). No law is grey, because measured data are grey. Each colour has a variant for a dark screen, and
+// the markers stay distinct in grey print.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ inline constexpr LawLook law_looks[]{
 };
 inline constexpr std::size_t law_look_count = std::size(law_looks);
 
-// The index in law_looks of the look of Summary::laws[law]. After law_look_count laws the looks repeat with hollow
+// The look of Summary::laws[law], as an index in law_looks. After law_look_count laws the looks repeat with hollow
 // markers.
 constexpr std::size_t look_of(std::size_t law) {
   return law % law_look_count;

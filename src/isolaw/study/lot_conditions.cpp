@@ -20,10 +20,10 @@ data::Block const* counting_block(DeviceResult const& device) {
   return found == blocks.end() ? nullptr : &*found;
 }
 
-// The cycles of a device before those that count: rubber is softer after larger and after more cycles.
+// The motion before the counted cycles of a block. Larger cycles and more cycles make rubber softer.
 struct Earlier {
   double largest_mm = 0.0;  // the largest amplitude
-  double cycles = 0.0;      // number of whole cycles that are, within the tolerance, as large as those that count
+  double cycles = 0.0;      // number of whole cycles that are, within the tolerance, as large as the block
 };
 
 Earlier before(data::Properties const& properties, data::Block const& block, double tolerance_percent) {

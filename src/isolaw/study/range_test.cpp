@@ -42,12 +42,11 @@ Tested tested_by(Summary const& summary) {
   return tested;
 }
 
-// For a device whose tests reach less than 90 % of the lot's largest displacement: `lot` with the device's
-// displacements in place of the lot's. Tests say nothing about displacements far beyond them, so without a stated
-// design displacement the device's parameters are tried up to twice its own largest displacement only. nullopt for
-// other devices.
+// Returns `lot` with the device's own displacements if the device's tests reach less than 90 % of the lot's largest
+// displacement, and nullopt for other devices. Tests say nothing about displacements far beyond them. Without a stated
+// design displacement, the device's parameters are therefore tried only up to twice its own largest displacement.
 std::optional<Tested> tested_less(DeviceResult const& device, Summary const& summary, Tested const& lot) {
-  constexpr double as_far = 0.9;  // share of the lot's largest displacement from which a device counts as tested as far
+  constexpr double as_far = 0.9;  // from this share of the lot's largest displacement, a device counts as tested as far
   auto own = lot;
   own.disp_mm = 0.0;
   for (double const x : device.record.disp_mm) own.disp_mm = std::max(own.disp_mm, std::abs(x));
@@ -74,8 +73,8 @@ Measured measured_on(DeviceResult const& device) {
 struct Cycles {
   SteadyCycle tested, asked;
   std::array<SteadyCycle, 4> inside;  // at inner_shares of the tested displacement
-  // At the tested displacement and a tested speed. Only for a law that depends on the velocity, and only if the
-  // building's cycles are faster or slower than all tests.
+  // A cycle at the tested displacement with a tested speed. Set only for a law that depends on the velocity, and only
+  // if the building's cycles are faster or slower than all tests.
   std::optional<SteadyCycle> at_tested_speed;
 };
 constexpr std::array inner_shares{0.10, 0.25, 0.50, 0.75};
@@ -92,7 +91,7 @@ bool outside(double value, double least, double most) {
 
 // Returns the first limit that this cycle exceeds, without comparing it with other cycles.
 std::optional<Finding> breach_of(SteadyCycle const& cycle, double amplitude_mm) {
-  constexpr double rounding = 1e-6;  // share of the energy of a rectangular loop of this largest force
+  constexpr double rounding = 1e-6;  // allowed negative energy / energy of a rectangular loop of this largest force
   if (!cycle.finite) return breach("not-finite", amplitude_mm);
   if (cycle.energy_kN_mm < -rounding * 4.0 * amplitude_mm * cycle.largest_kN)
     return breach("gives-energy", amplitude_mm);
@@ -108,7 +107,7 @@ std::optional<Finding> first_inside(Cycles const& law, Tested const& tested, aut
   return found;
 }
 
-// Returns the first cycle within the tested displacements in which the force overshoots or jumps.
+// Returns a finding about the first cycle within the tested displacements in which the force overshoots or jumps.
 std::optional<Finding> fault_of_shape(Cycles const& law, Tested const& tested, Measured const& measured) {
   if (measured.viscous) return std::nullopt;
   return first_inside(law, tested, [](SteadyCycle const& cycle, double amplitude_mm) -> std::optional<Finding> {
@@ -118,8 +117,8 @@ std::optional<Finding> fault_of_shape(Cycles const& law, Tested const& tested, M
   });
 }
 
-// Returns a fault within the tested displacements, if there is one. It makes the law useless for any analysis, and not
-// only for a building.
+// Returns a fault within the tested displacements, if there is one. Such a fault makes the law useless for any
+// analysis, not only for a building.
 std::optional<Finding> fault_inside(Cycles const& law, Tested const& tested, Measured const& measured) {
   auto found = first_inside(law, tested, [](SteadyCycle const& cycle, double mm) { return breach_of(cycle, mm); });
   return found ? found : fault_of_shape(law, tested, measured);
@@ -157,9 +156,9 @@ std::optional<Finding> breach_of(Cycles const& law, Tested const& tested, Measur
   return fault_of_shape(law, tested, measured);
 }
 
-// A building's cycles may be faster or slower than all tests. This function then returns the period [s] with which
-// cycles of the tested displacement have a velocity that was tested, the one nearest to the building's. nullopt if the
-// building's velocity lies between those of the tests, or if no velocity is known.
+// The building's cycles may be faster or slower than all tests. In this case, returns the period [s] with which cycles
+// of the tested displacement reach the tested velocity that is nearest to the building's. nullopt if the building's
+// velocity lies between those of the tests, or if no velocity is known.
 std::optional<double> period_of_tested_speed_s(Tested const& tested) {
   double const asked = 2.0 * std::numbers::pi * tested.disp_mm / period_of_building_s;
   if (tested.vel_mm_s.empty()) return std::nullopt;
@@ -243,8 +242,8 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
       continue;
     }
     ++refused;
-    // The reason has the numbers of the first device, so it names only devices that were tried at the same
-    // displacement.
+    // The finding holds numbers of the first device that failed. It names another device only if that device was tried
+    // at the same displacement.
     if (!of_devices)
       (of_devices = std::move(found))->devices = {devices[i]->name};
     else if (of_devices->number("tested_mm") == limits[i].disp_mm)

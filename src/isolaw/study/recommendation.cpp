@@ -30,7 +30,7 @@ std::optional<double> error_of_fits(LawResult const& law) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
-// Whether, on some device, a block of larger amplitude than all fitted blocks was left out of the fit. The error on the
+// True if, on some device, a block of larger amplitude than all fitted blocks was left out of the fit. The error on the
 // blocks left out then shows how well the law predicts larger amplitudes.
 bool larger_blocks_are_predicted(Summary const& summary, LawResult const& law) {
   for (auto const& fit : law.devices) {
@@ -234,8 +234,8 @@ std::vector<Standing> standings_of(Summary const& summary) {
   return standings;
 }
 
-// Sorts the laws by error, those that are ruled out last. Laws tie if their error is near the least one (tie_share); of
-// these, the law with the fewest parameters is taken and comes first.
+// Sorts the laws by error; laws that are ruled out come last. Laws tie if their error is near the least one
+// (tie_share). Among tied laws, the one with the fewest parameters is taken and comes first.
 void rank(std::vector<Standing>& standings) {
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return or_infinite(s.error); });
   std::ranges::stable_sort(standings, {}, [](Standing const& s) { return s.reason.has_value(); });

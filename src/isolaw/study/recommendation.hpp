@@ -21,12 +21,13 @@ std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
   Rank place = Rank::behind;
-  // Errors of the law, as means over the devices: `fits` on the tests, or the part of them, to which it was fitted;
-  // `new_device` on devices to which it was not fitted; `predicts` on larger swings, or on blocks of larger amplitude,
-  // to which it was not fitted.
+  // Errors of the law, as means over the devices. `fits`: on the tests (or the part of them) to which it was fitted.
+  // `new_device`: on devices to which it was not fitted. `predicts`: on larger swings, or on blocks of larger
+  // amplitude, to which it was not fitted.
   std::optional<double> fits, new_device, predicts;
-  // The error that decides which law is taken: the mean of `predicts` and of the error on devices, which is
-  // `new_device` if there are three devices or more, else `fits`. If only one of the two is known, it is that one.
+  // The error that decides which law is taken: the mean of `predicts` and of the error on devices. The latter is
+  // `new_device` if it is known and there are three devices or more, else `fits`. If only one of the two is known, it
+  // is that one.
   std::optional<double> error;
   std::size_t parameters = 0;      // parameters that were searched
   std::optional<Finding> reason;   // why the law is ruled out
@@ -49,8 +50,8 @@ struct Recommendation {
   std::vector<Finding> why;
   std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
   std::optional<LawSpread> spread;  // empty with fewer than two laws
-  std::vector<Finding> reach;       // up to which displacement the tests show the law, how far laws differ beyond it
-  std::optional<double> valid_mm;   // largest_displacement() of the law
+  std::vector<Finding> reach;       // up to which displacement tests support the law, and how far laws differ beyond it
+  std::optional<double> valid_mm;   // largest displacement at which the law was shown to hold
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
   std::vector<Finding> const& weak() const { return standings.front().weak; }  // doubts about the law that is taken

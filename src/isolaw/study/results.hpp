@@ -65,7 +65,7 @@ Value nested(Object const&) {
   return Nested{};
 }
 
-// Stands in place of a unit that differs between objects, such as a parameter's; another row gives that unit.
+// The unit of a result that has another unit in each object, such as a parameter's value. Another row gives that unit.
 inline constexpr std::string_view own_unit = "its own";
 
 struct Printed {

@@ -1,4 +1,4 @@
-// Helpers for sentences in study: functions of wording/words.hpp, and the name of a law in a sentence.
+// Short names for code in study that writes sentences: functions of wording/words.hpp, and the name of a law.
 #pragma once
 
 #include <string>

@@ -74,10 +74,10 @@ struct DeviceFit {
   bool counts = true;   // false: the record is a copy (DeviceResult::copy_of), so statistics over devices leave it out
   std::string refusal;  // why the law was not identified on this device; "" if it was
   int runs = 0, failed_runs = 0, missing_runs = 0;
-  std::string failure;                                    // reason of the first failed run, or that none has finished
+  std::string failure;                                    // why the first failed run failed, or that no run finished
   std::uint64_t evaluations = 0, failed_evaluations = 0;  // parameter sets tried, and those without a finite force
   Statistic objective;
-  std::optional<double> objective_by_time;  // Eq. (27) of the best run, if the objective has other weights
+  std::optional<double> objective_by_time;  // the best run's objective by Eq. (27), if the campaign uses other weights
   // If the device has several tests, each of these errors is taken from the test in which its magnitude is largest.
   std::optional<double> K_eff_error_percent, energy_error_percent, damping_error_percent;
   std::vector<TestFit> tests;  // empty if the device has one test
@@ -89,14 +89,13 @@ struct DeviceFit {
   double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
   std::string success_reference;  // where the least objective of `success_share` comes from
   std::optional<double> optimum;  // least objective that the analyses found
-  std::optional<double> rise;     // how far the objective rises to the ends of a parameter's open range
+  std::optional<double> rise;     // by how much the objective rises, from its least value, to the ends of an open range
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
   int interval_replicates = 0;
   std::optional<double> lot_objective;  // objective with the parameters that fit the lot best on average
-  // Objective with the lot's other parameter set, with which the largest objective of any device is as small as
-  // possible.
+  // Objective with LotLaw::worst_parameters, which make the largest objective of any device as small as possible.
   std::optional<double> worst_objective;
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
   // Objective on the large swings of the test with parameters fitted to its small swings. Several fits to the small
@@ -152,7 +151,7 @@ struct LawResult {
   std::optional<double> beta;
   std::string beta_note;  // why beta is empty
   bool on_front = false;
-  // Members from here to `reduced` refer to the least objective known for each device, not to the means over the runs.
+  // These members, up to `on_front_converged`, use each device's least known objective, not means over the runs.
   std::optional<double> success_share;
   std::string success_reference;
   std::optional<double> objective_converged, beta_converged;
@@ -164,8 +163,8 @@ struct LawResult {
   std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
-  // The first two are the means over the devices of the members of the same names in DeviceFit, for the devices that
-  // have them. The third is the largest larger_swings_objective of any device.
+  // The first two are means of the members of the same names in DeviceFit, over the devices that have them. The third
+  // is the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
   std::optional<BeyondTests> beyond;  // empty if no parameters are known with which to compute it
   // Faults of the law inside the tested displacements. Each names the device with whose parameters it occurs; a fault
@@ -191,14 +190,14 @@ struct DeviceResult {
   std::string name, file, sha256;
   std::string status;                 // "ok" or "refused"
   std::string message;                // reason of a refusal
-  std::vector<Complaint> complaints;  // the parts of the refusal, for an inspection
-  std::string copy_of;                // campaign::Device::copy_of
+  std::vector<Complaint> complaints;  // the problems of a refused record, which an inspection lists
+  std::string copy_of;                // the device with the same record that counts instead of this one; else empty
   std::string serial, lot, test_date;
   std::optional<double> temperature_C, rubber_thickness_mm, rubber_area_mm2;
   data::TestRecord raw;    // empty if the device was refused
   data::FitRecord record;  // the record that the laws were fitted to
-  // For each sample of `record`, whether it lies in the large swings that laws predict from a fit to the small ones.
-  // Empty if the laws predict none.
+  // For each sample of `record`, whether it lies in a large swing. Laws that were fitted to the small swings are judged
+  // on the large ones. Empty if the tests have no such swings.
   std::vector<bool> in_large_swings;
   data::Properties properties;                      // properties of the raw record
   std::optional<data::Properties> uncorrected;      // the same without the corrections that the user asked for, if any

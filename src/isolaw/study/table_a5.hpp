@@ -1,7 +1,7 @@
 // Table A.5 of Cucuzza, Londono Lopez, Domaneschi, Greco, Marano: "High Damping Rubber Bearings: Optimal models
 // evaluation considering production variability", Structures 73 (2025) 108355, as printed. It gives means and sample
-// standard deviations over 20 runs on ten devices, for every law, in the laws' units and under isolaw's parameter names
-// (laws::ParameterInfo::paper_name is the paper's). The laws' files hold the search boxes of the paper's Table 4.
+// standard deviations over 20 runs on ten devices, for every law, in the laws' units. Parameters have isolaw's names;
+// laws::ParameterInfo::paper_name holds the paper's. The laws' files hold the search boxes of the paper's Table 4.
 //
 // The values are printed to two to four digits, and gamma (law 4) and a3 (law 6) as constants. A result computed from
 // them is exact for the printed values, not for the numbers that the authors had.

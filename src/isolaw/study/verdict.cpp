@@ -73,8 +73,8 @@ void add_lot(OverallVerdict& overall, LotAcceptance const& acceptance, bool has_
     for (auto const& limit : quantity.mean_limits) add_line(fmt::format("mean {}", name(quantity.quantity)), limit);
 }
 
-// Adds the limits on how properties change with conditions. If the table [conditions] has another rule set, this is
-// named.
+// Adds the limits on how properties change with conditions. The text names the rule set of the table [conditions] if it
+// is not that of the acceptance.
 void add_dependence(OverallVerdict& overall, Summary const& summary) {
   if (!summary.conditions) return;
   auto const& rules = summary.conditions->rules;
@@ -287,7 +287,7 @@ OverallVerdict overall_verdict(Summary const& summary) {
                            ? fmt::format("{}: no verdict, the limits of this set are not verified", title)
                            : "no verdict: no rule set";
     if (acceptance.has_rules()) overall.mark = "LIMITS NOT VERIFIED";
-    // The rule set of the table [conditions] may be verified. Its limits alone are too few for a pass.
+    // The rule set of the table [conditions] may be verified even so, but its limits alone are too few for a pass.
     OverallVerdict of_conditions;
     add_dependence(of_conditions, summary);
     if (!of_conditions.failing.empty()) {

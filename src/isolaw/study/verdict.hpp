@@ -1,5 +1,6 @@
-// Sums up the assessments of a device and of the lot in a word and a sentence. A pass names the requirements that were
-// met and those that nobody compared, since meeting half of a standard does not pass the standard.
+// Sums up the assessments of a device and of the lot in a word and a sentence. The text of a pass names the
+// requirements that were met and those that were not assessed: a device that meets half of a standard does not pass the
+// standard.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,7 @@ struct DeviceVerdict {
   // For each failed quantity, its value farthest from the design value: "K_eff +23.0 %". The farthest comes first.
   std::vector<std::string> failures;
   std::string copy_of;        // the device with the same record that is assessed instead of this one; else empty
-  bool as_corrected = false;  // DeviceAcceptance::as_corrected
+  bool as_corrected = false;  // the device passes, but only with the corrections that the user asked for
 
   // "pass on 1 of 2 (K_eff; not assessed: damping)", "pass as corrected", "fail: K_eff +23.0 %, damping -16.2 %",
   // "not assessed: the same record as D01"

@@ -240,7 +240,7 @@ class Collector {
              .words = {{"side", std::string(name(side))}}});
   }
 
-  // The option that moves the bound at which the parameter lies on some devices; empty if it is a physical limit.
+  // The option that moves the bound at which the parameter lies; empty if the bound is a physical limit.
   static std::string set_beyond(LawResult const& law, std::string const& parameter, std::string_view side) {
     auto const entry =
         std::ranges::find_if(laws::catalogue(), [&](auto const& each) { return each.info.id == law.id; });
@@ -358,7 +358,7 @@ std::vector<Finding> Collector::record_findings(Summary const& summary, DeviceRe
   return found;
 }
 
-// Warns of devices that share a record, which makes parameters scatter less, or share a compression test.
+// Warns of devices that share a record (copies make parameters seem to scatter less) or a compression test.
 std::vector<Finding> Collector::shared_records(Summary const& summary) {
   std::vector<Finding> found;
   auto const names_of = [](auto const& group) {

@@ -34,7 +34,7 @@ constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_v
           text};
 }
 constexpr std::string_view look_at_records = "Look at the records";
-// A row for a doubt about a record that affects all uses of its numbers.
+// A row for a doubt about a record. It is printed wherever numbers of this record are used.
 constexpr Row doubt(FindingKind kind, std::string_view key, Severity severity, unsigned grouping, std::string_view text,
                     Sentence compose = nullptr) {
   constexpr unsigned places = in_report | with_law | with_building | on_certificate;
@@ -62,7 +62,7 @@ std::span<Row const> rows() {
   // The formatter is off, since it would indent every text of a row anew when one of them changes its length.
   // clang-format off
   static constexpr Row table[]{
-      // [campaign]
+      // [campaign] Findings about a campaign, its laws and its devices.
       campaign(
           runs_missing, "runs-missing", "not complete", serious, go_on, one_sentence, everywhere, none,
           "[This is part {part} of {parts}. ]{runs} of {expected_runs} runs are done: every number and the choice of a law may still change."),
@@ -168,7 +168,7 @@ std::span<Row const> rows() {
           conditions_differ, "conditions-differ", "lot", serious, "Compare the devices under one condition",
           each_alone, signed_too, none,
           "The devices were tested under different conditions[; temperature {least_C:3} to {largest_C:3} °C (alike within {allowed_C:3} °C)][; frequency {least_Hz:3} to {largest_Hz:3} Hz (alike within {allowed_Hz:3} Hz)][; vertical load {least_kN:4!} to {largest_kN:4} (alike within {allowed_kN:3})][; amplitude {least_mm:4!} to {largest_mm:4} (alike within {allowed_mm:3})][; earlier cycles of up to {least_earlier_mm:4!} to {largest_earlier_mm:4} (alike within {allowed_earlier_mm:3})][; {least_earlier_cycles:.0f} to {largest_earlier_cycles:.0f} earlier cycles of this amplitude or a larger one (alike within {allowed_earlier_cycles:3})].[ Tolerances: {tolerances}.] Part of the spread of the devices comes from that, and the lot has no verdict, since a verdict holds for one condition."),
-      // [conditions]
+      // [conditions] Findings of `isolaw conditions` (study/conditions_findings.hpp).
       campaign(conditions_not_compared, "conditions-not-compared", "conditions", serious, lot_file, each_alone, signed_too,
                none, "The tests under other conditions cannot be compared: {reason}."),
       campaign(condition_test_refused, "condition-test-refused", "conditions", serious, records, each_alone,
@@ -235,7 +235,7 @@ std::span<Row const> rows() {
                "The ageing test stands for {years:3} years at {service_C:4} C."),
       campaign(conditions_stated, "conditions-stated", "conditions", note, "", each_alone, on_certificate, none,
                "Stated by the laboratory, not measured: {stated} of the tests under other conditions."),
-      // [answers]
+      // [answers] Which law to take and why (study/recommendation.hpp).
       answer(law_recommended, "law-recommended", "answer", "Take {law}{sure}."),
       answer(
           law_errors, "law-errors", "answer",
@@ -353,7 +353,7 @@ std::span<Row const> rows() {
       answer(converged_determined, "converged-determined", "best fits",
              "Share of the parameters that the tests fix: ~{law} {determined:%} (and {weakly:%} weakly)~.",
              one_sentence),
-      // [building]
+      // [building] Findings about the analyses of a building.
       answer(building_holds, "building-holds", "answer", "{holds}{alone}."),
       answer(building_holds_with, "building-holds-with", "answer", "{holds}{alone}."),
       answer(
@@ -651,7 +651,7 @@ std::span<Row const> rows() {
       fact(if_force_is_early, "if-force-is-early", "the force channel is early"),
       fact(if_jump_is_of_rig, "if-jump-is-of-rig", "the force's jump at reversals is friction of the rig"),
       fact(if_rig_rubs, "if-rig-rubs", "the rig's friction is 0.5 % of the vertical load"),
-      // [conditions]
+      // [conditions] The bound laws over the design conditions (study/design_bounds.hpp).
       campaign(
           bound_law, "bound-law", "bounds", note, "", each_alone, with_building, law,
           "{which} bound over the design conditions ({status}; {share_shown:0%} of it rests on tests at such conditions or between them): K_eff times {K_eff_factor:.3f} and energy times {energy_factor:.3f} in the reference cycle; {made}"),

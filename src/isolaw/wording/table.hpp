@@ -19,7 +19,7 @@ enum class Severity {
 };
 std::string_view name(Severity severity);
 
-// Findings of one kind share a sentence if they agree in the fields that are named here. With each_alone they never do.
+// Findings of one kind share a sentence if they agree in the fields named here; with each_alone they share none.
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
 // The places where a kind of finding may appear. JSON holds every kind. In a row, `anywhere` means that the kind

@@ -13,7 +13,7 @@
 
 namespace isolaw::wording {
 
-// "A, B and C"; if there are more than `most` names, "A, B and 5 more".
+// Lists names as "A, B and C" or, if there are more than `most`, as "A, B and 5 more".
 std::string enumerate(std::vector<std::string> const& names, std::size_t most = 5);
 
 // Writes a number with fixed decimals. From a million on it has three significant digits, since fixed decimals could
@@ -37,7 +37,7 @@ std::string range(Group group, std::string_view name, Print print) {
   std::string const low = print(least), high = print(largest);
   return low == high ? low : low + " to " + high;
 }
-// Prints the numbers with this many significant digits.
+// The same range, with `digits` significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
 // Joins the texts that say_one makes for the findings: "sample 151 on device-01, sample 421 on device-02 and 3 more".
