@@ -63,15 +63,15 @@ class Building {
   // The values of a quantity of building.json for each law, draw and motion, row by row: the motion changes fastest,
   // the law slowest. A value is NaN if the run gave no finite number. Throws Error for an unknown quantity.
   std::vector<double> peaks(std::string_view quantity = "isolator_mm") const;
-  // Throws Error if `law` or `motion` is not below laws().size() or motions().
+  // `law` counts from 0 in laws(), and `motion` counts from 0 to motions() - 1. Throws Error for a larger number.
   BuildingHistory history(std::size_t law, std::size_t motion) const;
 
  private:
   std::shared_ptr<StudiedBuilding const> study_;
 };
 
-// Studies the building. With the same settings, motions and campaign, the files are the same, byte by byte, as those of
-// the command. Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
+// Studies the building. The files are the same, byte by byte, as those of the command for the same settings, motions
+// and campaign. Throws Error for a wrong building, a law that was not analysed, or another study in the directory.
 Building study_building(BuildingInput const& input, campaign::Contents const& contents,
                         BuildingOptions const& options = {});
 

@@ -18,8 +18,8 @@
 namespace isolaw {
 
 inline constexpr char const* building_store_name = "building.sqlite";
-// Makes the study of a building file and a campaign. If the file names no law, it takes the recommended one. `where`
-// names the campaign in messages. Throws Error for a law that was not analysed.
+// Makes the study of a building file and a campaign. If the file names no law, the study uses the recommended law.
+// `where` names the campaign in messages. Throws Error for a law that was not analysed.
 building::Study building_study(building::BuildingFile file, campaign::Contents const& contents,
                                std::string const& where = "the campaign");
 // Makes the model of a study's building and lot. Callers do this before they write anything, since it throws Error if
@@ -30,7 +30,7 @@ struct BuildingWork {
   int jobs = 0;                                         // number of threads; 0 for one per core
   std::optional<std::filesystem::path> directory = {};  // for runs and reports; if empty, none are kept
   bool fresh = false;                                   // discards a study that the directory holds
-  building::StudyPart part = {};                        // computes only this part of the runs; a part needs a directory
+  building::StudyPart part = {};                        // computes only this part of the runs; needs a directory
   std::function<void(building::RunProgress const&)> progress = {};
   std::function<bool()> interrupted = {};
 };
@@ -41,7 +41,7 @@ struct StudiedBuilding {
   std::size_t runs = 0;                      // number of runs in the store
   std::string lost = {};                     // a sentence if `fresh` replaced a damaged or empty file; else empty
   std::optional<building::Answers> answers;  // empty for a part and for an incomplete study
-  // layout.count() measured numbers for each [law][draw][motion]. All are NaN if the run gave no finite numbers.
+  // For each [law][draw][motion] layout.count() measured numbers; all are NaN if the run gave no finite numbers.
   std::vector<double> measured;
   building::Layout layout;
 };
@@ -49,9 +49,9 @@ struct StudiedBuilding {
 // Returns the values of a quantity of building.json for each law, draw and motion; the motion changes fastest. Throws
 // Error for an unknown quantity.
 std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view quantity);
-// Computes the runs that the directory does not hold yet, or all without a directory, and writes the reports. The files
-// are the same, byte by byte, as those of the command. Throws Error for a building that cannot be analysed, for another
-// study in the directory, and for a part without a directory.
+// Computes the runs that the directory does not hold yet, or all runs without a directory, and writes the reports. The
+// files are the same, byte by byte, as those of the command. Throws Error for a building that cannot be analysed, for
+// another study in the directory, and for a part without a directory.
 StudiedBuilding study_building(building::Study study, BuildingWork const& options = {});
 
 }  // namespace isolaw

@@ -1,4 +1,4 @@
-// Fits laws to records in one call and returns a campaign. If a directory is given, reports are written into it.
+// Fits laws to records in one call and returns a campaign. Writes the reports if a directory is given.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct CalibrateOptions {
   bool fresh = false;                                   // discards a campaign that the directory holds
   std::string title = {};                               // title of the lot in the reports
   campaign::Acceptance acceptance =
-      {};  // rule set and design values that the tests are judged by; see complete_acceptance()
+      {};  // the rule set and design values for judging the tests; see complete_acceptance()
   std::optional<campaign::Part> part = {};  // computes only this part of the runs, for merge(); needs a directory
 };
 
@@ -28,8 +28,8 @@ struct Calibrated : campaign::Contents {  // a campaign, and what a continued ca
   Continued continued = {};
 };
 
-// Fills in `acceptance`: reads the rule set and the letterhead from their files if only the names of these are given.
-// Throws Error if one of them or the design values are wrong.
+// Fills in `acceptance`: if it has only the names of the files of a rule set or a letterhead, reads these files. Throws
+// Error if a file or the design values are wrong.
 void complete_acceptance(campaign::Acceptance& acceptance);
 // Returns remarks on design values that are allowed but probably a mistake: design values without a rule set, or
 // damping given as a share instead of a percentage.

@@ -72,7 +72,7 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
     return {.lost = std::move(lost)};
   }
   campaign::sqlite::remove_unfinished(file);
-  // Undoes what a killed process had begun to write to the store and keeps all that it had finished.
+  // After a process was killed, writes its log into the store, or undoes a transaction that was not finished.
   campaign::campaign_store().fold_log(file);
   // Checks a part for damage before it is continued, since isolaw merge will read it. SQLite alone would not notice a
   // page that was cut off: it reads the missing bytes as zeros.

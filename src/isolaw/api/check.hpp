@@ -13,22 +13,22 @@
 namespace isolaw {
 
 struct CheckedBuilding {
-  std::size_t runs = 0, expected_runs = 0;  // analyses that were compared with the hashes stored with them
+  std::size_t runs = 0, expected_runs = 0;  // runs checked against the hashes stored with them
   std::vector<std::string> faults;          // one sentence each
 
   bool is_sound() const { return faults.empty(); }
 };
 
 struct CheckedCampaign {
-  // `check` also has an entry for each file beside the store that differs from what the store gives. The entry is a
-  // fault, or a difference if another build made the store.
+  // `check` also has an entry for each file beside the store that differs from what the store gives, unless it is only
+  // outdated. The entry is a fault or, if another build made the store, a difference.
   campaign::Check check;
   std::string missing;             // what an incomplete campaign still has to compute; empty if it is complete
   std::size_t compared_files = 0;  // reports and tables beside the store
   std::size_t outdated_files = 0;  // the number of compared files that were written before the last runs
   std::size_t runs_since = 0;      // the number of runs that were added after these files were written
   bool other_rules = false;        // the files state other rules, design values or lot size than the store
-  std::string made_by;             // the builds that computed the store, if another one did
+  std::string made_by;             // the builds that computed the store; empty if it was this build alone
 
   bool is_sound() const { return check.faults.empty() && check.differences.empty() && runs_since == 0; }
 };

@@ -11,21 +11,21 @@
 
 namespace isolaw {
 
-// Reads a lot file, including its rule set and design values, which the module `rules` checks. Throws Error as
+// Reads a lot file. The module `rules` checks the rule set and the design values in it. Throws Error as
 // campaign::read_lot_file() does.
 campaign::Lot read_lot(std::filesystem::path const& file, campaign::LotFileOptions options = {});
 // The same for the tables of a lot file. The files that they name are sought in `folder`.
 campaign::Lot read_lot(Json const& tables, std::filesystem::path const& folder, campaign::LotFileOptions options = {});
 
-struct ConditionsSource {  // what study::build_conditions() takes
+struct ConditionsSource {  // the input of study::build_conditions()
   campaign::ObservedTests observed;
   std::string title;
   campaign::Acceptance acceptance;
 };
 
-// `source` is a lot file with a table [conditions], or the directory of a campaign that was made from one. Reads the
-// records of a lot file. A test that cannot be used says why. Throws Error if there is no such table, and with
-// everything that is wrong in the lot file.
+// `source` is a lot file with a table [conditions], whose records are then read, or the directory of a campaign that
+// was made from such a file. A test that cannot be used has a refusal with the reason. Throws Error if there is no
+// table [conditions], and for all faults of the lot file.
 ConditionsSource conditions_source(std::filesystem::path const& source, bool allow_outside);
 ConditionsSource conditions_source(Json const& tables, std::filesystem::path const& folder, bool allow_outside);
 

@@ -14,9 +14,9 @@ struct ExportOptions {
   std::string law, device, to;  // device: a name, or "lot"; to: one of programs::targets()
   Values acceptance;            // options of campaign::acceptance_table() that change the bounds
   std::optional<std::string> units, name;
-  std::vector<std::string> motions;  // ground motions under which a re-fit is compared with the law
+  std::vector<std::string> motions;  // ground motions for comparing the law with its re-fit to the target
   Values stated;                     // options of building::stated_table(), about the motions
-  Values model, seed;                // model: options of programs::model_table(); seed: for the draws
+  Values model, seed;                // model: options of programs::model_table(); seed: for random draws
   bool anyway = false;               // export despite objections
 };
 

@@ -18,8 +18,8 @@ struct FittedLaw {
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
   int refinement = 1;                          // integration steps per sample that the fit used
   double dead_band_mm = 0.0;                   // FitRecord::dead_band_mm of the device; for a lot, the largest one
-  study::Ranges ranges = {};                   // displacements and velocities in the records that the law was fitted to
-  std::optional<fit::AsSprings> springs = {};  // the springs around the circle that were fitted to the same records
+  study::Ranges ranges = {};                   // displacements and velocities in the records of the fit
+  std::optional<fit::AsSprings> springs = {};  // the law fitted as springs around a circle to the same records
   std::string part = {};                       // the part of the tests that the law was fitted to; empty for all
 };
 

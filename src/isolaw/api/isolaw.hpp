@@ -5,7 +5,7 @@
 //   parameters_in_order, fitted_law          a law's parameter values: from names, or from a campaign
 //   fit::LawOnMotion, fit::LawOnRecord       forces under a displacement history; the objective on a record
 //   calibrate, study::build_summary          fit laws to records; all numbers of the reports
-//   study_building                           shakes a building on bearings drawn from the lot
+//   study_building                           the response of a building on bearings drawn from the lot
 //   CalibrateOptions::part, merge            compute a part of a campaign; merge all parts
 // Units are kN, mm and s unless a name says otherwise; a law's parameters have the law's own units. Wrong input throws
 // one isolaw::Error. No function prints. The names in this list and the keys of summary.json are stable within a minor

@@ -13,7 +13,7 @@ namespace isolaw {
 struct NamedValue {
   std::string name;
   double value = 0.0;
-  std::string where = {};  // place of the value: "parameters.toml:3", "--set"; if empty, the `where` of the caller
+  std::string where = {};  // place of the value: "parameters.toml:3", "--set"; if empty, the caller's `where`
 };
 
 // Reads a text such as "Ke=2.5", in the law's units. Throws Error for any other form.
@@ -22,8 +22,8 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // named after the law. Throws one Error for all values that are not numbers. It does not check the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Says whether limits on several parameters together, such as K1 >= K2, are checked. They are left unchecked for
-// parameters from a search, because a search box may reach beyond such a limit.
+// Says whether limits on several parameters together, such as K1 >= K2, are checked. `left` leaves them unchecked, for
+// parameters from a search, whose box may reach beyond such a limit.
 enum class Together { checked, left };
 
 // Puts the values in the law's order. Parameters that are fixed by default may be missing. Throws one Error with all

@@ -10,7 +10,7 @@ struct Embedded {
   std::string_view name, text;
 };
 
-// The text of the file `name`. Throws std::logic_error if it is missing, which is a mistake in isolaw.
+// Returns the text of the file `name`. Throws std::logic_error if there is no such file, which is a mistake in isolaw.
 std::string_view embedded_text(std::span<Embedded const> files, std::string_view name);
 
 }  // namespace isolaw

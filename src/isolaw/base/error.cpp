@@ -6,7 +6,7 @@
 namespace isolaw {
 namespace {
 
-// A complaint may quote a user's file. Line breaks stay, and other control characters are spelled out.
+// Spells out control characters except line breaks, because a complaint may quote a user's file.
 std::string clean(std::string const& part) {
   return printable(part, true);
 }

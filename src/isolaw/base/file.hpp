@@ -16,13 +16,13 @@ struct ReadLimits {
   std::string_view when_missing = {};  // in messages: the remedy for a missing file
 };
 
-// Follows links. Throws Error for a file that is missing, not plain, unreadable, or too large (checked before reading).
+// Returns the file's contents; follows links. Throws Error if it is missing, not plain, unreadable or too large.
 std::string read_file(std::filesystem::path const& file, ReadLimits const& limits);
 // Returns what the file is, such as "a pipe", if it is anything but a plain file (links are followed); else nullopt.
 std::optional<std::string> other_than_plain(std::filesystem::path const& file);
 // Returns the path to which `file` leads, with links followed, if this path is outside `folder`; nullopt if it is
-// inside. A part of the path that does not exist yet is judged by its name. A name that cannot be followed, such as a
-// circle of links, counts as outside.
+// inside. Parts of the path that do not exist yet are taken as folders, not links. A name that cannot be followed, such
+// as a circle of links, counts as outside.
 std::optional<std::filesystem::path> leads_outside(std::filesystem::path const& file,
                                                    std::filesystem::path const& folder);
 

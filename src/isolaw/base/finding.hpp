@@ -11,8 +11,8 @@
 
 namespace isolaw {
 
-// The kinds have the order of the rows in wording/rows.cpp; words in brackets name the parts of that table. Findings
-// are shown in this order. Within a part the serious ones mostly come first.
+// The kinds have the same order as the rows of the table in wording/rows.cpp, which is also the order in which findings
+// are shown. Words in brackets name the parts of that table. Within a part, serious findings mostly come first.
 // clang-format off
 enum class FindingKind {
   // [campaign]
@@ -43,7 +43,7 @@ enum class FindingKind {
   displacement_beyond_tests, bounds_not_monotonic, bounds_cover_less, springs_as_given, unequal_sides, building_runs_failed,
   draws_collapsed, draws_too_few, motions_too_few,
   ground_zero_removed, ground_padded, ground_too_strong, ground_off_zero, ground_keeps_moving, period_implausible, energy_error_large, draws_off_reference, rotation_large,
-  // [exports] What the re-fit of a law changes in a building (programs/response.hpp).
+  // [exports] How a building's response changes if another program's material replaces the law (programs/response.hpp).
   refit_response_off, refit_response,
   // [records] Signals that cannot be true, and other reasons why there are no cyclic properties.
   no_cyclic_properties, signal_clipped, signal_stuck, signal_without_sign, signal_wraps,
@@ -61,7 +61,7 @@ enum class FindingKind {
   // Notes: numbers of a record that the reader should know.
   viscous_device, sliding_device, samples_per_cycle, force_early, jump_of_force, rig_friction, moving_mass, stands_still, cut_off_zero,
   largest_speed, average_over_samples, largest_swings,
-  // How the record was read. word("text") of the finding is the description.
+  // How the record was read. The finding has a word "text" with the description.
   file_format, header_found, column_taken, columns_unused, units_given, time_scale, no_time_column, rows_read,
   test_chosen, file_joined, force_flipped, half_cycles_count,
   // Corrections of a record, and steps to prepare it for fitting.

@@ -5,7 +5,7 @@
 
 namespace isolaw {
 
-// `digits` significant digits, and no exponent between 0.0001 and a million: "28390", not "2.839e+04".
+// Rounds to `digits` significant digits and writes no exponent between 0.0001 and a million: "28390", not "2.839e+04".
 std::string number_text(double value, int digits = 4);
 
 }  // namespace isolaw

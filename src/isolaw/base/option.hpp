@@ -1,5 +1,5 @@
-// An option of the program as one row of a table: its name, the values it allows, where the value is kept. The command
-// line, a lot file, the store and Python each make a JSON value of what they were given, and the row checks that value.
+// Each option of the program is a row of a table: its name, the allowed values, and where the value is kept. The
+// command line, a lot file, the store and Python make a JSON value of what they were given, and the row checks it.
 #pragma once
 
 #include <algorithm>
@@ -59,7 +59,7 @@ struct OptionInfo {
 template <class Target>
 struct Option : OptionInfo {
   std::function<Json(Target const&)> get;         // returns null if the option was not given
-  std::function<void(Target&, Json const&)> set;  // throws Error; the caller adds `where`
+  std::function<void(Target&, Json const&)> set;  // throws Error without a place, which the caller adds
 
   Option under(Heading chosen) && {
     this->heading = chosen;
@@ -73,11 +73,11 @@ using Values = std::map<std::string, Json, std::less<>>;  // the keys of options
 Json value_of(Kind kind, std::vector<std::string> const& words);
 // Writes the value as on the command line. The items of a list are joined by commas.
 std::string text_of(Json const& value);
-// The words of the command line that set the option to `value`. There are none for null, false and an empty list.
+// The words of the command line that set the option to `value`. There are none for null and false.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge(). If it throws an Error, appends its complaints to `complaints`. A complaint whose place is no option
-// gets the place `where`.
+// Calls judge(). If it throws an Error, appends the complaints of this Error to `complaints`. The place of a complaint
+// becomes `where`, unless it is an option already; the former place then begins the text of the complaint.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.
@@ -144,7 +144,7 @@ Option<Target> flag(std::string_view key, std::string help, Access place) {
           [place](Target& to, Json const& value) { place(to) = flag_of(value); }};
 }
 
-// Makes an option that takes one of several words, each of which stands for a value of type T. If T is bool, the option
+// Makes an option that takes one of several words. Each word stands for a value of type T. If T is bool, the option
 // takes true and false too.
 template <class Target, class Access, class T, std::size_t N>
 Option<Target> word(std::string_view key, std::string help, Access place,

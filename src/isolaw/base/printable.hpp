@@ -1,4 +1,4 @@
-// Makes text from other people's files safe to show: control characters could move the cursor, forge or reorder lines.
+// Makes text from other people's files safe to show. Control characters could move the cursor, forge or reorder lines.
 #pragma once
 
 #include <algorithm>

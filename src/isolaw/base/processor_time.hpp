@@ -7,7 +7,7 @@ namespace isolaw {
 
 inline double processor_time_s(clockid_t clock) {
   timespec time{};
-  // A browser has no processor clock, so elapsed time is returned there.
+  // A browser has no processor clock. There the function returns elapsed time.
   if (clock_gettime(clock, &time) != 0) clock_gettime(CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }

@@ -1,4 +1,4 @@
-// Rows that belong together and follow one another, such as the tests of one device.
+// Divides rows into groups of neighbours that belong together, such as the tests of one device.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace isolaw {
 
-// Calls `take` with each run of rows that have the same key, as a std::span.
+// Calls `take` with each group of neighbouring rows that have the same key, as a std::span.
 template <class Row, class Key>
 void each_run(std::span<Row const> rows, Key const& key, auto const& take) {
   while (!rows.empty()) {

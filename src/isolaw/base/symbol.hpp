@@ -21,7 +21,7 @@ Symbol symbol_of(std::string_view name);
 
 std::string latex_symbol(std::string_view name);    // "$\xi_{\mathrm{eff}}$"
 std::string gnuplot_symbol(std::string_view name);  // for gnuplot's enhanced text: "{/:Italic ξ}_{eff}"
-// The words that are typeset wherever they occur in sentences and headings: names of some properties and Greek letters.
+// Returns the words that sentences and headings show typeset: the names of some properties and of Greek letters.
 std::vector<std::string_view> symbol_words();
 
 }  // namespace isolaw

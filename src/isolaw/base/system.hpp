@@ -22,7 +22,7 @@ void prepare_process(int& argc, char**& argv);
 
 enum class StandardStream { output = 1, error = 2 };
 bool is_terminal(StandardStream stream);
-int terminal_width(StandardStream stream);  // 80 if the stream is no terminal, or if that has less than 40 columns
+int terminal_width(StandardStream stream);  // 80 if the stream is no terminal or has fewer than 40 columns
 
 std::string host_name();
 std::string system_name();  // for example "Linux 6.1.0-18-amd64 x86_64"
@@ -64,7 +64,7 @@ class FolderLock {  // keeps other processes out of a folder until the object or
   FolderLock(FolderLock const&) = delete;
   FolderLock& operator=(FolderLock const&) = delete;
   ~FolderLock();
-  bool is_taken() const { return taken_; }  // by another process; a folder that cannot be locked is not taken
+  bool is_taken() const { return taken_; }  // whether another process has the lock; false if it cannot be locked
 
  private:
   std::intptr_t handle_;
@@ -74,16 +74,16 @@ class FolderLock {  // keeps other processes out of a folder until the object or
 struct ProgramEnd {
   enum class How { not_started, exited, ended_by_signal, took_too_long };
   How how;
-  int code = 0;               // the exit code or signal; for not_started errno, or 0 if there is no such program
-  std::string messages = {};  // the first 64 KiB of what it wrote to standard error
+  int code = 0;               // the exit code or signal; for not_started errno, or 0 if the program cannot be run
+  std::string messages = {};  // the first 64 KiB that the program wrote to standard error
 };
-// Runs a program without a shell in `directory` and ends it after `limit`. It reads nothing, and its standard output is
-// ignored. On Linux and Windows the program ends if isolaw does.
+// Runs a program without a shell in `directory` and ends it after `limit`. The program gets no input, and its standard
+// output is ignored. On Linux and Windows it also ends when isolaw ends.
 ProgramEnd run_program(std::vector<std::string> words, std::filesystem::path const& directory,
                        std::chrono::seconds limit);
 
 // Converts a text of another encoding, such as "CP932" or "UTF-16LE". Returns nullopt if the bytes are no text in this
-// encoding, or if the system does not know it.
+// encoding, or if the system does not know the encoding.
 std::optional<std::string> converted_to_utf8(std::string_view bytes, std::string const& encoding);
 
 #ifndef _WIN32

@@ -108,7 +108,7 @@ std::wstring find_program(std::string const& name) {
 }  // namespace
 
 void prepare_process(int& argc, char**& argv) {
-  // Files and streams then hold the same bytes as on other systems.
+  // In binary mode, files and streams hold the same bytes as on other systems.
   _fmode = _O_BINARY;
   for (int const stream : {0, 1, 2}) ::_setmode(stream, _O_BINARY);
   static UINT const code_page = ::GetConsoleOutputCP();
@@ -213,8 +213,8 @@ fs::path make_private_directory(fs::path const& name) {
   return {};
 }
 
-// Windows cannot lock a folder, so a hidden file in it is held open. Windows removes the file when it is closed, even
-// if isolaw is ended.
+// Windows cannot lock a folder, so a hidden file in it is held open. Windows removes this file when it is closed, even
+// if isolaw is killed.
 FolderLock::FolderLock(fs::path const& folder) {
   HANDLE const handle =
       ::CreateFileW((folder / ".isolaw-lock").c_str(), GENERIC_WRITE, 0, nullptr, OPEN_ALWAYS,
@@ -283,7 +283,7 @@ ProgramEnd run_program(std::vector<std::string> words, fs::path const& directory
   auto const deadline = Clock::now() + limit;
   DWORD pause_ms = 0;
   while (true) {
-    // Output that the program wrote just before it ended is still in the pipe. So the pipe is read after this test.
+    // The pipe is read after this test, since output that the program wrote just before its end is still in the pipe.
     bool const has_ended = ::WaitForSingleObject(process.get(), pause_ms) == WAIT_OBJECT_0;
     std::array<char, 4096> buffer;
     DWORD there = 0;

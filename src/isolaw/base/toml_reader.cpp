@@ -54,7 +54,7 @@ class NestingCheck {
   }
 
  private:
-  void skip_quoted(char quote) {  // leaves at_ on the last character of the text
+  void skip_quoted(char quote) {  // leaves at_ on the last character of the quoted text
     auto const run = [&](std::size_t at) {
       std::size_t length = 0;
       while (at + length < text_.size() && text_[at + length] == quote && length < 5) ++length;
@@ -118,8 +118,8 @@ toml::array array_of(Json const& value, int depth) {
   return array;
 }
 
-// Where a table is, for messages: the name of the file. A table that was not parsed from text has no line number; the
-// value of its key `name` or `file` is then added.
+// Returns the place of a table for messages: the name of the file. If the table was not parsed from text, it has no
+// line number, so the value of its key `name` or `file` is added.
 std::string place_of(toml::table const& table, std::string file, std::string_view name) {
   if (name.empty() || table.source().begin.line != 0) return file;
   for (auto const* key : {"name", "file"})

@@ -28,9 +28,9 @@ struct TomlMessages {
 
 // Throws one Error with the line if the text is not TOML, or if its tables and lists nest more than 64 levels deep.
 toml::table parse_toml(std::string_view text, std::string const& file, TomlMessages const& messages);
-// Converts an object to the table that the parser makes of a file, but without line numbers. A null is left out, as if
-// its key were not given. Messages call the object `file`. Throws Error if it is no object or nests more than 8 levels
-// deep.
+// Converts a JSON object to a TOML table as if the parser had read it from a file, but without line numbers. A key with
+// the value null is left out. Messages call the object `file`. Throws Error if the JSON value is no object or nests
+// more than 8 levels deep.
 toml::table toml_of(Json const& tables, std::string const& file, TomlMessages const& messages);
 // Throws one Error with the complaints, if there are any. If there are more than most_complaints, the Error holds the
 // first most_complaints of them and says that there are more.
@@ -42,8 +42,8 @@ class TomlTable {
   static constexpr std::size_t longest_text = 512;  // bytes, unless the caller says otherwise
   static constexpr std::size_t most_items = 1000;   // in a list
   static constexpr std::size_t most_complaints = 50;
-  // Messages call the table `name`, such as "[calibrate]"; empty for the file itself. If the table was not parsed from
-  // text and so has no line, they add its key `name` or `file` to the name of the file.
+  // Messages call the table `name`, such as "[calibrate]"; it is empty for the file itself. A table that was not parsed
+  // from text has no line, so messages add its key `name` or `file` to the name of the file.
   TomlTable(toml::table const& table, std::string file, std::string name, std::vector<Complaint>& complaints);
 
   std::string where(toml::node const& node) const;
@@ -63,9 +63,9 @@ class TomlTable {
   // Calls take() for the key's text or, if it is a list, for each text of the list.
   void strings(std::string_view key, std::function<void(std::string const&)> const& take,
                std::size_t longest = longest_text);
-  // Passes the key's value, if there is one, to take(). A list or table is passed as it grows (first [a], then [a, b]),
-  // so that an Error from take() belongs to the last item. An Error becomes complaints at the item's line, and the rest
-  // is read without that item.
+  // Passes the key's value, if there is one, to take(). A list or table is passed as it grows, first [a], then [a, b],
+  // so that an Error from take() is about the item added last. The Error becomes complaints at the line of this item,
+  // and reading goes on without the item.
   void json(std::string_view key, std::function<void(Json const&)> const& take, std::size_t longest = longest_text);
   toml::table const* table(std::string_view key);  // the sub-table, or nullptr
   toml::node const* find(std::string_view key);    // returns the node or nullptr; the key then counts as known

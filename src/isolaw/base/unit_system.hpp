@@ -47,7 +47,7 @@ struct ShownUnit {
   std::string unit;
   double factor = 1.0;
 
-  // The number of decimals that a converted value needs to be as precise as the original with `decimals`.
+  // The number of decimals that make a converted value as precise as the original value with `decimals` decimals.
   int decimals(int decimals) const;
 };
 // Returns the unit in which `system` shows values that are stored in `unit`: "kip/in" for "kN/mm", "in" for "mm". In N
@@ -60,9 +60,9 @@ ShownUnit shown_unit(std::string_view unit, UnitSystem const& system);
 std::string_view unit_of_name(std::string_view name);
 // The name of a number after its value was converted: "isolator_in" for "isolator_mm".
 std::string name_in(std::string_view name, UnitSystem const& system);
-// A unit of results. The name of a result in this unit ends with `ending`. `form` is the text of the unit in another
-// system, where F stands for that system's force and L for its length. The size of the unit is scale kN^force
-// mm^length. Longer endings come first, so that unit_of_name() does not find "_mm" in "_kN_mm".
+// A unit of results. The name of a result in this unit ends with `ending`. `form` says how another unit system writes
+// the unit, where F stands for that system's force and L for its length. The unit is scale * kN^force * mm^length.
+// Longer endings come first, so that unit_of_name() does not find "_mm" in "_kN_mm".
 struct ResultUnit {
   std::string_view ending, unit, form;
   double force, length, scale = 1.0;

@@ -18,7 +18,7 @@ constexpr std::array known{
     Unit{Dimension::force, "daN", 1e-2},
     Unit{Dimension::force, "kip", 4.4482216152605},
     Unit{Dimension::force, "lbf", 4.4482216152605e-3},
-    Unit{Dimension::force, "Mp", 9.80665},  // megapond
+    Unit{Dimension::force, "Mp", 9.80665},  // megapond, the same as a tonf
     mm,
     cm,
     m,

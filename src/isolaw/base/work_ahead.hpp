@@ -1,4 +1,4 @@
-// Lets idle threads compute work items in advance that another thread will need, one after another.
+// Lets idle threads compute in advance what another thread will need: work items that it takes one after another.
 #pragma once
 
 #include <atomic>
@@ -15,8 +15,8 @@ namespace isolaw {
 class WorkAhead;
 
 // A thread makes a HelpListener to be told when other threads compute items of its work. A helping thread calls
-// help_begins() before each such item and help_ends() after it. This holds for every WorkAhead that the thread makes
-// while its listener exists, and for every WorkAhead that a helping thread makes within such an item.
+// help_begins() before each such item and help_ends() after it. The listener hears of every WorkAhead that its thread
+// makes while the listener exists, and of those that a helping thread makes within such an item.
 class HelpListener {
  public:
   HelpListener();
@@ -30,7 +30,7 @@ class HelpListener {
   HelpListener* before_;
 };
 
-// Threads that help one another: each WorkAhead that a thread with a Membership creates is offered to the others.
+// Threads that help one another. A thread joins by a Membership; the others may then compute items of its WorkAheads.
 class WorkerGroup {
  public:
   static WorkerGroup* current();  // the calling thread's group, or null
@@ -48,7 +48,7 @@ class WorkerGroup {
   std::vector<WorkAhead*> offered_;
 };
 
-// While it exists, the thread that made it belongs to the group.
+// While a Membership exists, the thread that made it belongs to the group.
 class Membership {
  public:
   explicit Membership(WorkerGroup& crew);
@@ -61,7 +61,7 @@ class Membership {
 };
 
 // A piece of work with the items 0 to count - 1, which must not depend on each other. The thread that made it asks for
-// items with need(). Other threads of the group compute items in advance, also items that nobody asks for later. `work`
+// items with need(). Other threads of the group compute items in advance, even items that nobody asks for later. `work`
 // is called at most once for each item: need() computes an item itself only if no other thread has begun it.
 class WorkAhead {
  public:

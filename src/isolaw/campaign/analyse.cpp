@@ -61,8 +61,8 @@ class Analysis {
  private:
   bool interrupted() const { return options_.interrupted && options_.interrupted(); }
 
-  // An analysis starts from the best run of a device and law. If a campaign was continued with more runs, an analysis
-  // that was made before stays valid unless a new run is better. Keeps the valid ones and drops the others.
+  // An analysis starts from the best run of a device and law. If a campaign was continued with more runs, an earlier
+  // analysis stays valid unless a new run is better. Keeps the valid analyses and drops the others.
   void take_earlier_analyses() {
     auto& earlier = contents_.held_over;
     auto const best_is_earlier = [&](std::size_t device, std::string const& law) {
@@ -124,7 +124,7 @@ class Analysis {
     auto optimum = best.parameters;
     int evaluations = 0;
     if (contents_.settings.method == Method::genetic && box.free_count() > 0) {
-      // The analysis must start at the least objective, which a run of the paper's genetic algorithm may not reach.
+      // The analysis must start at the least objective, which the paper's genetic algorithm may not have reached.
       fit::IdentificationProblem const problem(model, box);
       auto const found = opt::minimise_multistart(problem, stream, contents_.settings.multistart, options_.interrupted);
       if (found.outcome == Outcome::interrupted) return std::nullopt;

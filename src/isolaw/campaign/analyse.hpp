@@ -13,16 +13,16 @@
 
 namespace isolaw::campaign {
 
-// The box in which a device's analysis varies the parameters. It is the box of the search, with the logarithmic scales
-// of fit::on_logarithmic_scales(). Only with Method::best does the search itself use these scales.
+// The box in which a device's analysis varies the parameters: the box of the search, with the logarithmic scales of
+// fit::on_logarithmic_scales(). The search itself uses these scales only with Method::best.
 fit::SearchBox examined_box(Search const& search);
 // The box in which one law is fitted to all devices that count and have a DeviceAnalysis of this law.
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
-// The law on the device's tests twice: with an objective of the small swings alone, and with one of the large swings
-// alone. A swing is the motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests
-// have too few swings of one of the two sizes.
+// The law on the device's tests twice: once the objective counts only the small swings, once only the large ones. A
+// swing is the motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests have too
+// few small or too few large swings.
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 
@@ -38,8 +38,8 @@ struct AnalyseOptions {
   std::function<bool()> interrupted;                      // asked from any thread
   Profile* profile = nullptr;
   Estimate* estimate = nullptr;
-  // If given, several processes share the analyses, and analyse() makes only those of this part. It first analyses laws
-  // on devices. It fits laws to the lot only if the store already holds the analyses on devices of all parts.
+  // If given, several processes share the analyses, and this process makes only those of its part. It fits laws to the
+  // lot only if the store already holds the analyses of laws on devices of all parts.
   std::optional<Part> share = {};
 };
 

@@ -18,8 +18,8 @@ using analysis::Verdict;
 template <class T, class Of>
 concept A = std::same_as<std::remove_const_t<T>, Of>;
 
-// Names the stored members of each struct. each(key, member) writes or reads one; several members with one key form a
-// list.
+// Names the stored members of each struct. each(key, member) writes or reads a member; if several members have one key,
+// they become a list.
 void members(auto const& each, A<analysis::Profile> auto& p) {
   each("value", p.value)("objective", p.objective);
 }

@@ -22,8 +22,8 @@
 namespace isolaw::campaign {
 namespace {
 
-// A law to be fitted to a device. The LawOnRecord that evaluates this law on the device's record takes a hundred times
-// as much memory as a Target, so it is made only while a task runs.
+// A law to be fitted to a device. The LawOnRecord for this pair is made only while a task runs, because it takes a
+// hundred times as much memory as a Target.
 struct Target {
   std::size_t place;  // index in Contents::searches
   Search const* search;
@@ -91,8 +91,8 @@ Run finished(Target const& target, fit::SearchBox const& box, fit::LawOnRecord c
   return run;
 }
 
-// If more than a thousandth of an optimum's objective comes from the step size, the law is fitted again from this
-// optimum in finer steps, until steps two and four times finer give the same objective within this thousandth, or until
+// If more than a thousandth of the objective at an optimum comes from the step size, fits the law again from there in
+// finer steps. Goes on until steps two and four times finer give the same objective within this thousandth, or until
 // finest_refinement. The run fails if finer steps give no finite force.
 void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run& run) {
   constexpr double tolerance = 1e-3;
@@ -125,10 +125,10 @@ void refit_in_finer_steps(fit::SearchBox const& box, fit::LawOnRecord model, Run
   }
 }
 
-// If a run ended at bounds of the automatic box, repeats its descent in a box in which these bounds are moved outwards
-// by a factor of ten. It does so up to six times, until the run ends at no such bound or gains too little. If this has
-// lowered the objective by a tenth or more, a whole search in the last box follows. The better result is left in `run`,
-// and the last box that gained in `box`. Returns false if interrupted.
+// If a run ended at bounds of the automatic box, moves these bounds outwards by a factor of ten and repeats the
+// descent, up to six times, until the run ends at no such bound or gains too little. If this has lowered the objective
+// by a tenth or more, a whole search in the last box follows. `run` gets the better result, and `box` the last box in
+// which the run gained. Returns false if interrupted.
 bool search_beyond(Settings const& settings, Target const& target, fit::LawOnRecord const& model, Run& run,
                    fit::SearchBox& box, std::function<bool()> const& interrupted) {
   constexpr int most_rounds = 6;
@@ -281,8 +281,8 @@ class Computation {
       for (auto const& p : box.parameters) run.box.insert(run.box.end(), {p.lower, p.upper});
     std::scoped_lock const lock(one_writer_);
     note(run);
-    // From here on, nothing may run out of memory. for_each_in_parallel() repeats a task that does, and the repetition
-    // would store the run a second time.
+    // Nothing below may fail for lack of memory, because for_each_in_parallel() would then repeat the task and store
+    // the run a second time.
     store_.add(run);
     ++progress_.done;
     meter.count_evaluations(Phase::search, run.evaluations);

@@ -20,9 +20,9 @@
 namespace isolaw::campaign {
 namespace {
 
-// Two objectives are close if they differ by at most evaluation_tolerance, relative to the larger one or, if that is
-// below this value, to this value. A smaller objective may consist of rounding errors: it arises if the law itself
-// computed the record.
+// Two objectives are close if their difference is at most evaluation_tolerance times the larger of them, or times
+// smallest_objective if both are smaller. Objectives that small arise if the law itself computed the record, and may
+// consist of rounding errors.
 constexpr double smallest_objective = 1e-3;
 bool close_objectives(double a, double b) {
   return std::abs(a - b) <= fit::evaluation_tolerance * std::max({std::abs(a), std::abs(b), smallest_objective});
@@ -33,8 +33,8 @@ bool close(double a, double b) {
          std::abs(a - b) <= fit::evaluation_tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-// Two series are close if they differ nowhere by more than evaluation_tolerance times the largest magnitude in the
-// first series. Relative to the single values, differences would be large wherever a value is near zero.
+// Two series are close if no pair of values differs by more than evaluation_tolerance times the largest magnitude in
+// the first series. Relative to the single values, differences would be large wherever a value is near zero.
 bool close(std::vector<double> const& a, std::vector<double> const& b) {
   double size = 0.0;
   for (double const value : a) size = std::max(size, std::abs(value));
@@ -57,7 +57,7 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
 }
 
 // A stored curve that no longer has its hash is a fault. A stiffness that differs from the stored one goes to `found`
-// instead, because it may only mean that another build computed it.
+// instead, since it may only mean that another build computed it.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))

@@ -18,9 +18,9 @@ struct Check {
 
 // Runs SQLite's own check and checks indices and lengths. Cleans each raw record and makes each box again, and compares
 // them with the stored ones. A run's parameters must lie in the box. The parameters of runs, of optima, and of the laws
-// of the lot with and without each device must give the stored objectives. No profile may fall below its optimum.
-// Intervals are not computed again. Values may differ by fit::evaluation_tolerance, since the machine that checks need
-// not be the one that computed. Throws Error if the file is no store.
+// of the lot with and without each device must give the stored objectives. No objective of a profile may be below its
+// optimum. Intervals are not computed again. Values may differ by fit::evaluation_tolerance, since another machine may
+// have computed them. Throws Error if the file is no store.
 Check check(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign

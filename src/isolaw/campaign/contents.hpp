@@ -41,15 +41,15 @@ struct Device {
   std::string name;
   std::string file;  // path as given, relative to the lot file
   DeviceInfo info;
-  std::string refusal = {};                // why the device is left out; empty for a usable one
-  std::vector<Complaint> complaints = {};  // the parts of the refusal, as the readers of records gave them; not stored
+  std::string refusal = {};                // why the device is left out; empty if it is usable
+  std::vector<Complaint> complaints = {};  // the faults behind the refusal, as readers of records gave them; not stored
   data::TestRecord raw = {};
   data::TestRecord uncorrected = {};  // `raw` without the corrections that the user asked for; empty if there are none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
   data::VerticalTest vertical = {};   // compression test; no law depends on it, so a continued campaign may change it
-  // If this device is a copy, the name of the other device, whose record is the same or is the one from which this
-  // record was made. Statistics over devices count only that other device. Empty if this device is no copy. Not stored:
-  // Contents::find_copies() sets it.
+  // If this device is a copy of another device, the name of that device. A copy has the same record, or its record was
+  // made from the record of the other device. Statistics over devices leave out copies. Empty if this device is no
+  // copy. Not stored: Contents::find_copies() sets it.
   std::string copy_of = {};
 
   bool usable() const { return refusal.empty(); }
@@ -97,18 +97,18 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
   analysis::Determination determination;
   analysis::Intervals intervals;
   // The law fitted as springs around a circle (fit/as_springs.hpp). Present only if the settings ask for it and the law
-  // has no two-dimensional form with the parameters of the optimum.
+  // has no coupled two-dimensional form with the parameters of the optimum.
   std::optional<fit::AsSprings> springs = {};
   std::optional<analysis::LargerSwings> larger_swings =
       {};  // empty if the test shows nothing about larger swings, or if no force is finite
   std::size_t maker = 0;
 };
 
-struct LotAnalysis {  // one parameter vector for all devices that count and have a DeviceAnalysis of the law
+struct LotAnalysis {  // one parameter vector for all devices that are no copies and have an analysis
   std::string law;
   int refinement = 1;                          // integration steps per sample: the largest number of any device's run
   std::vector<std::size_t> devices;            // the devices that took part, in rising order
-  analysis::OneLaw mean = {};                  // law of least mean objective; objectives[i] is on devices[i]
+  analysis::OneLaw mean = {};                  // law of least mean objective; its objectives[i] belongs to devices[i]
   analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
   std::optional<fit::AsSprings> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
   std::size_t maker = 0;
@@ -127,8 +127,8 @@ inline constexpr auto by_device_and_law = [](auto const& item) {
   return std::tuple(item.device, std::string_view(item.law));
 };
 
-// The analyses that a campaign had before it was continued with more runs. Each stays valid if the best runs that it
-// starts from are still the best.
+// The analyses that a campaign had before it was continued with more runs. An analysis stays valid if the best runs
+// from which it starts are still the best.
 struct EarlierAnalyses {
   int runs = 0;  // the number of runs per device and law at that time
   std::vector<DeviceAnalysis> devices = {};
@@ -136,7 +136,7 @@ struct EarlierAnalyses {
   std::vector<LeftOutAnalysis> left_out = {};
 };
 
-// How far the tests of devices may differ and still count as made under one condition. A percentage relates to the
+// How far the tests of devices may differ and still count as made under one condition. A percentage is relative to the
 // largest of the compared values.
 struct Alike {
   // isolaw's own tolerances, where neither the rule set nor the user states one
@@ -186,14 +186,14 @@ struct Contents {
   std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // sorted by law
   std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
-  std::vector<Maker> makers = {};                    // the first of them read the records; empty: this program alone
+  std::vector<Maker> makers = {};                    // the first one read the records; empty: this program alone
   std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
   EarlierAnalyses held_over = {};                    // analyses made before the campaign grew; not stored
 
   std::size_t expected_runs() const;  // the runs of all parts together; a refused search has none
   std::size_t expected_here() const;  // the runs of this part
   // The number of analyses that the whole campaign makes from the present runs; 0 if the settings ask for none. A part
-  // of the runs has no analyses: they need the best of all runs and are made after the merge.
+  // has no analyses: they need the best of all runs and are made after the merge.
   std::size_t expected_analyses() const;
   std::size_t analyses() const { return device_analyses.size() + lot_analyses.size() + left_out.size(); }
   bool complete() const { return runs.size() == expected_here() && (part || analyses() >= expected_analyses()); }

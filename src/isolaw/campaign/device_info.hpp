@@ -14,10 +14,10 @@ struct InfoOption : Option<DeviceInfo> {  // a key of a device's table that stat
   Measure measure = Measure::text;
 };
 
-// A row for each fact. Only the row checks whether a value is allowed.
+// Returns the table, which has a row for each fact. The rows alone check whether a value is allowed.
 std::vector<InfoOption> const& info_table();
 
-// Visits the options for reading a compression test: all but those for the force of a shear test (`of_test`).
+// Visits the options for reading a compression test: all but those about the force of a shear test (`of_test`).
 template <class Visit>
 void for_each_vertical_option(Visit&& visit) {
   for (auto const& option : data::reading_table())

@@ -13,7 +13,7 @@ Estimate::Estimate(Contents const& contents) : contents_(contents), tasks_(conte
   // descents run more code around the law.
   constexpr double population_s = 1.5e-11, descent_s = 3.5e-11;
   // How often a task of each kind evaluates the law on each record, divided by the square of the number of free
-  // parameters. The values lie between those counted for the example lot and for a measured bearing.
+  // parameters. Each value lies between the counts for the example lot and for a measured bearing.
   constexpr double of_run = 100.0, of_device = 230.0, of_lot = 58.0, of_left_out = 4.5;
   double const run_s =
       genetic ? population_s * settings.genetic.population * settings.genetic.generations : descent_s * of_run;

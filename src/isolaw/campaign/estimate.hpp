@@ -27,7 +27,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine where the costs of the laws were measured
   double share() const;                     // share of all work that is done, 0 to 1, including work stored earlier
-  double left_s() const;                    // seconds to the end at the rate of work since construction
+  double left_s() const;                    // seconds until the end at the mean rate of work since construction
 
  private:
   struct Tasks {

@@ -23,7 +23,7 @@ std::vector<std::string> overrides_of(std::vector<fit::Override> const& override
   return texts;
 }
 
-// Returns `settings` with the values of `asked` for those settings in which a campaign may grow: laws, runs, analyses.
+// Returns `settings`, with the values of `asked` for settings in which a campaign may grow: laws, runs, analyses.
 Settings grown(Settings settings, Settings const& asked) {
   if (asked.analysis) settings.analysis = true;
   if (asked.springs) settings.springs = true;

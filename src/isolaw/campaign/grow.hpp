@@ -10,11 +10,11 @@
 
 namespace isolaw::campaign {
 
-// The reasons why the campaign `asked` cannot use the results of the campaign `stored`. Empty if both are the same
-// campaign, or if `stored` can grow to `asked`.
+// Returns the reasons why the campaign `asked` cannot use the results of `stored`. Empty if both are the same campaign,
+// or if `stored` can grow to `asked`.
 std::vector<std::string> obstacles(Contents const& stored, Contents const& asked, Sides const& sides = {});
 
-// All that `asked` has beyond `stored`, in words: "2 devices", "law gallardo", "20 runs instead of 10", or another
+// Says in words what `asked` has beyond `stored`: "2 devices", "law gallardo", "20 runs instead of 10", or another
 // order of the devices. Empty if both campaigns ask for the same, even if `stored` is incomplete.
 std::vector<std::string> growth(Contents const& stored, Contents const& asked);
 // Moves to `asked` the stored results that are right for the larger campaign too: runs, analyses of devices and, if the

@@ -132,7 +132,7 @@ class ConditionsReader {
     table.value<double>(key, limits.text(), [&](double value) { to = real_of(value, limits); });
   }
 
-  // A number, or the two ends of a range as a list.
+  // Reads a range of values: a number, or a list of the two ends.
   void range(TomlTable& table, std::string_view key, Limits const& limits, std::optional<ConditionRange>& to) {
     auto const* node = table.find(key);
     if (node == nullptr) return;

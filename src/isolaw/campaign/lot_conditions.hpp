@@ -20,8 +20,8 @@ struct StatedAgeing {
 // The rows for the keys of a table `aged`.
 std::span<Option<StatedAgeing> const> aged_table();
 
-// The compound and size that a lot file states for a device. Only devices that agree in both are compared with one
-// another. An empty text is a compound or size like any other.
+// The compound and size that a lot file states for a device. Only devices of the same compound and size are compared
+// with one another. An empty text counts as a compound or size of its own.
 struct StatedDevice {
   std::string compound, size;
 
@@ -36,14 +36,14 @@ struct StatedTest {                                      // what a lot file stat
   std::string temperature_of;                            // "core", "surface" or "chamber"; empty if it is not stated
   std::optional<double> conditioned_h;                   // time in a chamber at the temperature, before the test
   std::optional<StatedAgeing> aged = {};
-  bool is_acceptance = false;  // its record represents the device outside [conditions]; stated, or chosen by the reader
+  bool is_acceptance = false;  // the campaign fits laws to this test; stated in the lot file, or chosen by its reader
   bool takes_part_in_fit = false;
   bool is_scaled = false;  // the specimen is a scaled model of the device
   std::optional<double> scale = {};
 };
-// The rows for the keys of StatedTest, except `aged`. Only the row checks whether a value is allowed.
+// The rows for the keys of StatedTest, except `aged`. The rows alone check whether a value is allowed.
 std::span<Option<StatedTest> const> test_table();
-// The start of a test in hours since 1970, or nothing for a text that is no date with a time of day.
+// Returns the start of a test in hours since 1970; nullopt for a text that is no date with a time of day.
 std::optional<double> start_h(std::string_view started);
 // Reads the table `aged`, which must state both the days and the temperature of the oven.
 std::optional<StatedAgeing> read_aged(TomlTable& table, std::string const& file, std::vector<Complaint>& complaints);
@@ -65,7 +65,7 @@ struct StatedConditions {  // the table [conditions]
   struct {
     std::optional<ConditionRange> temperature_C, frequency_Hz, load_kN;
     bool full_rest = false;             // rest = "full": the device has rested until it is as new
-    std::optional<double> rest_h = {};  // or the time at rest since the last motion
+    std::optional<double> rest_h = {};  // the time at rest since the last motion, if it is stated instead
     std::optional<int> cycles = {};
     std::optional<StatedAgeing> aged = {};
     std::optional<double> years = {}, service_temperature_C = {};

@@ -47,7 +47,7 @@ bool has_tests(TomlTable& device) {
   return tests != nullptr && tests->is_array_of_tables();
 }
 
-// With `skip_tests` the key `test` is not read. As an option of reading it chooses one of a file's tests, but in a
+// With `skip_tests` the key `test` is not read. As a reading option it chooses one of the tests in a file, but in a
 // device with [[device.test]] tables it holds these tables.
 void read_reading(TomlTable& table, data::ReadOptions& options, bool skip_tests = false) {
   for (auto const& option : data::reading_table())
@@ -81,7 +81,7 @@ void require_built_in(toml::table const& conditions, std::string const& file, st
                  nearest_word(name, built_in, most_wrong_letters));
 }
 
-// A complaint about a file that is not in the folder of the lot file or below it.
+// Returns a complaint if the file `name` is not in the folder of the lot file or below it.
 std::optional<Complaint> outside_of(std::filesystem::path const& directory, std::string const& name) {
   auto const place = leads_outside(directory / name, directory);
   if (!place) return std::nullopt;
@@ -231,7 +231,7 @@ class DeviceReader {
     return found;
   }
 
-  // Reads from a table the files of one test and how to read them. In a device with [[device.test]] tables, the
+  // Reads from a table which files one test has and how to read them. In a device with [[device.test]] tables, the
   // device's own table names no file and only states how to read all tests; then `skip_tests` is true.
   TestInput test_in(TomlTable& table, data::ReadOptions const& defaults, bool skip_tests) const {
     TestInput test;
@@ -251,8 +251,8 @@ class DeviceReader {
     return test;
   }
 
-  // Puts the lot file's folder before the names of files that hold single channels, and refuses files outside this
-  // folder. Such a name may come from the table of the test, from that of its device or from [read].
+  // Some channels may be in files of their own. Puts the lot file's folder before the names of these files and refuses
+  // files outside the folder. Such a name may come from the table of the test, of its device, or from [read].
   void find_columns(TomlTable& table, toml::table const& source, TestInput& test) const {
     for (auto& [channel, column] : test.read.columns)
       if (auto const other = data::file_column(column)) {
@@ -295,8 +295,8 @@ class DeviceReader {
     return test;
   }
 
-  // Complains about the first key that is about conditions, once in a file. table.find() marks each such key as known,
-  // so that table.refuse_unknown() does not complain about them.
+  // Complains about the first key that is about conditions, only once for the whole file. table.find() marks each such
+  // key as known, so that table.refuse_unknown() does not complain about it.
   void refuse_conditions(TomlTable& table, toml::table const& source, auto const& options) {
     for (auto const& option : options) {
       if (!source.contains(option.option())) continue;
@@ -309,9 +309,9 @@ class DeviceReader {
     }
   }
 
-  // Sorts the tests by their `order`. Then chooses the one test to which a campaign fits laws: the test with stands-for
-  // = "acceptance", else the first one at the reference temperature that is not aged, else the first one. `is_sound`:
-  // nothing in the tests' tables was complained about.
+  // Sorts the tests by their `order`. Chooses the test to which a campaign fits laws: the test with stands-for =
+  // "acceptance", else the first one at the reference temperature that is not aged, else the first one. Laws are also
+  // fitted to tests with fit = true. `is_sound` is true if there was no complaint about the tests' tables.
   void take_history(TomlTable& table, toml::table const& source, DeviceInput& device, bool is_sound) const {
     auto& all = device.history = std::move(device.tests);
     device.tests.clear();
@@ -353,7 +353,7 @@ class DeviceReader {
                    conditions_->tolerance.temperature_C;
       });
     if (acceptance == all.end()) acceptance = all.begin();
-    if (acceptance == all.end()) return;  // there is no test, about which a complaint was made already
+    if (acceptance == all.end()) return;  // there is no test; another function has complained about this
     acceptance->stated.is_acceptance = true;
     device.tests.push_back(*acceptance);
     for (auto const& test : all)

@@ -40,7 +40,7 @@ struct DeviceInput {  // one device before its record is read
   std::string name;
   std::vector<TestInput> tests{1};  // one or more, which share the parameters of every law
   // All tests of the device in the order in which they were made, if the lot file has a table [conditions]. `tests`
-  // then holds only one of them, to which a campaign fits laws.
+  // then holds only those to which a campaign fits laws, usually one.
   std::vector<TestInput> history = {};
   StatedDevice stated = {};         // only in a lot file with [conditions]
   std::filesystem::path directory;  // folder of the lot file; empty for files named on the command line
@@ -65,12 +65,12 @@ struct Lot {
   std::optional<int> jobs;
 };
 
-// A lot file may come from someone else. The files it names must be in its own folder or below (with links followed),
-// and results go below the current directory. Only the user can lift these limits, no key of the file.
+// A lot file may come from someone else. The files that it names must be in its own folder or below it (with links
+// followed), and results go below the current directory. Only the user can lift these limits, not the file.
 struct LotFileOptions {
   bool allow_outside = false;                    // the user gave --allow-outside
   bool other_out = false;                        // the user gave --out, so the file's `out` is ignored
-  std::vector<std::string> built_in_rules = {};  // names of the built-in rule sets; if empty, every name is a file
+  std::vector<std::string> built_in_rules = {};  // names of the built-in rule sets; if empty, every name means a file
   std::function<void(std::string_view)> check_design = {};  // checks design values (module `rules`); throws Error
 };
 
@@ -81,10 +81,10 @@ inline constexpr std::size_t largest_lot_file = 16 << 20;  // bytes
 // allowed, text that is not printable, devices without a file, duplicate names, files outside the folder. The keys of
 // [calibrate] are the options of the command line.
 Lot read_lot_file(std::filesystem::path const& file, LotFileOptions const& options = {});
-// Reads the text of a lot file. Messages call it `file`, and the files it names are sought in the folder of `file`.
+// Reads the text of a lot file. Messages call it `file`. The files that it names are sought in the folder of `file`.
 Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotFileOptions const& options = {});
-// The same for tables that are not a file, such as those of a Python program: the files they name are sought in
-// `folder`. Messages name the device and the test in place of a line.
+// Does the same for tables that are not in a file, such as those of a Python program. The files that they name are
+// sought in `folder`. Messages name the device and the test in place of a line.
 Lot lot_of_tables(Json const& tables, std::filesystem::path const& folder, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
@@ -93,8 +93,8 @@ std::string name_of_tests(std::span<data::TestSource const> tests);
 
 using StatedFacts = std::map<std::string, std::string>;  // facts that a record's file states about its device, by key
 
-// Makes all records of a lot tests of one device, which is named after them. Returns the facts that the records state
-// differently, with the name of each record. The device gets no value for such a fact.
+// Makes one device, whose tests are all records of the lot and whose name comes from them. Returns the facts that the
+// records state differently, with the name of each record. The device gets no value for such a fact.
 StatedFacts make_one_device(Lot& lot);
 
 struct LotFileRemarks {             // comments for the person who edits the file
@@ -111,7 +111,7 @@ struct LotFileRemarks {             // comments for the person who edits the fil
 // names below `directory` are relative to it.
 std::string lot_file_text(Lot const& lot, std::filesystem::path const& directory, LotFileRemarks const& remarks = {});
 
-// Copies the facts that a record's file states into empty fields of `info`. Returns the facts that cannot be used as
+// Copies the facts that a record's file states into empty fields of `info`. Returns those facts that cannot be used as
 // they are.
 StatedFacts take_device_facts(std::vector<std::pair<std::string, std::string>> const& device_facts, DeviceInfo& info);
 

@@ -26,8 +26,8 @@ std::string relative_name(std::filesystem::path const& file, std::filesystem::pa
   return (below ? inside : std::filesystem::absolute(file).lexically_normal()).generic_string();
 }
 
-// Inserts a JSON value into a table, except null and empty lists. Whole numbers of TOML are signed 64-bit numbers, so
-// larger ones are written as text.
+// Inserts a JSON value into a table. Leaves out null and empty lists. Whole numbers of TOML are signed 64-bit numbers,
+// so larger ones are written as text.
 void insert(toml::table& table, std::string const& key, Json const& value) {
   if (value.is_array()) {
     toml::array items;
@@ -137,8 +137,8 @@ std::string as_comment(std::string_view text) {
   return all;
 }
 
-// The text of a lot file in which the records are tests of fewer devices under several conditions. A test of an aged
-// device is written as a comment of the file, because the name of the record does not say how long it was aged.
+// Returns the text of a lot file in which the records are tests of fewer devices under several conditions. The test of
+// an aged device becomes a comment in the file, because the name of the record does not say how long it was aged.
 std::string proposed_tables(Lot const& lot, std::filesystem::path const& directory, Json const& shared_reading,
                             LotFileRemarks const& remarks) {
   std::vector<std::string> devices;

@@ -62,7 +62,7 @@ class CampaignMerge : public Merge {
   }
 
   void tell_missing(Path const& file, Merged& merged) override {
-    // The keys of the runs tell which are missing, so the records are not read here.
+    // The keys of the runs tell which runs are missing, so the records' series are not read here.
     auto const campaign = Store::read_beginning(file);
     auto const runs = static_cast<std::size_t>(campaign.settings.runs);
     std::map<std::pair<std::size_t, std::string_view>, std::size_t> places;
@@ -94,7 +94,7 @@ class CampaignMerge : public Merge {
   bool has_every_run(Path const& file) override { return runs_in(file) == Store::read_beginning(file).expected_runs(); }
 
   void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) override {
-    // An analysis starts from the best of all runs, so analyses are only copied from stores that have every run.
+    // An analysis starts from the best of all runs, so analyses are copied only from stores that have every run.
     auto const runs = whole.empty() ? 0 : runs_in(file);
     auto complete = whole;
     std::erase_if(complete, [&](Path const& other) { return runs_in(other) < runs; });

@@ -22,8 +22,8 @@ struct MergeOptions {
   bool fresh = false;                                   // see Merge::run
 };
 
-// Merges as Merge::run says, and copies the analyses from those stores that hold all runs. Memory holds the records and
-// one run at a time.
+// Merges as Merge::run() does, and copies the analyses from those stores that hold all runs. Memory holds the records
+// and one run at a time.
 Merged merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
              MergeOptions const& options = {});
 

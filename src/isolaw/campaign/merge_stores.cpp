@@ -14,7 +14,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-// All numbers must come from one build and instruction set, or they would depend on which machine computed a part.
+// Throws Error unless one build and instruction set computed all numbers, since others may compute different ones.
 void require_one_maker(Path const& file, std::vector<Maker> const& makers, Maker const& me, std::string const& again) {
   for (auto const& maker : makers) {
     if (!same_build(maker, me))
@@ -42,7 +42,7 @@ void refuse_absent(Path const& out, std::vector<std::string> const& absent) {
                .advice = "its name as it is, or leaving it out"});
 }
 
-// The result of read(), or `otherwise` if read() throws. A file to be replaced may be damaged or no store at all.
+// Returns read(), or `otherwise` if read() throws, as for a file to be replaced that is damaged or no store at all.
 template <class Value, class Read>
 Value value_or(Value otherwise, Read&& read) {
   try {
@@ -140,7 +140,7 @@ Merged Merge::run(Path const& out, std::vector<Path> const& parts, bool fresh,
     refuse_part(out, part_in(out));
   }
   for (auto const& file : files) examine(file);
-  // With --fresh the old store stays until everything that replaces it was checked and copied.
+  // With --fresh the old store stays until its replacement was checked and copied completely.
   auto const target = replaces ? sqlite::unfinished(out) : out;
   std::optional<sqlite::Unfinished> unfinished;
   if (replaces) unfinished.emplace(out);

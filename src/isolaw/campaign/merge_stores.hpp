@@ -16,7 +16,7 @@
 namespace isolaw::campaign {
 
 struct Merged {
-  std::size_t added = 0, there = 0;  // `there`: runs that `out` held before or that came twice
+  std::size_t added = 0, there = 0;  // `there`: runs that were in `out` before or came twice
   std::size_t analyses = 0;          // the number of analyses copied
   std::size_t missing = 0;
   int parts = 0;                          // the number of parts; 0 if no store states it
@@ -38,12 +38,12 @@ class Merge {
   Merge& operator=(Merge const&) = delete;
   virtual ~Merge() = default;
 
-  // Adds the runs of the stores `parts` to the store `out` and creates `out` if it is missing. If `fresh`, a new store
-  // replaces `out`, but not before all parts were checked and copied. Calls before_replacing() before a new store takes
-  // the name `out`. The order of the parts does not matter, and a part may be given twice. All parts are checked before
-  // the first is copied. Each part is copied in one transaction, so the same call completes a merge that was stopped.
-  // Throws Error for a store that is damaged or of another campaign or study, build or instruction set, for runs that
-  // contradict each other, and if `out` is a part itself or would lose runs.
+  // Adds the runs of the stores `parts`, in any order and possibly repeated, to the store `out`, and creates `out` if
+  // it is missing. If `fresh`, a new store replaces `out` after all parts were checked and copied. Calls
+  // before_replacing() before a new store takes the name `out`. All parts are checked before the first is copied. Each
+  // part is copied in one transaction, so the same call completes a merge that was stopped. Throws Error for a store
+  // that is damaged or of another campaign or study, build or instruction set, for runs that contradict each other, and
+  // if `out` is a part itself or would lose runs.
   Merged run(Path const& out, std::vector<Path> const& parts, bool fresh,
              std::function<void()> const& before_replacing);
 
@@ -55,8 +55,8 @@ class Merge {
   virtual void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) = 0;
   virtual void tell_missing(Path const& file, Merged& merged) = 0;  // sets `missing` and `missing_of`
   virtual bool has_every_run(Path const& file) = 0;
-  // Called when no run is missing, to finish the merged store `file`, for example with analyses. `whole` are the given
-  // stores that are not parts.
+  // Called when no run is missing, to complete the merged store `file`, for example with analyses. `whole` lists the
+  // given stores that are not parts.
   virtual void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) = 0;
 
  private:

@@ -22,11 +22,11 @@ bool is_one_of(std::string_view word, auto const& words) {
 
 // A number within a name, with the letters that touch it: "T-20C" has `before` = "t", `value` = -20 and `unit` = "c".
 struct NumberInName {
-  std::size_t from = 0, end = 0;       // where the letters before it begin, and where its unit ends
+  std::size_t from = 0, end = 0;       // where the letters before the number begin, and where its unit ends
   std::string before = {}, unit = {};  // in lower case
   double value = 0.0;
   bool has_sign = false;  // a dash or a plus sign stands before the number
-  bool has_dash = false;  // a dash stands before the number, and is a minus sign or separates two words
+  bool has_dash = false;  // a dash stands before the number: a minus sign or a separator of words
   bool is_minus = false;  // the dash can only be a minus sign
 };
 

@@ -73,7 +73,7 @@ class Observer {
   }
 
  private:
-  // If several tests have the same record, it is unknown to which of them it belongs, so none of them can use it.
+  // If several tests have the same record, nobody knows to which of them it belongs, so none of them can use it.
   void refuse_same_records(std::vector<ObservedTest>& tests) const {
     for (auto const& [record, same] : of_record_)
       for (auto const index : same) {

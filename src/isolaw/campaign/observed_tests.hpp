@@ -1,5 +1,5 @@
 // The tests of a lot's devices under several conditions, as they were measured: the cycles of each block with their
-// properties. A campaign keeps them, so that a report needs no record again. The module `study` compares them.
+// properties. A campaign keeps them, so that a report needs no records. The module `study` compares them.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Lot;
 
 struct ObservedCycle {
   int number = 0;  // number of the cycle within its block, from 1
-  // A value of 0 or less means that the cycle has no such value.
+  // A value of 0 or less means that the property is not defined for this cycle.
   double K_eff_kN_per_mm = 0.0, damping_percent = 0.0, energy_kN_mm = 0.0, Q_d_kN = 0.0, K_d_kN_per_mm = 0.0;
   std::optional<double> load_kN = {};  // mean vertical load, if the record has a channel for it
 };
@@ -25,9 +25,9 @@ struct ObservedBlock {
   int number = 0;
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz = {};  // empty if it is not known or not the same in all cycles
-  std::string fault = {};                   // the impossible signal because of which no cycle counts; empty if none
+  std::string fault = {};                   // if a signal is impossible and no cycle counts: why; else empty
   std::vector<ObservedCycle> cycles = {};   // the counted cycles
-  // The loop of the reference cycle, or of the last one before it, for drawing only: at most 120 points.
+  // The loop of cycle reference.last_cycle, or of the last counted cycle before it; at most 120 points, for drawing.
   std::vector<double> loop_mm = {}, loop_kN = {};
 };
 
@@ -37,9 +37,9 @@ struct ObservedTest {
   StatedDevice of_device = {};
   std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
   StatedTest stated = {};
-  std::string refusal = {};                // why the record cannot be used; its device's later tests still count
-  std::vector<Finding> doubts = {};        // about its record, as the command `inspect` reports them
-  std::optional<double> farthest_mm = {};  // largest displacement from the record's middle; empty if it cannot be read
+  std::string refusal = {};                // why the record cannot be used; later tests of the device still count
+  std::vector<Finding> doubts = {};        // doubts about the record, as the command `inspect` reports them
+  std::optional<double> farthest_mm = {};  // largest displacement from the record's centre; empty if unreadable
   std::vector<ObservedBlock> blocks = {};
 };
 
@@ -52,8 +52,8 @@ struct ObservedTests {
 // Reads the records of a lot with a table [conditions]. If a test cannot be used, its `refusal` says why.
 ObservedTests observe_tests(Lot const& lot);
 
-// text() makes the text that a campaign's store holds, and tests_of_text() reads it. For any other text, this throws
-// Error or a nlohmann::json::exception.
+// text() makes the text that a campaign's store holds, and tests_of_text() reads it. tests_of_text() throws Error or
+// nlohmann::json::exception for any other text.
 std::string text(ObservedTests const& observed);
 ObservedTests tests_of_text(std::string_view text);
 

@@ -10,8 +10,8 @@ namespace isolaw::campaign {
 // them worked to the end.
 // If the system refuses to start a thread, only half of the threads started so far get work, to leave memory for it. If
 // work(i) runs out of memory, its thread stops, and the caller's thread repeats work(i) when the others have finished.
-// If that fails too, or work(i) throws anything else, no further work begins and the caller gets the exception.
-// A thread for which no i is left helps the other threads, if their work(i) offers pieces of work that others may do
+// If this fails too, or work(i) throws anything else, no further work begins and the caller gets the exception.
+// When no i is left for a thread, it helps the other threads, if their work(i) offers items of work to others
 // (base/work_ahead.hpp).
 std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::function<void(std::size_t)> const& work);
 

@@ -24,10 +24,10 @@ class RunAssignment {
   std::vector<int> part_;
 };
 
-// For each of contents.searches the part that analyses the device for the law (campaign/analyse.hpp), or 0 if the
-// search was refused. The costliest analyses are assigned first, each to the part with the least work so far.
+// Returns, for each of contents.searches, the part that analyses the device for the law (campaign/analyse.hpp), or 0 if
+// the search was refused. The costliest analyses are assigned first, each to the part with the least work so far.
 std::vector<int> assign_analyses(Contents const& contents, int parts);
-// For each of settings.laws the part that fits the law to the lot, and to the lot without each device.
+// Returns, for each of settings.laws, the part that fits the law to the lot and to the lot without each device.
 std::vector<int> assign_laws(Contents const& contents, int parts);
 
 std::uint64_t relative_cost(Contents const& contents, Search const& search);  // only ratios have a meaning

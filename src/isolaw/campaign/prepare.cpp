@@ -61,8 +61,8 @@ void refuse_device(Device& device, std::string why) {  // keeps only the record'
   device.record = {};
 }
 
-// Decides about a device whose record has an impossible signal. A campaign refuses it, since no law can be fitted to
-// it. An inspection shows it.
+// Whether a device is refused if its record has an impossible signal. A campaign refuses it, since no law can be fitted
+// to the record. An inspection shows it.
 enum class FalseSignals { shown, refused };
 
 void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals false_signals) {
@@ -79,8 +79,8 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
                  .advice = "isolaw inspect FILE, which says what is wrong in each block"});
 }
 
-// Notes the options that the record was read with, so that a report can state a command that reads it again. They are
-// kept as JSON in the first finding about how the record was read; the sentence of this finding does not show them.
+// Notes the options with which the record was read, so that a report can state a command that reads it again. The first
+// finding about how the record was read keeps them as JSON text, which its sentence does not show.
 void note_options(TestInput const& input, std::vector<Finding>& recognised) {
   if (recognised.empty()) return;
   Json given = Json::object();
@@ -113,8 +113,8 @@ data::TestRecord read_uncorrected(DeviceInput input) {
   }
 }
 
-// Takes the temperature that the header of the record states, if the lot file gives none. The verdict on the lot
-// requires one temperature for all devices, and must be the same whether the user gave a lot file or only records.
+// Takes the temperature from the header of the record if the lot file gives none. The verdict on the lot requires one
+// temperature for all devices, and must be the same whether the user gave a lot file or only the records.
 void take_temperature(Device& device) {
   DeviceInfo stated;
   take_device_facts(device.raw.device_facts, stated);
@@ -230,7 +230,7 @@ Contents with_searches(Contents contents, std::vector<std::string> const& laws) 
                       ? std::string("its one device is not usable")
                       : fmt::format("none of its {} devices is usable", contents.devices.size())}};
     for (auto const& device : contents.devices) {
-      // A refusal mostly begins with the name of the file. If the device has the same name, it is not said twice.
+      // A refusal mostly begins with the name of the file. If this is the device's name too, it is not said twice.
       bool const named = device.refusal.starts_with(device.name + ":");
       complaints.push_back({.where = named ? "" : device.name, .found = device.refusal});
     }

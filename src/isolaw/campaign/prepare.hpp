@@ -15,8 +15,8 @@ namespace isolaw::campaign {
 // the options with which the record was read.
 inline constexpr std::string_view given_options = "given_options";
 
-// A device that cannot be used is kept, with the reason. Throws Error if no device is usable or a setting is not
-// allowed.
+// Keeps a device that cannot be used, with the reason in Device::refusal. Throws Error if no device is usable or a
+// setting is not allowed.
 Contents prepare(Lot const& lot);
 
 struct NamedRecord {  // a record in memory; a lot file must be able to hold its name
@@ -32,11 +32,11 @@ Contents prepare(std::vector<NamedRecord> records, Settings const& settings, std
 data::VerticalTest prepare_vertical(VerticalInput const& given, std::filesystem::path const& directory);
 // Reads the files of one test, one after another as one history. Throws Error as data::read_record() does.
 data::TestRecord read_history(TestInput const& input);
-// Cuts `directory` from the paths in a text: results must not depend on the folder in which the program was started.
+// Cuts `directory` from the paths in a text, so that results do not depend on the folder in which the program started.
 std::string with_shown_files(std::string text, std::filesystem::path const& directory);
 // Only reads and cleans the devices, without laws and boxes. Does not throw for devices that cannot be used.
 Contents prepare_devices(Lot const& lot);
-// The same for records in memory. Throws Error as prepare() does for their names.
+// Does the same for records in memory. Throws Error as prepare() does for their names.
 Contents prepare_devices(std::vector<NamedRecord> records, Acceptance const& acceptance);
 fit::SearchBox search_box(laws::LawEntry const& law, data::FitRecord const& record, Settings const& settings);
 

@@ -12,9 +12,9 @@ namespace {
 // Times [s] at which the calling thread began the work that it has not assigned to a phase yet.
 thread_local double cpu_began_s = 0.0, began_s = 0.0;
 
-// The calling thread's work since cpu_began_s and began_s. Only the elapsed time in the laws' code is measured, which
-// also passes while other threads use the processor. Its share of the elapsed time is taken as the share of the laws'
-// code in the processor time.
+// Returns the calling thread's work since cpu_began_s and began_s. Time in the laws' code is measured only as elapsed
+// time, which also passes while other threads use the processor. Its share of the elapsed time is therefore applied to
+// the processor time.
 PhaseCost take_work() {
   double const cpu_s = thread_time_s() - cpu_began_s, elapsed_s = processor_time_s(CLOCK_MONOTONIC) - began_s;
   double const kernel_s = elapsed_s > 0.0 ? fit::kernel_time_s * std::min(1.0, cpu_s / elapsed_s) : 0.0;

@@ -27,7 +27,7 @@ struct PhaseCost {
   PhaseCost& operator+=(PhaseCost const& other);
 };
 
-// The cost of one process, without work that an earlier process had stored. Adding is thread-safe, reading is not.
+// The cost of this process, without results that an earlier process stored. Adding is thread-safe, reading is not.
 class Profile {
  public:
   void add(Phase phase, PhaseCost const& cost);
@@ -49,8 +49,7 @@ class Profile {
 class Meter final : HelpListener {
  public:
   explicit Meter(Profile* profile);
-  // Assigns to this phase the thread's work since it last called lap() on any meter, or since it made or restarted a
-  // meter.
+  // Assigns to `phase` the thread's work since it last called lap() on any meter, made a meter, or called restart().
   void lap(Phase phase);
   static void restart();
   void count_evaluations(Phase phase, int evaluations) const;
@@ -60,7 +59,7 @@ class Meter final : HelpListener {
   void help_ends() override;
 
   Profile* profile_;
-  std::mutex mutex_;  // guards the work of helpers since the last lap
+  std::mutex mutex_;  // guards helped_
   PhaseCost helped_;
 };
 

@@ -1,4 +1,4 @@
-// Everything about a record but the values of its channels, as JSON.
+// Converts everything about a record, except the values of its channels, to JSON and back.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace isolaw::campaign {
 
 Json fault_json(data::SignalFault const& fault);
-// Reads what fault_json() wrote. Throws Error or nlohmann::json::exception for any other object, and for a fault that
-// lies in none of `samples` samples.
+// Reads what fault_json() wrote. Throws Error or nlohmann::json::exception for any other object, and if an index in the
+// fault is not below `samples`.
 data::SignalFault fault_of(Json const& json, std::size_t samples);
 
 std::string facts_json(data::TestRecord const& record);

@@ -55,7 +55,7 @@ data::VerticalTest vertical_of(std::string const& json) {
   return test;
 }
 
-// The tests of a device as a JSON array; empty if there is one test.
+// The tests of a device as a JSON array. The text is empty if the device has only one test.
 std::string tests_to_json(Device const& device) {
   if (device.raw.tests.empty()) return {};
   auto tests = nlohmann::ordered_json::array();
@@ -84,8 +84,8 @@ void take_tests(std::string const& json, Device& device) {
   }
 }
 
-// The faults of the signals of all records as a JSON array. They were found before the corrections, so they cannot be
-// found again in the stored samples.
+// The faults of the signals of all records as a JSON array. They must be stored, because they were found before the
+// corrections and cannot be found again in the corrected samples.
 std::string faults_to_json(Contents const& contents) {
   auto faults = Json::array();
   for (std::size_t id = 0; id < contents.devices.size(); ++id)

@@ -8,8 +8,8 @@
 
 namespace isolaw::campaign {
 
-// Creates the tables and writes what a campaign begins with: everything but runs and analyses. Needs one maker at
-// least.
+// Creates the tables and writes what a campaign begins with: everything but runs and analyses. `makers` must not be
+// empty.
 void write_campaign(sqlite::Connection const& db, Contents const& contents, std::vector<Maker> const& makers);
 void write_descriptions(sqlite::Connection const& db, Contents const& contents);  // see Store::describe
 void write_row(sqlite::Connection const& db, Run const& run);

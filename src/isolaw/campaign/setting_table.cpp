@@ -205,7 +205,7 @@ std::vector<Setting> make_settings() {
            "full (default): also find which parameters the tests determine, their intervals, one law for the lot, and errors on devices left out of the fit; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
-      // A 95 % interval leaves 2.5 % of the replicates outside at each end: one of forty, so forty are needed.
+      // A 95 % interval leaves out 2.5 % of the replicates at each end: one replicate of 40, so at least 40 are needed.
       {number<S>("replicates", "number of bootstrap fits for the intervals", at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},
@@ -220,8 +220,8 @@ std::vector<Setting> make_settings() {
   };
 }
 
-// Sets the design values, from a text or from a table such as {"K_eff": 1.2, "damping": 15}. They replace all design
-// values of a lot file or a campaign.
+// Sets the design values from a text or from a table such as {"K_eff": 1.2, "damping": 15}. The new values replace all
+// design values of a lot file or a campaign.
 void set_design(Acceptance& to, Json const& value) {
   if (!value.is_object()) {
     if (trimmed(text_in(value)).empty()) refuse(value, "design values, K_eff=1.2,damping=15");

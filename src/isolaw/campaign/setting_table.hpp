@@ -1,5 +1,5 @@
 // Tables of all settings of a campaign and of all options of the rules that its tests are checked against. The command
-// line, lot file, store, comparison on resume, command in the report, Python and docs/cli.md are built from them.
+// line, lot file, store, Python module and docs/cli.md are built from them, and so is the command in a report.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace isolaw::campaign {
 struct Setting : Option<Settings> {
   std::optional<Method> of = {};  // the only method that has this setting; nullopt if all have it
   bool stored_only = false;       // a constant of its method, kept with the results; users cannot set it
-  Json without = {};              // the value assumed if a store lacks the setting; null: every store must have it
+  Json without = {};              // the value assumed if a store lacks it; null: every store must have it
 
   bool belongs_to(Method method) const { return !of || *of == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }
@@ -22,8 +22,8 @@ struct Setting : Option<Settings> {
 // All settings in the order of stores and reports. `method` comes before the settings that only one method has.
 std::span<Setting const> setting_table();
 Setting const* find_setting(std::string_view key);  // nullptr for an unknown key
-// Sets one setting. A setting that only one method has also chooses that method, unless `method_given` says that the
-// user named the method. Throws Error without `where`, which the caller adds.
+// Sets one setting. If only one method has the setting, also chooses that method, unless `method_given` says that the
+// user named a method. Throws Error without `where`, which the caller adds.
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings);
 // Sets all settings that were given. Throws one Error with all complaints, each with its option.
 void apply(Values const& given, Settings& settings);

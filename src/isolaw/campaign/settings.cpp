@@ -48,8 +48,8 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
     auto const found = stored.find(setting.key);
     auto const value = found == stored.end() ? setting.without : Json::parse(found->second);
     if (value.is_null()) throw Error({.where = {}, .found = "is missing in the store"});
-    // A value that `settings` has already is not set again: the store may hold 0 runs, for a number that the user left
-    // open, and set() would refuse 0.
+    // A value that `settings` already has is not set again. A store may hold 0 runs, if the user left the number open,
+    // and set() would refuse this 0.
     if (value != setting.get(settings)) setting.set(settings, value);
   });
   return settings;

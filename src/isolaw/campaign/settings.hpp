@@ -42,8 +42,8 @@ struct Settings {
   void validate() const;  // throws Error
 };
 
-// Every setting of the method with its value as JSON text, in a fixed order. settings_from_pairs() throws Error if a
-// setting is missing that a store must have (Setting::without), or has a value that is not allowed.
+// to_pairs() returns every setting of the method with its value as JSON text, in a fixed order. settings_from_pairs()
+// throws Error for a wrong value and for a missing setting that a store must have (Setting::without).
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 

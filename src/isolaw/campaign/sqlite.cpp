@@ -248,7 +248,7 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
-  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have been interrupted too
+  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have left the first
     for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
       std::filesystem::remove(name + suffix, ignored);
   // put_in_order() works on two files in one transaction. While it commits, SQLite keeps a list of both beside them.
@@ -262,8 +262,8 @@ void remove_unfinished(std::filesystem::path const& file) {
 
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file) {
   // SQLite would apply a log of the former file to the new file, so the log is removed. It is first folded into the
-  // former file, which is then complete without the log if the program is killed before the rename. The former file may
-  // have another schema or be damaged; a log that cannot be folded in is lost.
+  // former file, so that this file is complete if the program is killed before the rename. If the former file has
+  // another schema or is damaged, the log cannot be folded in and is lost.
   std::error_code error;
   if (std::filesystem::exists(file, error) && !is_plain(file)) try {
       Connection::to_write(file).try_execute("PRAGMA journal_mode = DELETE");

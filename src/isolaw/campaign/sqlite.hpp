@@ -17,8 +17,8 @@ struct sqlite3_stmt;
 
 namespace isolaw::campaign::sqlite {
 
-// The advice in messages about a damaged store. It names the command that computed the store, since `merge --fresh`
-// would not compute a damaged part again.
+// The advice in messages about a damaged store. It names the command that computed the store and not `merge --fresh`,
+// which would not compute a damaged part again.
 inline constexpr char const* advice_on_damaged =
     "copying it once more, or the command that computed it, with --fresh, which starts over";
 
@@ -33,7 +33,7 @@ class Connection {
   // These functions may throw Error and std::bad_alloc.
   static Connection create(std::filesystem::path const& file);
   static Connection to_write(std::filesystem::path const& file);
-  // Takes no locks and makes no files unless a log lies beside `file`, so read-only media and network shares work.
+  // Unless a log lies beside `file`, takes no locks and makes no files, so read-only media and network shares work.
   static Connection to_read(std::filesystem::path const& file);
   static Connection in_memory();
 
@@ -69,7 +69,7 @@ class Statement {  // its values are bound in order, and its columns are read in
   }
 
   bool row();  // moves to the next row of a SELECT; false after the last one
-  // Reads the next columns. Throws Error for a number too large for an int and a series that ends within a number.
+  // Reads the next columns. Throws Error for a number too large for an int and for a series cut off within a number.
   void read(auto&... values) { (take(values), ...); }
   std::string text();       // reads the next column
   std::string whole_row();  // all values of the row with their kinds; different rows give different texts
@@ -117,7 +117,7 @@ class Transaction {  // rolls back when destroyed without commit()
 
 bool is_plain(std::filesystem::path const& file);                     // whether it has no log or journal beside it
 std::filesystem::path unfinished(std::filesystem::path const& file);  // the name of a new version while it is written
-void remove_unfinished(std::filesystem::path const& file);  // removes such a version, even of a killed program
+void remove_unfinished(std::filesystem::path const& file);            // removes the unfinished new version of `file`
 // Removes the unfinished new version of `file` in its destructor. Declare it before any connection to that version, so
 // that the connection closes first.
 class Unfinished {
@@ -130,11 +130,11 @@ class Unfinished {
  private:
   std::filesystem::path file_;
 };
-// Replaces `file` by `whole`, which has no log and is not open. A complete file exists at any time. Throws Error.
+// Replaces `file` by `whole`, which has no log and is not open. At every moment one complete file exists. Throws Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
 // See StoreKind::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);
-// The faults that SQLite finds in the file itself; empty if it is sound. Throws Error if it cannot be read at all.
+// Returns the faults that SQLite finds in the file; empty if there are none. Throws Error if it cannot be read at all.
 std::vector<std::string> integrity(std::filesystem::path const& file);
 
 }  // namespace isolaw::campaign::sqlite

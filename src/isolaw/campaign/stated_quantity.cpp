@@ -13,8 +13,8 @@ struct Stated {
   std::string_view unit;
 };
 
-// Splits "23.5 °C" or "120,5 cm2" into number and unit. "1 234 mm" gives the unit "234 mm", which the callers do not
-// know, so they take no value from it.
+// Splits "23.5 °C" or "120,5 cm2" into number and unit. "1 234 mm" gives the unit "234 mm". The callers do not know
+// this unit and therefore take no value.
 std::optional<Stated> number_and_unit(std::string_view text) {
   auto const end = std::min(text.find_first_not_of("0123456789.,+-eE"), text.size());
   std::string number(text.substr(0, end));

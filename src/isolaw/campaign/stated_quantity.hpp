@@ -10,8 +10,8 @@ namespace isolaw::campaign {
 // The quantity and unit of a lot file's key. A key of `text` takes no number.
 enum class Measure { text, temperature_C, length_mm, area_mm2 };
 
-// The number that `text` states, in the unit of the measure. nullopt if it has no number or no known unit, or if a
-// single comma precedes exactly three digits: that may group digits ("282,743 mm2") or begin a fraction.
+// Returns the number that `text` states, in the unit of the measure. nullopt if it has no number or no known unit, or
+// if a single comma precedes exactly three digits: the comma may group digits ("282,743 mm2") or begin a fraction.
 std::optional<double> stated(std::string_view text, Measure measure);
 
 }  // namespace isolaw::campaign

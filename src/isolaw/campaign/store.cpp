@@ -24,7 +24,7 @@ using sqlite::Connection;
 using sqlite::Statement;
 using sqlite::Transaction;
 
-// A result that a reader would refuse is a mistake of this program. It is not stored, to keep the store readable.
+// A result that read() would refuse is a mistake of this program. It is not stored, so that the store stays readable.
 template <class Require>
 void require_readable(Require&& require) {
   try {
@@ -110,8 +110,8 @@ Contents Store::read(std::filesystem::path const& file) {
 Store::Taken Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
-  // Every part that is merged changes pages all over the database. With a long log, SQLite writes a page that several
-  // parts change into the file once, and not once for each part.
+  // Merging a part changes pages all over the database. With a long log, SQLite writes a page that several parts change
+  // into the file once, and not once for each part.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
   Taken taken;
   Transaction transaction(db_);

@@ -24,8 +24,8 @@ class Store {
   // Reads what a campaign begins with: settings, devices and boxes, without the records' series.
   static Contents read_beginning(std::filesystem::path const& file);
   static Contents read_beginning_and_series(std::filesystem::path const& file);  // the same with the records' series
-  // For each table that holds what the campaign began with, series included: its name and a hash of its rows. The hash
-  // does not depend on which part of a campaign the store holds.
+  // Returns, for each table that holds what the campaign began with, including series, its name and a hash of its rows.
+  // The hash does not depend on which part of a campaign the store holds.
   static std::vector<std::pair<std::string, std::string>> hashes_of_beginning(std::filesystem::path const& file);
   // Calls visit(device, law, number) for every run, sorted by these three.
   static void for_each_run(std::filesystem::path const& file,
@@ -41,9 +41,9 @@ class Store {
   // Writes the title, the devices' facts and compression tests, the requirements for the tests, and whether to analyse.
   // No law depends on these, so they may change before a campaign is continued.
   void describe(Contents const& contents);
-  // Copies all runs of another store; if it throws Error, it has copied none. The other store must be of this campaign,
-  // and this build must have computed it. A run that both stores hold must be the same in both. Memory holds one row at
-  // a time.
+  // Copies all runs of another store or, if it throws Error, none. The other store must belong to this campaign and
+  // must have been computed by this build. A run that both stores hold must be the same in both. Memory holds one row
+  // at a time.
   struct Taken {
     std::size_t added = 0, there = 0;
   };
@@ -51,8 +51,8 @@ class Store {
   // Copies all analyses that are missing here from another store of this campaign, and returns how many. The other
   // store must have every run. If take_analyses() throws, it has copied none.
   std::size_t take_analyses(std::filesystem::path const& other);
-  // To be called after the last result: folds the write-ahead log into the file. Returns false if another program is
-  // reading the store. The log then stays beside the file, and whoever next opens the store to write folds it in.
+  // Must be called after the last result: folds the write-ahead log into the file. Returns false if another program is
+  // reading the store. The log then stays, and the next program that opens the store for writing folds it in.
   bool finish();
 
  private:

@@ -112,7 +112,7 @@ StoreKind::Declarations StoreKind::declarations(Connection const& db, std::files
       auto name = objects.text();
       found[std::move(name)] = objects.text();
     }
-  } catch (std::bad_alloc const&) {  // SQLite also says of some damaged schemas that they need too much memory
+  } catch (std::bad_alloc const&) {  // SQLite also reports lack of memory for some damaged schemas
     sqlite::refuse_damaged(file.string(), "its tables cannot be read");
   }
   return found;

@@ -33,9 +33,9 @@ class StoreKind {
   Words const& words() const { return words_; }
   // Creates the tables in an empty file, and writes the makers and the part into them.
   void begin(sqlite::Connection const& db, std::vector<Maker> const& makers, std::optional<Part> const& part) const;
-  // Makes a store by fill() and replaces a file of that name. If this fails or the program is killed, either the former
-  // or the new file exists and is complete. `before_replacing` is called when the new file is complete but does not
-  // have its name yet. Throws Error if `file` is not a plain file or cannot be written.
+  // Makes a store by fill() and replaces a file of that name. If this fails or the program is killed, the former or the
+  // new file is there and complete. Calls before_replacing() when the new file is complete but does not have its name
+  // yet. Throws Error if `file` is not a plain file or cannot be written.
   static void create(std::filesystem::path const& file, std::function<void(sqlite::Connection const&)> const& fill,
                      std::function<void()> const& before_replacing = {});
   // to_read() and to_write() throw Error for a file that is missing, not a plain file (a pipe could block), not a store
@@ -51,9 +51,9 @@ class StoreKind {
   void fold_log(std::filesystem::path const& file) const;
   // Rewrites a store that has no log, with its rows in the order of their keys. Equal results then give equal files,
   // byte by byte, in whatever order and on however many machines they were computed. Does nothing if the rows are in
-  // order already, and keeps the old file if the new one cannot be written.
+  // this order already. Keeps the old file if the new one cannot be written.
   void put_in_order(std::filesystem::path const& file) const;
-  // Returns the result of read(). If rows are not as isolaw writes them, it throws Error as for a damaged store.
+  // Returns the result of read(). Throws Error, as for a damaged store, if rows are not as isolaw writes them.
   template <class Read>
   static auto as_ours(std::filesystem::path const& file, Read&& read) {
     try {
@@ -70,7 +70,7 @@ class StoreKind {
 
  private:
   using Declarations = std::map<std::string, std::string>;  // by the name of the table
-  // The declarations of all tables, and of whatever other programs added.
+  // Returns the declarations of all tables, indexes, views and triggers, including those that other programs added.
   static Declarations declarations(sqlite::Connection const& db, std::filesystem::path const& file);
   [[noreturn]] static void refuse_unreadable(std::filesystem::path const& file);
   void create_tables(sqlite::Connection const& db) const;

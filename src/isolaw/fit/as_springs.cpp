@@ -12,13 +12,13 @@
 namespace isolaw::fit {
 namespace {
 
-// One spring, or two at mirrored angles. Their force along the test is `force` times that of `law`.
+// One spring, or two at mirrored angles. In the direction of the test their force is `force` times that of `law`.
 struct Share {
   LawOnMotion law;
   double force;
 };
 
-// A law as equal springs at equal angles around a circle, on the record of one device. The motion is along spring 0.
+// Equal springs, each with the law, at equal angles around a circle, on one device's record. They move along spring 0.
 class SpringsOnRecord {
  public:
   SpringsOnRecord(laws::LawEntry const& law, data::FitRecord const& record, int refinement)
@@ -30,8 +30,8 @@ class SpringsOnRecord {
     for (int i = 0; i < count; ++i) {
       double const along = std::cos(std::numbers::pi * i / count);
       if (2 * i == count) continue;  // this spring is at right angles to the motion, so it neither moves nor pulls
-      // For an odd law, the spring at count - i gives the same force along the test as the one at i. Spring i counts
-      // twice instead.
+      // For an odd law (its force changes sign with the motion), springs i and count - i give the same force in the
+      // direction of the test. Spring i counts twice, and spring count - i is left out.
       bool const mirrored = law.info.traits.odd && i > 0;
       if (mirrored && 2 * i > count) break;
       auto motion = record;

@@ -20,8 +20,8 @@ struct AsSprings {
 };
 
 // Fits springs to the record inside the box, by one descent that starts from `parameters`, the law's own fit to this
-// record. The record's motion is along the first spring. Integration is converged, with `refinement` steps a sample.
-// Returns `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
+// record. The motion is along the first spring. Uses converged integration with `refinement` steps per sample. Returns
+// `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
 AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
                             std::vector<double> parameters, int refinement = 1);
 AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,

@@ -268,7 +268,7 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   auto const at_zero = forces_at_zero(record);
   double strength = 0.0;
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
-  // If the displacement never crosses zero, or the device hardly dissipates, a quarter of the largest force is taken.
+  // If the displacement never crosses zero or the loop is very thin, a quarter of the largest force takes its place.
   if (!(strength > 0.02 * force)) strength = 0.25 * force;
 
   // The work of a test over all samples, including those that do not count in the objective: some laws remember all
@@ -313,7 +313,7 @@ SearchBox make_box(laws::LawEntry const& law, BoxKind kind, laws::RecordScales c
         parameter.lower = change->interval->lower;
         parameter.upper = change->interval->upper;
         parameter.value = parameter.lower;
-        // An interval that touches or spans zero has no logarithm of its ends. It is searched linearly.
+        // An override that touches or spans zero is linear here. on_logarithmic_scales() may change this later.
         if (parameter.lower * parameter.upper <= 0.0) parameter.scale = laws::Scale::linear;
       }
     }

@@ -65,8 +65,8 @@ struct SearchBox {
 // that span zero keep their scale. A logarithmic scale that ends at zero covers six decades.
 inline constexpr double wide_interval = 100.0;
 SearchBox on_logarithmic_scales(SearchBox box, laws::LawEntry const& law);
-// A value counts as at a bound if it is off the bound by at most this fraction of the search interval, measured on the
-// parameter's scale.
+// A value counts as being at a bound if its distance from the bound is at most this fraction of the search interval,
+// measured on the parameter's scale.
 inline constexpr double bound_tolerance = 1e-3;
 enum class AtBound { no, lower, upper };
 std::string_view name(AtBound bound);  // for `no`, `lower` and `upper`: "", "lower", "upper"
@@ -77,7 +77,7 @@ AtBound at_bound(SearchParameter const& parameter, double value);
 std::optional<laws::Interval> interval_beyond(laws::ParameterInfo const& parameter, laws::Interval interval,
                                               AtBound bound);
 bool same_bounds(SearchBox const& a, SearchBox const& b);
-// Widens the box for parameters whose value in `values` lies at a bound: moves this bound as interval_beyond() does.
+// Widens the box: if a value in `values` lies at a bound, moves this bound outwards as interval_beyond() does.
 // Intervals that an override states stay as they are. nullopt if no bound moves.
 std::optional<SearchBox> box_beyond(SearchBox const& box, laws::LawEntry const& law, std::span<double const> values,
                                     std::span<Override const> overrides);

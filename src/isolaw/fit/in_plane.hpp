@@ -20,8 +20,8 @@ struct PlaneMotion {
 struct LawInPlane {
   laws::LawEntry const* law;
   std::vector<double> parameters;
-  // The coupled extension uses neither of these two. A spring ignores reversals smaller than the dead band, and makes
-  // `refinement` integration steps from sample to sample.
+  // Only springs use these two members: a spring ignores reversals smaller than the dead band, and makes `refinement`
+  // integration steps from sample to sample.
   double dead_band_mm = 0.0;
   int refinement = 1;
 
@@ -31,15 +31,15 @@ struct LawInPlane {
 std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in_plane,
                                                   PlaneMotion const& motion);
 
-// A law's results on the second turn of a figure of eight of 200 samples: x = size_mm sin p, y = size_mm / 2 sin 2p.
+// A law's results on the second turn of a figure of eight (200 samples): x = size_mm sin p, y = size_mm / 2 sin 2p.
 struct OnAnEight {
   std::string_view rule;       // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;  // the largest force, and the dissipated energy
 };
 // Returns one result for each extension that the law has: coupled and springs. A law that softens with the largest
-// displacement so far has a second coupled extension, in which each axis has its own largest displacement.
+// displacement so far has a second coupled extension, which keeps a largest displacement for each axis.
 std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
-// The largest difference between the result of an extension and the first extension's result, divided by the latter.
+// The largest difference between the results of two extensions, divided by the first extension's result.
 struct Spread {
   double peak = 0.0, work = 0.0;
 };

@@ -10,7 +10,7 @@ namespace isolaw::fit {
 
 // Throws Error if no point of the box meets one of the law's joint limits. The message names the overrides responsible.
 void require_joint_limits(laws::LawEntry const& law, SearchBox const& box, std::span<Override const> overrides);
-// Checks overrides when no record is known yet: a parameter without override may have any physically possible value.
+// Checks overrides before a record is known: a parameter without override may then have any physically possible value.
 void require_joint_limits(laws::LawEntry const& law, std::span<Override const> overrides);
 
 }  // namespace isolaw::fit

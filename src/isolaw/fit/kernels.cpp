@@ -1,8 +1,8 @@
 // Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS (for example
-// kernels_avx2) is the only object that other files may use. The name of a function that is not inlined must contain
-// the instruction set: the linker keeps only one function of each name, perhaps one that this processor cannot run. The
-// namespace of num::Batch is named after the instruction set, so a function with a Batch among its template arguments
-// has the instruction set in its name. tests/kernels checks this.
+// kernels_avx2) is the only object that other files may use. If two objects define a function of the same mangled name,
+// the linker keeps one, perhaps one that this processor cannot run. The name of a function that is not inlined must
+// therefore contain the instruction set. It does if num::Batch, whose namespace is named after the instruction set, is
+// among its template arguments. tests/kernels checks this.
 #include "isolaw/fit/kernels.hpp"
 
 #include <algorithm>

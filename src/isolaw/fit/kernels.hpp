@@ -15,7 +15,7 @@ using num::InstructionSet;
 using num::name;
 using num::parse_instruction_set;
 
-// A test on which a law is computed, in the law's units.
+// One test of a record, on which a law is computed, in the law's units.
 struct KernelRecord {
   laws::Path const& path;
   std::span<double const> measured, weight;  // measured force of each sample, and its weight LawOnRecord::weight_
@@ -23,7 +23,7 @@ struct KernelRecord {
 
 // The functions for one law. `parameters` holds the first parameter of all candidates, then their second one, etc.
 struct Kernel {
-  // Computes sum of |measured - computed| * weight for each candidate; not finite if one of its forces is not finite.
+  // Computes the sum of |measured - computed| * weight for each candidate; not finite if one of its forces is not.
   using Objectives = void (*)(double const* parameters, KernelRecord const& record, laws::Integration integration,
                               double* objectives);
   Objectives wide = nullptr, narrow = nullptr;  // for wide_block and for narrow_block candidates at once

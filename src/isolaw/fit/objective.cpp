@@ -74,7 +74,7 @@ Weights time_weights(data::FitRecord const& record) {
 }
 // Uses time_weights() for a record without weights of its own. A record's own weights belong to samples, not to
 // intervals: a sample at the edge of the scored part keeps all of its weight, although half of it may stand for the
-// interval outside.
+// interval outside the scored part.
 Weights weights_of(data::FitRecord const& record) {
   if (record.weights.empty()) return time_weights(record);
   Weights result{.weight = record.weights};

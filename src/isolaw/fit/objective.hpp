@@ -17,9 +17,9 @@ namespace isolaw::fit {
 
 // integration_shift() makes this many integration steps in place of each step of the fit.
 inline constexpr int shift_refinement = 20;
-// The largest relative difference between the objectives that two machines compute for the same record and parameters;
-// the same limit holds for forces, relative to the peak force. Compilers, mathematical libraries and processors round
-// differently. `./isolaw.sh compilers` found 6e-14 for objectives and 1.2e-12 for forces (bouc-wen in x87 arithmetic;
+// The largest relative difference between the objectives that two machines compute for the same record and parameters.
+// Forces may differ by the same share of the peak force. Compilers, mathematical libraries and processors round
+// differently: `./isolaw.sh compilers` found 6e-14 for objectives and 1.2e-12 for forces (bouc-wen in x87 arithmetic;
 // otherwise 9e-14). The limit is wider, for libraries and processors that we could not try.
 inline constexpr double evaluation_tolerance = 1e-9;
 // The largest relative difference between the objective from a block of candidates and the scalar one. Blocks use other
@@ -50,14 +50,14 @@ class LawOnMotion {
   // Chooses samples for a faster, less exact evaluation and returns their indices: all samples just after a reversal of
   // the motion, fewer elsewhere.
   std::vector<std::size_t> outline() const;
-  // The law on some of the samples, whose indices `samples` holds in rising order. If all reversals are among them, a
-  // rate-independent law gives the same forces there.
+  // Returns the law on only those samples whose indices `samples` holds in rising order. If they include all reversals
+  // of the motion, a rate-independent law gives the same forces at them.
   LawOnMotion at(std::span<std::size_t const> samples) const;
   // Computes the force [kN] at every sample; not finite where the law has no finite force. `parameters` are in the
   // law's order and units; `force` has one element per sample. Thread-safe.
   void force_kN(std::span<double const> parameters, std::span<double> force) const;
   std::vector<double> force_kN(std::span<double const> parameters) const;
-  // As force_kN(), but in the law's unit of force.
+  // Like force_kN(), but in the law's unit of force.
   void evaluate(std::span<double const> parameters, std::span<double> force) const;
 
  private:
@@ -80,9 +80,9 @@ class LawOnRecord {
   LawOnRecord(laws::LawEntry const& law, data::FitRecord const& record, laws::Integration integration,
               laws::TurningPoints turning_points = laws::TurningPoints::as_sampled, int refinement = 1);
   LawOnRecord refined(int refinement) const;  // a copy with `refinement` steps from sample to sample
-  // The law on the samples of LawOnMotion::outline(). Each kept sample also takes over weight from the dropped samples
-  // beside it, and the objective therefore changes little. nullopt if over 3/4 of the samples would remain, or if the
-  // law is integrated by the paper's method, whose error depends on the distance between samples.
+  // Returns the law on only the samples of LawOnMotion::outline(). Each of them takes over weight from the dropped
+  // samples beside it, so the objective changes little. nullopt if over 3/4 of the samples would remain, or if the law
+  // is integrated by the paper's method, whose error depends on the distance between samples.
   std::optional<LawOnRecord> outline() const;
   // Moves the weights `shares` of all samples to the samples of outline(), as outline() moves the record's weights.
   std::vector<double> on_outline(std::span<double const> shares) const;
@@ -129,9 +129,9 @@ class LawOnRecord {
   std::vector<double> spread_;    // for each test the standard deviation of the measured force, in the law's unit
 };
 
-// The objective of the forces `force_kN`, which are given at every sample, over the samples whose `scored` is not 0:
-// the mean over the tests that have such samples. NaN if no scored sample has a weight or if the measured force is the
-// same at all scored samples of a test.
+// The objective of given forces, `force_kN` with one value for each sample, over the samples whose `scored` is not 0.
+// For several tests it is the mean over the tests that have such samples. NaN if no scored sample has a weight or if
+// the measured force is the same at all scored samples of a test.
 double objective_on(data::FitRecord const& record, std::span<double const> force_kN, std::vector<double> scored);
 
 // The search for a law's free parameters on a record, as a problem for the searches in opt/: each free parameter is a

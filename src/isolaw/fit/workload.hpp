@@ -1,4 +1,4 @@
-// The record on which speed is measured: three cycles of +-208 mm at 0.5 Hz with the force of a bilinear loop.
+// Makes the record on which isolaw's speed is measured: three cycles of +-208 mm at 0.5 Hz with a bilinear loop.
 #pragma once
 
 #include <algorithm>

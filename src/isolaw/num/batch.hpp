@@ -1,11 +1,11 @@
 // A batch of W doubles that behaves like one double. Its W places are called lanes. Each lane computes one candidate
-// parameter set or, in building/, one draw of a building's devices; lanes never mix. A lane agrees with the computation
-// on plain doubles within rounding.
+// parameter set or, in building/, one random draw of a building's devices. No lane depends on another lane. A lane
+// agrees with the computation on plain doubles within rounding.
 // A batch consists of a few native vectors of GCC or Clang (vector_size), so a law's code uses the vector registers of
 // the processor. The vectors do not depend on one another: the processor computes one while it waits for another.
 // The code is compiled once for each instruction set, and the objects are linked into one program (fit/kernels.cpp).
-// The linker keeps only one of several functions with the same name. The names of the types here therefore contain the
-// instruction set, and every function that several of the objects compile must have one of these types in its name.
+// The linker keeps only one of several functions with the same mangled name. The names of the types here therefore
+// contain the instruction set, and a function that several objects compile must have such a type in its mangled name.
 #pragma once
 
 #include <array>
@@ -345,8 +345,8 @@ ISOLAW_INLINE Indices<W> cell_of(std::array<double, Count> const& nodes, Batch<W
   return bisect(nodes, Count - 1, x);
 }
 
-// One round of the transposition of a square matrix: moves each number to the place whose row index and lane index have
-// exchanged their bits `Bit`.
+// One round of the transposition of a square matrix. Moves each number to the place that results if bit `Bit` of its
+// row index and bit `Bit` of its lane index change places.
 template <std::size_t Bit, std::size_t... Lane>
 ISOLAW_INLINE void exchange(std::array<Vector, vector_lanes>& rows, std::index_sequence<Lane...>) {
   for (std::size_t i = 0; i < vector_lanes; ++i) {

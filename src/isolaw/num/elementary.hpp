@@ -17,8 +17,8 @@
 // meanwhile the processor computes other vectors. Rejected: sums of even and odd powers (faster for one or two vectors,
 // slower from four on), log2 without a division (twice the terms).
 // This code assumes round to nearest and IEEE NaN and infinity: never use -ffast-math or -ffinite-math-only.
-// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. Only with -ffp-contract=fast does a compiler
-// fuse vectors' multiply-adds. All instruction sets with fused multiply-add then give the same bits.
+// -fno-trapping-math, -fno-signed-zeros and -fno-math-errno do no harm. -ffp-contract=fast lets the compiler fuse the
+// multiply-adds of vectors; all instruction sets that have fused multiply-add then give the same bits.
 #pragma once
 
 #include <bit>
@@ -80,7 +80,7 @@ struct Lanes<double> {
 
 namespace elementary {
 
-// Coefficients of polynomials, lowest power first. This one gives 2^f for |f| <= 1/2, relative error 5.6e-18.
+// Coefficients of polynomials, lowest power first. The first polynomial is 2^f for |f| <= 1/2, relative error 5.6e-18.
 inline constexpr double exp2_terms[] = {0x1.0000000000000p+0,  0x1.62e42fefa39efp-1,  0x1.ebfbdff82c5a5p-3,
                                         0x1.c6b08d704a122p-5,  0x1.3b2ab6fb9ffb3p-7,  0x1.5d87fe78a111cp-10,
                                         0x1.4309130f139cbp-13, 0x1.ffcbfc595bcf6p-17, 0x1.62bfc71ea7788p-20,
@@ -201,7 +201,7 @@ template <class T>
   return L::multiply_add(power, rest * elementary::polynomial<T>(elementary::expm1_terms, rest), power - L::all(1.0));
 }
 
-// Guesses x^(-1/5) from the bits of x, and corrects the root that follows from it by a polynomial in the guess's error.
+// Guesses y = x^(-1/5) from the bits of x. The guessed root x y^4 is corrected by a polynomial in 1 - x y^5.
 template <class T>
 [[gnu::always_inline]] inline T fast_fifth_root(T const& x) {
   using L = Lanes<T>;
@@ -244,7 +244,7 @@ template <class T>
   // If base is not finite, base - base is NaN and makes the result NaN; else it is 0. GCC 12 with -fno-signed-zeros
   // would turn base * 0 into 0.
   T const fraction = s * elementary::polynomial<T>(elementary::power_log2_terms, s * s) + (base - base);
-  // `rest` is computed from p and not from `exponent`, so that it lacks the rounding error of `exponent`.
+  // `exponent` has a rounding error. `rest` is computed from p, `whole` and `fraction`, so that it lacks this error.
   T const exponent = p * (whole + fraction);
   T const shifted = exponent + L::all(elementary::shifter);
   T const nearest = shifted - L::all(elementary::shifter);

@@ -32,8 +32,8 @@ inline constexpr double outer_bottom[] = {1.0,
                                           3.43936767414372164e3,
                                           1.23033935480374942e3};
 
-// horner() is always inlined, so that the coefficients become constants in the code. Otherwise the table of
-// coefficients would be a symbol that the objects of all instruction sets share.
+// horner() is always inlined, so that the coefficients become constants in the code. Otherwise they would be a table
+// with one name, which the code of all instruction sets would share.
 template <class T, std::size_t Count, std::size_t... I>
 [[gnu::always_inline]] inline T horner(double const (&terms)[Count], T const& x, std::index_sequence<I...>) {
   T sum(terms[0]);

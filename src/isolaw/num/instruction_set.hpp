@@ -14,8 +14,8 @@ std::string_view name(InstructionSet set);
 
 // The instruction sets that this program contains code for and that this processor has.
 std::vector<InstructionSet> available_instruction_sets();
-// Returns the fastest available set, or the set that the environment variable ISOLAW_SIMD names. The first call
-// chooses. Throws Error for an unknown name or a set that this processor cannot run.
+// Returns the fastest available set, or the set that the environment variable ISOLAW_SIMD names. Later calls return the
+// same set as the first. Throws Error for an unknown name or a set that this processor cannot run.
 InstructionSet instruction_set();
 InstructionSet parse_instruction_set(std::string_view text);
 

@@ -56,8 +56,8 @@ double Draws::uniform() {
   return static_cast<double>(bits64() >> 11) * 0x1p-53;
 }
 
-// Draws as many random bits as n - 1 has, again and again until they are a number below n. Every number is equally
-// likely, and fewer than two tries are needed on average.
+// Draws a number of as many random bits as n - 1 has, again and again until the number is below n. Every result is
+// equally likely, and fewer than two tries are needed on average.
 std::size_t Draws::below(std::size_t n) {
   assert(n > 0);
   auto const width = std::bit_width(n - 1);

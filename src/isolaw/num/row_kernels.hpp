@@ -1,5 +1,5 @@
-// Sums over tables of residuals, with a row for each residual and a column for each candidate. Apart from the law
-// itself, these sums take most of a descent's time. They are therefore compiled once for every instruction set.
+// Sums over tables of residuals, with a row for each residual and a column for each candidate point. A descent of the
+// search spends most of its time in the law and in these sums, so they are compiled once for every instruction set.
 #pragma once
 
 #include <cstddef>

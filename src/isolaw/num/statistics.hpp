@@ -38,8 +38,8 @@ struct ModifiedScores {
 };
 ModifiedScores modified_scores(std::span<double const> values, double least_scale);
 inline constexpr double outlying_score = 3.5;
-// Outliers are sought only among this many values or more: the median absolute deviation of fewer does not tell how
-// much they scatter.
+// The smallest number of values among which outliers are sought: the median absolute deviation of fewer values says
+// little about how much they scatter.
 inline constexpr std::size_t fewest_for_outliers = 4;
 
 }  // namespace isolaw::num

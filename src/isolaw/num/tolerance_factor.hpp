@@ -1,5 +1,5 @@
-// Tolerance factors k: with a given confidence, the interval mean +- k s of a sample contains a given share of the
-// normal population that the sample was drawn from; s is the sample's standard deviation.
+// Tolerance factors k. The interval mean +- k s of a sample, where s is the sample's standard deviation, contains a
+// given share of the normal population from which the sample was drawn, with a given confidence.
 #pragma once
 
 #include <cstddef>

@@ -23,22 +23,22 @@ struct GeneticOptions {             // campaign::setting_table() holds the limit
   double selection_pressure = 8;    // roulette weight exp(-pressure * value / worst finite value)
 };
 
-// Minimises a problem whose values are not negative; roulette_weights() tells what happens to negative ones. All points
-// of a generation are evaluated in one call. A point without a finite value survives only if there are too few others.
+// Minimises a problem whose values are not negative (see roulette_weights() for negative ones). All points of a
+// generation are evaluated in one call. A point without a finite value survives only if there are too few others.
 // Random numbers depend only on (stream, generation, individual or pair), so that equal streams give equal results.
 // `interrupted`, if given, is called before each generation; the search ends if it returns true.
 // A generation is an improvement if its best value is below (1 - stagnation_tolerance) times the best value of the last
 // improvement. If all points have the same value, the search therefore ends after 1 + stagnation generations.
-// Outcomes: all_generations, even if the last generation stagnates; stagnated; no_finite_value if no point of the
-// initial population has a finite value; interrupted, with a best point if at least one generation was computed.
-// Throws Error if the problem has no dimensions.
+// Outcomes: stagnated if the search stopped before the last generation; all_generations if it did not; no_finite_value
+// if no point of the initial population has a finite value; interrupted, with a best point if at least one generation
+// was computed. Throws Error if the problem has no dimensions.
 SearchResult minimise_genetic(Problem const& problem, num::Stream const& stream, GeneticOptions const& options = {},
                               std::function<bool()> const& interrupted = {});
 
-// Tells how a search with this history of best values ended. It was `interrupted` if no stopping rule is met.
+// Tells how a search with this history of best values ended. The result is `interrupted` if no stopping rule is met.
 Outcome outcome_of(std::span<double const> history, GeneticOptions const& options);
 // Roulette weights exp(-pressure v / worst finite v) of the values v. Values that are not finite get 0. If the worst
-// value is 0, all finite values get 1. If some values are negative, all are measured from the smallest.
+// value is 0, all finite values get 1. If some values are negative, the smallest is first subtracted from all.
 std::vector<double> roulette_weights(std::span<double const> values, double pressure);
 
 // Draws indices with probabilities proportional to the weights, with repetition. Weights are finite, >= 0, not all 0.

@@ -20,8 +20,8 @@ namespace {
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A descent has stages. A stage lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. It
-// ends when the iterations at this last delta gain too little, at the latest after `iterations`.
+// A descent has stages. A stage lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. The
+// stage ends when the iterations at this last delta gain too little, at the latest after `iterations` iterations.
 struct Stage {
   double smoothing;
   int iterations;
@@ -31,20 +31,20 @@ struct Stage {
 // Finds a valley, which is the surroundings of a minimum. Delta ends at half the mean residual, where the sum is still
 // smooth and few iterations are needed.
 constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
-// Finds the floor of the valley. Ends at gains below the hit tolerance of 5e-4, because the value at the end is only
-// compared with the values of other descents.
+// Finds the floor of the valley. Its least gain is below the hit tolerance of 5e-4, and need not be smaller, because
+// the value at the end is only compared with the values of other descents.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
 // Replaces `settle` after a descent on the outline. It uses all residuals. It starts at the minimum of the outline,
 // which is close to the minimum of all residuals.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Replaces `finish` if descend() is asked to be brief. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;  // limit of delta after the outline, as a share of the value
+constexpr double rounding_after_outline = 0.03;                // largest delta after the outline, divided by the value
 constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
 
-constexpr double gain_worth_staying = 3e-3;  // after an iteration with a smaller gain, delta falls
-// Delta is multiplied by this. The fall is so small that a few iterations lead from the minimum for one delta to the
-// minimum for the next.
+constexpr double gain_worth_staying = 3e-3;  // after an iteration with a smaller relative gain, delta falls
+// When delta falls, it is multiplied by this factor. The fall is so small that a few iterations lead from the minimum
+// for one delta to the minimum for the next.
 constexpr double fall_of_delta = 0.3;
 constexpr double noise_of_gain = 1e-6;  // smaller gains count as none: one-sided differences have errors of this size
 // Step of one-sided differences. A slope is wrong by about 1e-6 because the residuals are curved, and by 1e-9 because
@@ -56,18 +56,18 @@ constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: as many as a law's kernel computes at once, since fewer would cost as much.
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor on the damping if all trial steps failed; above the 400 just tried
-constexpr int rises = 4;                // attempts in an iteration, enough to raise usual_damping beyond most_damping
+constexpr double damping_rise = 1e4;    // factor on the damping if all trial steps failed; above the 400 tried before
+constexpr int rises = 4;                // attempts in an iteration: enough to raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
 constexpr double least_carried = 1e-9, most_carried = 1e6;  // limits of the damping that the next iteration starts with
 // This fraction of the largest curvature is added to all curvatures, because some coordinates have no curvature.
 constexpr double least_curvature = 1e-9;
 
-constexpr double one_valley = 0.75;  // with this share of hits among the scattered starts, a better valley is unlikely
+constexpr double one_valley = 0.75;  // if this share of the scattered starts are hits, a better valley is unlikely
 // A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
-// rule missed the best valley in 1 of 380 logged searches. A rule that asked for a share of 0.3 of all descents missed
-// it in 6.
+// rule missed the best valley in 1 of 380 logged searches. Another rule, a share of 0.3 of all descents, missed it in 6
+// of them.
 constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
@@ -76,23 +76,23 @@ constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffice
 // missed the best point, and 2 with 96 starts.
 constexpr double close = 10.0;  // in hit tolerances
 constexpr double ragged = 0.5;
-constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third more starts
+constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third of the starts is added
 // Above this number of dimensions, hops (starts near the best point) found better valleys than scattered starts, at a
 // quarter of the cost.
 constexpr std::size_t wide = 14;
 constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
 // A descent is given up if its value after approach() exceeds the best value by this factor, since settle() gains less.
 constexpr double promising = 1.5;
-constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // 0.03 to 0.5 of the box, to leave a valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // 0.01 to 0.3, to stay in a valley
+constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // hops of 0.03 to 0.5, to leave a valley
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // hops of 0.01 to 0.3, to stay in it
 
-// In hit tolerances. The floor of the valley counts as smooth if at least half of the hits are this close to the best
-// value.
+// In hit tolerances. The floor of the valley counts as smooth if at least half of the hits, and at least twice
+// MultistartOptions::hits, are this close to the best value.
 constexpr double sharp = 0.2;
 // If the values of the hits scatter, this many of the best descents are polished. Polishing only the best one left the
 // result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
-constexpr double near_enough = 2.0;  // in hit tolerances; ends farther from the best value are in other valleys
+constexpr double near_enough = 2.0;  // in hit tolerances; descents that end farther from the best are in other valleys
 // A descent is not polished if its value after approach() exceeds the best value by more than this factor.
 constexpr double worth_polishing = 1.01;
 // refine() stops after hops_in_vain hops in a row without gain, or after most_last_hops hops in all.
@@ -243,9 +243,9 @@ class Descent {
   }
 
   // Gradient and two curvatures of the sum of sqrt(residual^2 + delta^2), by one-sided differences. They are zero for a
-  // coordinate if the point one difference away has no finite value. The cautious curvature is that of a parabola that
-  // touches the sum from above; steps with it are too short. The bold curvature is nearly the sum's true curvature, to
-  // which only residuals near zero contribute; steps with it are too long.
+  // coordinate if the residuals at the neighbouring point are not finite. The cautious curvature belongs to a parabola
+  // that touches the sum from above; steps with it are too short. The bold curvature is nearly the sum's true
+  // curvature, to which only residuals near zero contribute; steps with it are too long.
   struct Slopes {
     Vector gradient;
     Matrix cautious, bold;
@@ -408,8 +408,8 @@ class Search {
     return hits >= options_.hits && std::ssize(ends_) >= starts_for(hits, near);
   }
 
-  // Number of descents to make. It is larger if few scattered starts hit the best value, since a better value was then
-  // more likely missed. Hops do not count in this share of hits, because they tend to return to the valley that they
+  // Number of descents to make. It is larger if few of the scattered starts are hits, since the search has then more
+  // likely missed a better value. Hops do not count in this share, because they tend to return to the valley that they
   // came from.
   std::ptrdiff_t starts_for(std::ptrdiff_t hits, double near) const {
     std::ptrdiff_t const least = options_.least_starts, starts = options_.starts;
@@ -438,9 +438,9 @@ class Search {
   }
 
   // Runs one descent from `start`. Worker threads call this early, in any order; count_in() later adds the descents to
-  // the result in the order of their starts. A descent is refined to its end (settled) only if its value is less than
-  // `promising` times the best value known now. That best value can only fall until count_in() compares with it, so a
-  // descent that count_in() takes as settled has been settled here.
+  // the result in the order of their starts. The descent is settled, that is, refined to its end, only if its value is
+  // less than `promising` times the best value known now. The best value may fall before count_in() makes the same
+  // comparison, but it cannot rise, so count_in() never needs a settled descent that is missing here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);
@@ -465,8 +465,8 @@ class Search {
     return end.value;
   }
 
-  // Polishes the best end. If the values of the hits scatter, the valley's floor is ragged. The next best ends are then
-  // polished too, and small hops follow until they gain nothing.
+  // Polishes the best descent. If the values of the hits scatter, the valley's floor is ragged. The next best descents
+  // are then polished too, and small hops follow until several in a row gain nothing.
   void refine(std::function<bool()> const& interrupted) {
     auto const polish = [&](std::vector<double> const& start) {
       Descent descent(problem_, start);

@@ -8,8 +8,7 @@
 // minimises the outline first and uses all residuals only for its last steps.
 // A descent that ends at the best value is a hit. The larger the share of hits, the fewer descents the search makes
 // (see MultistartOptions). In more than fourteen dimensions it makes up to 2.5 times as many, half of them hops.
-// Rejected: descending only from starts of low value. For the laws, within the bounds of their parameters, these starts
-// lie in the wrong valleys.
+// Rejected: descending only from the starts of lowest value. For isolaw's laws these starts lie in the wrong valleys.
 #pragma once
 
 #include <functional>
@@ -53,8 +52,8 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
 // Makes one descent from a point near a minimum, for a problem that differs little from one already solved. The result
 // is never above the value at the start; it is not usable if that value is not finite. The first delta is `rounding`
 // times the value at the start; a small delta keeps the descent in its valley. A `brief` descent ends with about four
-// correct digits, enough for a result of which many are reported together. Throws Error if the problem has no
-// dimensions.
+// correct digits, which is enough where many results are summarised, as in a bootstrap. Throws Error if the problem has
+// no dimensions.
 Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
               bool brief = false);
 
