@@ -1,4 +1,4 @@
-"""bench/campaigns on the cheapest law: every part gives its rows, and the phases of a campaign add up to it."""
+"""Runs bench/campaigns on the cheapest law. All parts write rows, and the phases add up to the campaign."""
 
 import csv
 import os

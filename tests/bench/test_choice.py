@@ -1,4 +1,7 @@
-"""The law that isolaw names, on devices whose behaviour is known and on measured ones: numbers that two independent programs gave."""
+"""Tests which law isolaw names for devices whose behaviour is known and for measured ones.
+
+Two independent programs gave the expected numbers.
+"""
 
 import csv
 import importlib.machinery
@@ -21,7 +24,7 @@ LOADER.exec_module(building)
 
 
 def elastoplastic(x, stiffness, strength):
-    """The force of a spring with a limit, from rest."""
+    """Returns the force of an elastic-perfectly-plastic spring that starts at rest."""
     force, before, forces = 0.0, 0.0, []
     for value in x:
         force = max(-strength, min(strength, force + stiffness * (value - before)))
@@ -52,7 +55,7 @@ def write_record(file, x, force, interval_s=0.01):
 
 
 def last_cycle(x, force, per_cycle=200):
-    """Stiffness from peak to peak and energy of the last cycle."""
+    """Returns the stiffness from peak to peak and the energy of the last cycle."""
     x, force = x[-per_cycle - 1:], force[-per_cycle - 1:]
     high, low = x.index(max(x)), x.index(min(x))
     energy = sum((force[i] + force[i - 1]) / 2.0 * (x[i] - x[i - 1]) for i in range(1, len(x)))
@@ -96,7 +99,7 @@ class Choice(unittest.TestCase):
                     self.assertLess(abs(value / truth - 1.0), 0.15, f"{law}: {found}")
 
     def test_a_hold_inside_a_test_changes_nothing(self):
-        """Three cycles, with and without sixty seconds in which the device stands still."""
+        """One of two equal tests has a pause of sixty seconds. Both must give the same law and nearly equal fits."""
         draw, at = random.Random(3), 700
         x = cycles([60.0]) + cycles([100.0])
         force = DEVICES["lead-rubber"](x)
@@ -133,13 +136,13 @@ class Choice(unittest.TestCase):
         self.assertAlmostEqual(places["power-masing-worn"]["error"], 0.0174, delta=0.0174 * 0.1)
 
     def test_the_example_lot_is_answered_for_a_device_left_out(self):
-        """The paper's laws, one amplitude: samples count by time, and no swing is larger than the others."""
+        """Fits the paper's laws to one amplitude. Samples count by time, and no swing is larger than the others."""
         self.isolaw("example", "lot")
         summary = self.calibrate("out", "lot", "--laws", "paper")
         wanted = {"jankowski": 0.0419, "hwang-wu": 0.0421, "abe-y0": 0.0441, "abe": 0.0441, "bouc-wen": 0.0461, "vaiana": 0.0440, "bilinear": 0.0657}
         for law in summary["laws"]:
-            # Only one run in ten finds vaiana's best fit. The lot's law may therefore depend on the random starts, and the
-            # tolerance is wider.
+            # Only one run in ten finds vaiana's best fit. The lot's law may therefore depend on the random starts, and
+            # the tolerance is wider.
             tolerance = 0.06 if law["id"] == "vaiana" else 0.01
             self.assertAlmostEqual(law["loo_objective"], wanted[law["id"]], delta=tolerance * wanted[law["id"]], msg=law["id"])
             self.assertIsNone(law["larger_swings_objective"])

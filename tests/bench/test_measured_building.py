@@ -1,4 +1,4 @@
-"""Computes again what docs/measured-building.md says of the law that the program names."""
+"""Computes again the numbers of docs/measured-building.md on the law that isolaw names."""
 
 import importlib.machinery
 import importlib.util
@@ -21,7 +21,7 @@ LAWS = [NAMED, "power-masing", "ozdemir"]
 
 
 def said(law):
-    """Displacement and roof of SP100, then of ICA100, in percent."""
+    """Returns the errors that the page states for a law, in percent: displacement and roof in SP100, then in ICA100."""
     row = re.search(rf"^\| `{law}`.*$", PAGE, re.MULTILINE)[0]
     cells = [cell.strip() for cell in row.strip("| ").split("|")]
     return [float(cells[i]) for i in (3, 4, 7, 8)]
@@ -58,7 +58,7 @@ class MeasuredBuilding(unittest.TestCase):
             self.assertAlmostEqual(mean, fit["objective"]["best"], delta=1e-9)
 
     def test_errors_are_those_of_two_independent_programs(self):
-        """The means of what two programs gave that were written apart from this one. They differ by up to 5 and 10 %."""
+        """Each error is the mean of two independent programs, which differ by 5 % (fits) or 10 % (predictions)."""
         for law, fits, predicts in (("power-masing-viscous", 0.0615, 0.0775), ("power-masing", 0.0695, 0.0995), ("ozdemir", 0.0855, 0.127)):
             fit = next(one for one in self.summary["laws"] if one["id"] == law)["devices"][0]
             self.assertAlmostEqual(fit["optimum"], fits, delta=0.05 * fits, msg=law)
@@ -76,7 +76,10 @@ class MeasuredBuilding(unittest.TestCase):
                            1.9 * max(measured.peak(self.runs[name].disp_mm) for name in measured.FITTED))
 
     def test_the_levels_are_turned_in_the_runs_named_after_ica(self):
-        """Below its first mode a building moves more at the roof than at the base: the files of these runs begin with the roof."""
+        """The files of these runs number the levels from the roof down, and the script must turn them round.
+
+        Below its first mode a building moves more at the roof than at the base.
+        """
         self.assertEqual([name for name, run in self.runs.items() if run.turned], ["ICA50", "ICA100"])
         for run in self.runs.values():
             self.assertGreater(abs(measured.transfer(run.roof, run.acceleration[0], 0.6)), 1.15)

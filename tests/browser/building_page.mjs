@@ -157,7 +157,8 @@ try {
     await page.close();
   }
   const url = pathToFileURL(given ?? written.get(2)).href;
-  // Other units stay in the address after a link of the contents, and other units in the address load the page again.
+  // A link of the table of contents must keep the units that stand in the address. If the user chooses other units, the
+  // page must load again with them.
   const page = await browser.open(url + '#verdict?units=kip-in', CASES[0]);
   const address = await page.evaluate("document.querySelector('#contents a:nth-child(3)').click(); new Promise((done) => setTimeout(() => done(location.hash), 100))");
   if (address !== '#spread?units=kip-in') failures.push('after a link of the contents the address is ' + address);
@@ -165,7 +166,7 @@ try {
   let units = '';
   for (let i = 0; i < 100 && units !== '#spread?units=N-m N-m'; ++i) {
     await new Promise((done) => setTimeout(done, 50));
-    // Empty while the page loads.
+    // While the page loads, evaluate() fails and the text stays empty.
     units = await page.evaluate("location.hash + ' ' + document.querySelector('.units [aria-pressed=true]').value").catch(() => '');
   }
   if (units !== '#spread?units=N-m N-m') failures.push('after N-m was pressed the page shows ' + units);

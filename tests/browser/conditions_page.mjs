@@ -132,7 +132,8 @@ try {
         middle = load.x.indexOf(1500);
       near(Math.exp(load.y[middle]), 1.04715551 ** ((4 - 2.25) / 3), 'at 1500 kN');
     }
-    // Forces at -20 C differ by the same factor in energy as in K_eff.
+    // In the example the temperature multiplies all forces by one factor, so energy changes by the same factor as
+    // K_eff.
     near(Math.exp(seen.energyCold), (1.480158436 * 1.313436434) / 1.310375321, 'energy at -20 C', 4e-4);
     const [recovery] = seen.history.filter(({ xaxis }) => xaxis === 'x2');
     [10.9861229, 38.918203, 58.2008293].forEach((share, i) => near(recovery.y[i], share, `recovery after ${recovery.x[i]} h`));
@@ -169,8 +170,8 @@ try {
     expect(page.errors.length === 0, page.errors.join('; '));
     await page.close();
   }
-  // At -20 C, P2 is 1.4 times as stiff as before and P3 is not tested. With two devices t is 12.7, so the interval of
-  // the mean goes from 0.18 to 13.
+  // The test multiplies the forces of P2 at -20 C by 1.4 and removes the test of P3 at -20 C. With the two remaining
+  // devices Student's t is 12.7, so the interval of the mean goes from 0.18 to 13.
   const cold = join(lot, 'P2--20C.csv');
   writeFileSync(cold, readFileSync(cold, 'utf8').replace(/^([\d.]+,[^,]+,)([^,]+)/gm, (_, before, force) => before + 1.4 * Number(force)));
   const file = join(lot, 'lot.toml');

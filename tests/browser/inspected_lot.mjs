@@ -1,6 +1,7 @@
 // Opens the page that `isolaw inspect` writes for a lot of four records. One record is a copy of another, and one is
 // cut off early. The test checks what the certificate says of the copy, and that a window of 1280 pixels shows all
-// columns of the tables. In a second lot the records have two amplitudes, of which the design displacement chooses one.
+// columns of the tables. In a second lot the records have two amplitudes, and the design displacement chooses one of
+// them.
 //   node inspected_lot.mjs ISOLAW [CHROMIUM]
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -15,8 +16,8 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// Returns the record of a bilinear device as CSV: 0.5 kN/mm after yielding at 10 mm, the given strength in kN, cycles
-// at 0.5 Hz, of 100 mm unless `amplitude` gives another one for a sample.
+// Returns the record of a bilinear device as CSV. The device yields at 10 mm and has 0.5 kN/mm after yielding and the
+// given strength in kN. Cycles have 0.5 Hz and 100 mm, unless `amplitude` returns another amplitude for a sample.
 function record(samples, strength, amplitude = () => 100) {
   const rows = ['time [s],displacement [mm],force [kN]'];
   for (let i = 0, z = 0, before = 0; i < samples; ++i) {

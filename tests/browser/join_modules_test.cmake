@@ -53,8 +53,8 @@ if(failed OR low LESS 0 OR high LESS low)
   message(SEND_ERROR "joined wrong: ${said} ${joined}")
 endif()
 
-# The folder holds the modules of two scripts, of which the test joins one. This script must contain only the modules
-# that it imports. A module that neither script imports must be an error.
+# The folder holds the modules of two scripts, and the test joins one of them. The joined script must contain only the
+# modules that it imports. A module that neither script imports must be an error.
 macro(join_of_two)
   file(WRITE ${folder}/other.js "import { b } from './low/b.js';\nconsole.log(b);\n")
   file(WRITE ${folder}/low/b.js "export const b = 2;\n")

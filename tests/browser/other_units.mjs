@@ -64,11 +64,12 @@ export function compareUnits(stored, other, id) {
   const failures = [];
   let compared = 0;
   const word = (unit) => unit.replace(/[/()^]/g, '\\$&') + '(?![\\w/\u00b2\u00b3-])';
-  // The factors of the units that a text names here and there, other than as the unit of a number.
+  // Returns the factors of the units that `here` names other than after a number, if `there` names the converted units.
   const factorsOf = (here, there) =>
     names
       .filter((name) => {
-        const heading = (unit) => new RegExp('(?<![\\w/-]|(?<![A-Za-z_])\\d[\\s\u202f])' + word(unit)); // but K_1 is no number
+        // The 1 of K_1 is no number.
+        const heading = (unit) => new RegExp('(?<![\\w/-]|(?<![A-Za-z_])\\d[\\s\u202f])' + word(unit));
         return heading(name).test(here) && heading(units[name].unit).test(there);
       })
       .map((name) => units[name].factor);

@@ -1,5 +1,6 @@
 // Compares the numbers that different views of one report show of the same thing. No view may contradict another, in
-// whichever units the page shows. The report is that of the example tests: five bearings, one with a clipped stage, one that fails.
+// whichever units the page shows. The report is that of `isolaw example --tests`. One of its five bearings has a
+// clipped stage, and one fails.
 //   node report_agreement.mjs ISOLAW CHROMIUM
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -18,7 +19,8 @@ if (!program) {
 const failures = [];
 let compared = 0;
 
-// The number that a text shows, and half a unit of its last digit. Zeros at the end of a whole number may be rounded.
+// Returns the number that a text shows, and half a unit of its last digit. Zeros at the end of a whole number may be
+// rounded.
 function read(text) {
   const [number] = text.replace(/\u2212/g, '-').match(/-?\d+(\.\d+)?/) ?? [];
   if (number === undefined) return null;

@@ -81,7 +81,7 @@ function check_errors(expect, name, rows) {
 function heads() {
   const found = {};
   for (const region of document.querySelectorAll('.scroll')) {
-    // The pages of devices are printed with the certificate alone.
+    // Pages of single devices are printed only together with the certificate, so they are left out here.
     if (region.getClientRects().length === 0 || region.closest('.device-page')) continue;
     const tables = [...region.querySelectorAll('table')].filter((table) => table.getClientRects().length > 0);
     const texts = tables.flatMap((table) =>

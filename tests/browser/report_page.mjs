@@ -3,7 +3,7 @@
 // browser executes.
 //   node report_page.mjs fit|inspection|analysis|large MAKE_PAGE [CHROMIUM]
 // The first argument chooses the cases: pages with laws that were only fitted, pages without laws, pages of a campaign
-// with its analyses, and those of 160 devices, which take the longest.
+// with its analyses, or pages of 160 devices, which take the longest.
 // ISOLAW_SCREENSHOTS=DIR saves pictures of every case, screen by screen, and its PDF.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -630,7 +630,7 @@ async function look() {
     document.querySelector('#figure-loop figcaption, #figure-cycles figcaption')?.textContent;
   const before = titles();
   for (const details of document.querySelectorAll('details')) details.open = true;
-  // The certificate's list of devices repeats that of the properties.
+  // The certificate's list of devices repeats the list in the section on properties, so it is left out here.
   for (const select of document.querySelectorAll('select:not(#certificate-of)')) {
     const last = select.options.length - 1;
     select.selectedIndex = select.selectedIndex === last ? 0 : last;
@@ -854,7 +854,8 @@ async function check_certificate(page, name, pictures, { state, letterhead = '' 
   expect(JSON.stringify(seen.sections) === '["certificate"]', name, 'printed with the certificate: ' + seen.sections);
   expect(seen.devices === seen.names, name, `${seen.devices} devices on the certificate`);
   expect(JSON.stringify(seen.limits) === JSON.stringify(seen.requirements), name, 'requirements on the certificate: ' + seen.limits);
-  // Everybody but for a grey mark may sign, on the page of the lot and on that of the device shown.
+  // Nobody may sign a certificate with a grey mark. Otherwise three people sign a pass and two people any other result,
+  // both on the page of the lot and on the page of the shown device.
   const signers = (seen.mark && !seen.isRed ? 0 : seen.word === 'PASS' ? 3 : 2) * seen.signatures;
   const signed = 3 * signers;
   expect(seen.mark === seen.wanted, name, `the certificate is marked ${seen.mark}, not ${seen.wanted}`);
@@ -896,8 +897,9 @@ async function check_certificate(page, name, pictures, { state, letterhead = '' 
   }
 }
 
-// The units stand in the address. Other units, also in an address that is entered by hand, load the page again, and a
-// link of the contents keeps them. Unknown units are those of the report.
+// The units stand in the address. If the user enters an address with other units, the page must load again with them. A
+// link of the table of contents must keep the units. If the address names unknown units, the page must use the report's
+// own.
 async function check_units(browser, url, name, size) {
   const page = await browser.open(url, size);
   // Null while the page loads.

@@ -1,6 +1,6 @@
-// Replaces the records in the data of a report by made-up ones with blocks, cycles, verdicts and a lot, so that every
-// kind of thing occurs that a page must show. The formulas are simple and only good for clean records. This file itself
-// checks nothing.
+// Replaces the records in the data of a report by made-up ones with blocks, cycles, verdicts and a lot. The page must
+// then show every kind of content that it can show. The formulas are simple and only good for clean records. This file
+// itself checks nothing.
 
 const mean = (values) => values.reduce((sum, value) => sum + value, 0) / values.length;
 

@@ -150,7 +150,7 @@ TEST_F(BoundLaws, in_a_building_take_the_place_of_a_factor) {
   auto const j = json("B/building.json");
   EXPECT_TRUE(j["lower_factor"].is_null());
   EXPECT_EQ(j["upper_factor"], 1.2);
-  // A softer bearing takes less force.
+  // The lower bound makes the bearings softer, so they take less force.
   auto const& shear = j["laws"][0]["quantities"]["shear_over_weight"];
   EXPECT_LT(shear["lower"], shear["nominal"]);
   // The file may state a factor for each part of the force.
@@ -181,7 +181,8 @@ TEST_F(BoundLaws, that_no_test_covers_are_missing_with_the_reason) {
   ASSERT_EQ(exported.code, 0) << exported;
   auto const bounds = json("e.json")["bounds"];
   EXPECT_TRUE(contains(bounds["source"].get<std::string>(), "no test covers temperature")) << bounds;
-  // Bounds from the scatter between devices must not take their place: they would be narrower than what the tests show.
+  // isolaw must not use bounds from the scatter between devices instead, because these would be narrower than the tests
+  // show.
   for (auto const* which : {"lower", "upper"}) EXPECT_TRUE(bounds[which].is_null()) << bounds;
 }
 

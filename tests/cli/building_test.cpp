@@ -18,7 +18,8 @@ namespace {
 
 class Building : public InFreshDirectory {
  protected:
-  // Calibrates three bilinear devices, tested in blocks at 50 and 100 mm, whose force has a small third harmonic.
+  // Calibrates three bilinear devices. Each was tested in blocks at 50 and 100 mm, and its force has a small third
+  // harmonic.
   void campaign() {
     double stiffness = 5.0;
     for (auto const* name : {"a.csv", "b.csv", "c.csv"}) {
@@ -38,7 +39,7 @@ class Building : public InFreshDirectory {
                                      "--analysis", "full", "--replicates", "40", "--figures", "none", "--out", "lot"});
     ASSERT_EQ(calibration.code, 0) << calibration;
   }
-  // The bearings of the campaign do not keep the limits of the example.
+  // Writes the example of a building without its limits, which the bearings of the campaign would not keep.
   void example_without_limits() {
     ASSERT_EQ(isolaw({"example", "case", "--building"}).code, 0);
     auto text = read("case/building.toml");
@@ -72,7 +73,8 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(answer.starts_with("No answer yet: 40 draws do not tell whether the building with Bilinear keeps its "))
       << output;
   EXPECT_TRUE(contains(answer, "with Bilinear the bounds cover ")) << output;
-  // A limit that is not kept ends the command with 1. The runs are those of the store.
+  // If the building does not keep a limit, the exit code is 1. The command takes the runs from the store of the first
+  // call.
   auto narrow = text;
   narrow.replace(narrow.find("clearance_mm = 250.0"), 20, "clearance_mm = 1.5");
   write("case/narrow.toml", narrow);
@@ -150,7 +152,7 @@ TEST_F(Building, from_template_to_verdict) {
   change("across = 4", "across = 1");
   write("case/building.toml", text);
   auto const arranged = isolaw(command + Words{"--fresh", "--arrange"});
-  EXPECT_LE(arranged.code, 1) << arranged;  // three bearings do not keep the limits of 28
+  EXPECT_LE(arranged.code, 1) << arranged;  // three bearings cannot keep the limits for 28
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
 }
 
@@ -586,8 +588,8 @@ TEST_F(Building, takes_step_and_unit_of_a_motion_as_stated) {
   EXPECT_EQ(json("F/building.json")["laws"][0]["peak_mm"], json("T/building.json")["laws"][0]["peak_mm"]);
 }
 
-// Building files and motions that are wrong. Each is refused by one complaint, which names the place and the fault, or
-// is computed with a finding.
+// These tests use wrong building files and wrong motions. isolaw must refuse each with one complaint, which names the
+// place and the fault, or compute the study and report a finding.
 class WrongBuilding : public Building {
  protected:
   static constexpr char const* grid = "[grid]\nalong = 2\nacross = 1\nspacing_x_m = 6.0\nspacing_y_m = 6.0\n";

@@ -119,7 +119,8 @@ TEST_F(CheckOfDefaultSearch, a_campaign_as_it_was_made_is_sound) {
   for (auto const* part : {"sound", "8 of 8 runs", "largest relative difference 0"}) EXPECT_TRUE(contains(o.out, part));
 }
 
-// The searches for vaiana end above the optimum on this device, and several profiles in turn find a lower objective.
+// On this device the searches for vaiana end above the optimum. Several profiles, which are fits with one parameter
+// held at each of several values, find a lower objective.
 TEST_F(CheckOfDefaultSearch, no_profile_falls_below_the_optimum) {
   ASSERT_EQ(
       isolaw({"calibrate", ISOLAW_SOURCE_DIR "/examples/published-lot/device-10.csv", "--laws", "vaiana", "--out", "V"})
@@ -302,7 +303,7 @@ class CheckOfAnalyses : public Check {
   Words search() const override { return Check::search() + Words{"--analysis", "full"}; }
 };
 
-// The law of the lot follows from what the devices' tests determine of it.
+// isolaw computes the law of the lot from the analyses of the devices, so a store that lacks one of them is damaged.
 TEST_F(CheckOfAnalyses, a_law_of_the_lot_without_a_device_is_refused) {
   change("DELETE FROM device_analysis WHERE law = 'bilinear'");
   expect_damaged("an analysis of bilinear on the lot, but none on device 'a'");

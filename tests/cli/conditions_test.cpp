@@ -199,8 +199,8 @@ TEST_F(Conditions, are_written_as_tables_and_figures) {
   EXPECT_EQ(cycles.size(), 1u + 25 * 5 + 10);
   EXPECT_TRUE(has(cycles, "P5,ten-cycles,1,1,20,0.5,2000,100,,,,reference,,10,scragged,0.62194,"));
   EXPECT_TRUE(contains(read("C/tables/conditions.tex"), "temperature & 1.269 (1.254 to 1.285) & interpolated & 0.848"));
-  // The mean curve is a straight line over the square of the load, for the logarithm of the factor. This is its point
-  // at 1500 kN, half way between 1000 kN and the reference.
+  // The logarithm of the mean factor is a straight line over the square of the load. This is the point of the curve at
+  // 1500 kN, half way between 1000 kN and the reference.
   auto const of_figure = lines("C/figures/conditions.dat");
   auto const middle = std::ranges::find_if(of_figure, [](auto const& line) { return line.starts_with("1500 "); });
   ASSERT_NE(middle, of_figure.end());
@@ -468,7 +468,8 @@ TEST_F(Conditions, have_one_verdict_in_every_command) {
   auto const other = isolaw({"inspect", "ex/changed.toml", "--json"});
   EXPECT_EQ(other.code, 1) << other;
   EXPECT_EQ(Json::parse(other.out)["result"]["failing"], result["failing"]);
-  // If all limits on the effects of conditions are kept, this alone is no verdict on the devices.
+  // This lot keeps all limits on the effects of conditions. isolaw must still give no verdict, because nothing else was
+  // judged.
   write("ex/changed.toml", only_rate(move_rules("")));
   auto const kept = isolaw({"inspect", "ex/changed.toml", "--json"});
   EXPECT_EQ(kept.code, 0) << kept;
@@ -594,7 +595,7 @@ TEST_F(Conditions, decide_on_an_analysis_with_mean_properties) {
   EXPECT_EQ(Json::parse(isolaw({"conditions", "ex/changed.toml", "--json"}).out)["mean_properties"]["permitted"], true);
 }
 
-// Numbers that can hardly be true are questioned, and tests that contradict one another are not used.
+// isolaw must question numbers that can hardly be true, and must not use tests that contradict one another.
 TEST_F(Conditions, question_what_cannot_be) {
   auto const tonf = with("file = \"P2-20C.csv\"\n", "file = \"P2-20C.csv\"\nforce-factor = 0.102\n");
   EXPECT_TRUE(contains(tonf.out, "is 0.0997 times the median of the reference tests")) << tonf;
@@ -719,9 +720,10 @@ TEST_F(Conditions, are_part_of_a_campaign) {
   members.erase("schema"), members.erase("title");
   auto of_summary = summary["conditions"];
   auto const& bounds = of_summary["bound_laws"][0];
-  EXPECT_TRUE(bounds["device"].is_string() && bounds["obstacle"].is_null()) << bounds;  // the lot was not analysed
+  // The lot was not analysed, so the bound laws belong to a single device.
+  EXPECT_TRUE(bounds["device"].is_string() && bounds["obstacle"].is_null()) << bounds;
   near(bounds["upper"]["K_eff_factor"], 1.869155861, 1e-8);
-  double const D = 208.0;  // of the reference tests; the cycle has 200 steps
+  double const D = 208.0;  // amplitude of the reference tests in mm; a cycle has 200 steps
   near(bounds["upper"]["K_eff_kN_per_mm"],
        (bounds["upper"]["force_kN"][50].get<double>() - bounds["upper"]["force_kN"][150].get<double>()) / (2.0 * D),
        1e-3);
@@ -733,7 +735,8 @@ TEST_F(Conditions, are_part_of_a_campaign) {
   EXPECT_EQ(Json::parse(read("C/summary.json"))["conditions"], summary["conditions"]);
 }
 
-// P1 to P3 lose their warm tests, so the cold ones can only be compared with the reference tests of P4 and P5.
+// P1 to P3 lose their reference tests at 20 C. Their cold tests can then only be compared with the reference tests of
+// P4 and P5.
 TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
   auto text = read("ex/lot.toml");
   for (auto const* device : {"P1", "P2", "P3"}) {
@@ -748,7 +751,8 @@ TEST_F(Conditions, without_a_reference_test_compare_with_other_devices) {
   auto const j = Json::parse(o.out);
   auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C")["factor"];
   EXPECT_EQ(cold["status"], "unpaired");
-  near(cold["lambda"], std::cbrt(0.920443205 * 0.874677545 * 0.887009150) / 0.677589534, 1e-7);  // P4 and P5 have u = 0
+  // The reference forces of P4 and P5 are those of the example's formulas, without a deviation of the device.
+  near(cold["lambda"], std::cbrt(0.920443205 * 0.874677545 * 0.887009150) / 0.677589534, 1e-7);
   EXPECT_FALSE(cold["device"].is_null());
 }
 

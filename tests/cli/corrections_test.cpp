@@ -103,7 +103,8 @@ TEST_F(Corrections, inspect_gives_back_the_device_and_says_what_was_done) {
   }
 }
 
-// A verdict that rests on a correction by hand says what it would be without it.
+// If a verdict rests on a correction that the user asked for, the outputs must say what the verdict would be without
+// it.
 TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   write("rig.csv", rig_record({.late_s = 0.0125}));
   Words const judged{"--rules", "ntc-2018", "--design", "K_eff=0.8,damping=3.9,disp=100", "--lot-size", "1"};
@@ -136,7 +137,8 @@ TEST_F(Corrections, outputs_say_what_the_verdict_would_be_without_them) {
   EXPECT_TRUE(contains(isolaw({"report", "O", "--details"}).out, "The verdict rests on the corrections by hand of"));
 }
 
-// A force so late that the device seems to give energy back is refused as read, but a correction makes it a record.
+// The force is so late that the device seems to give energy back. isolaw must refuse the record as it is, and accept it
+// if the user asks for the correction.
 TEST_F(Corrections, make_a_record_usable_that_would_be_refused_without_them) {
   write("rig.csv", rig_record({.late_s = 0.040}));
   EXPECT_NE(isolaw({"inspect", "rig.csv"}).code, 0);

@@ -46,8 +46,8 @@ TEST_F(Example, second_call_leaves_everything_as_it_is) {
   EXPECT_EQ(read("ex/device-01.csv"), before);
 }
 
-// The example tests hold what laboratories meet: a bearing outside its limit, and a record with a clipped stage. The
-// laws are fitted to two amplitudes and predict the third.
+// `isolaw example --tests` writes records with typical problems of laboratories: a bearing outside its limit, and a
+// record with a clipped stage. The laws are fitted to two amplitudes and must predict the third.
 TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_predict) {
   auto const made = isolaw({"example", "t", "--tests"});
   ASSERT_EQ(made.code, 0) << made;
@@ -61,8 +61,8 @@ TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device["name"];
   EXPECT_EQ(count_of("laws are not fitted to block 3", read("T/report.html")), 1u);
   EXPECT_EQ(summary["recommendation"]["law"], "power-masing-worn");
-  // The first outlier is the soft bearing by one of its own properties. A misfit that is only slightly larger than that
-  // of other devices makes no outlier.
+  // The first outlier must be the soft bearing, because of one of its own properties. A device on which a law's misfit
+  // is only slightly larger than on other devices must not be an outlier.
   ASSERT_FALSE(summary["outliers"].empty());
   EXPECT_EQ(summary["outliers"][0]["unit"], "kN mm");
   for (auto const& outlier : summary["outliers"])

@@ -171,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(Every, ExportOfLaw, ::testing::Range(std::size_t{0}, la
                            return name;
                          });
 
-// With a dashpot this strong the largest force of a cycle is far above that at its peaks. No target may pass that on.
+// The dashpot is so strong that the largest force of a cycle is far above the force at the peaks of displacement. Every
+// target must refuse such a law.
 TEST_F(Export, refuses_a_law_whose_force_is_not_possible_within_the_tests) {
   ASSERT_EQ(isolaw({"calibrate", ISOLAW_SOURCE_DIR "/examples/published-lot/device-01.csv", "--laws",
                     "power-masing-viscous,bouc-wen", "--set", "power-masing-viscous.c=0.3", "--analysis", "none",

@@ -151,9 +151,8 @@ TEST_F(Fault, a_kill_in_the_middle_of_a_write) {
   EXPECT_GE(try_all("torn", campaign({"--jobs", "1"})), 12);
 }
 
-// --fresh must remove the former campaign only when the new store is complete.
-// A merge puts its store in order in one transaction over two files, of which SQLite keeps a list while it commits. A
-// kill at that moment leaves the list and the new version of the store, and the next merge removes both.
+// A merge puts its store in order in one transaction over two files. While it commits, SQLite keeps a list of the two
+// files. A kill at that moment leaves the list and the new version of the store, and the next merge must remove both.
 TEST_F(Fault, a_kill_while_a_merge_commits_leaves_nothing_for_good) {
   for (auto const* part : {"1/2", "2/2"})
     ASSERT_EQ(isolaw({"calibrate", "a.csv", "b.csv", "--laws", "bilinear", "--runs", "3", "--part", part, "--out",
@@ -182,6 +181,7 @@ TEST_F(Fault, a_kill_while_a_merge_commits_leaves_nothing_for_good) {
   }
 }
 
+// --fresh must remove the former campaign only when the new store is complete.
 TEST_F(Fault, a_full_disk_does_not_cost_the_campaign_that_was_to_be_replaced) {
   ASSERT_EQ(isolaw(campaign()).code, 0);
   auto const before = all_rows(path("O/campaign.sqlite"));

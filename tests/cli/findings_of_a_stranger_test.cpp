@@ -330,7 +330,7 @@ TEST_F(SmallThings, init_tells_of_records_that_calibrate_will_refuse) {
   EXPECT_EQ(o.code, 0) << o;
   EXPECT_TRUE(contains(o.err, "spike: isolaw calibrate will leave it out: the force has a single-sample spike")) << o;
   EXPECT_EQ(count_of("will leave it out", o.err), 1u) << o;
-  // Laws are fitted to the other block of a record with a spike in one of two.
+  // This record has two blocks, and only the second has a spike. init must say that laws will not be fitted to block 2.
   auto stages = record();
   auto const whole = stages.size() - 1;
   for (std::size_t i = 1; i <= whole; ++i) {

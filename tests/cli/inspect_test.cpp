@@ -109,7 +109,7 @@ TEST_F(Inspect, values_and_what_shows_each_column_are_said_for_programs) {
   };
   EXPECT_EQ(taken(by_name, "force"),
             Json::parse(R"({"kind": "column-taken", "channel": "force", "column_by": "name", "stated_unit": "kN"})"));
-  // An option that names the column and its unit does not hide what the file shows.
+  // inspect must state the unit in the file even if an option names the column and another unit.
   write("symbols.csv", csv(samples_[0], "t [s],d,F [kN]"));
   auto const asked = inspected({"symbols.csv", "--columns", "force=F [kN],disp=d", "--units", "force=N,disp=mm"});
   EXPECT_EQ(taken(asked, "force"),
@@ -377,7 +377,8 @@ TEST_F(Inspect, BothStreamsInOneFileKeepTheirLinesWhole) {
   EXPECT_TRUE(Json::accept(output));
 }
 
-// Values that no real test has. The message about each must name the mistake that explains it.
+// The records of these tests have values that no real test has. Each message must name the mistake that explains the
+// value.
 class Implausible : public InFreshDirectory {
  protected:
   std::vector<std::string> kinds(Words const& words) {
@@ -446,7 +447,8 @@ TEST_F(Implausible, paths_that_lead_nowhere) {
   EXPECT_TRUE(contains(o.out, "folder/loop.csv: cannot be read: Too many levels"));
 }
 
-// Three and a half cycles. The store keeps that half cycles count, so reports of the campaign list them too.
+// The record has three and a half cycles. The store keeps the option --half-cycles, so reports of the campaign list the
+// half cycle too.
 TEST_F(Inspect, half_cycles_count_on_request) {
   write("half.csv", csv(record({.samples = 701})));
   auto const without = isolaw({"inspect", "half.csv"});

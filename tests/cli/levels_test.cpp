@@ -70,7 +70,7 @@ TEST_F(Levels, of_a_test_in_steps_stand_beside_one_another) {
       << table;
 }
 
-// Each amplitude is tested at two frequencies. The earlier block stands for it.
+// Each amplitude is tested at two frequencies. The skeleton curve must take the earlier of the two blocks.
 TEST_F(Levels, have_a_skeleton_of_first_and_third_cycles) {
   write("d.csv", test_in_steps());
   auto const o = isolaw({"inspect", "d.csv", "--details", "--out", "O"});

@@ -1,5 +1,5 @@
-// Tests the units in which reports show values, and the letterhead: the terminal, tables, figures and page follow the
-// option and the key of a lot file, and JSON and the store stay in kN, mm and s.
+// Tests the units in which reports show values, and the letterhead. The terminal, the tables, the figures and the page
+// must follow the option or the key of a lot file. JSON and the store must stay in kN, mm and s.
 #include "cli/records.hpp"
 #include "cli/run.hpp"
 
@@ -16,7 +16,7 @@ class ReportUnits : public InFreshDirectory {
     write("lot/A.csv", csv(record()));
     write("lot/B.csv", csv(record({.stiffness_kN_per_mm = 0.6})));
   }
-  // The number in the first row of a table's column.
+  // Returns the number in the first row of a table's column.
   double cell(std::string const& table, std::string const& column) const {
     std::istringstream lines(read(table));
     std::string head, first;

@@ -41,8 +41,8 @@ TEST_F(SeveralTests, are_one_device_with_one_parameter_set) {
   auto const checked = isolaw({"check", "O"});
   EXPECT_EQ(checked.code, 0) << checked;
 
-  // The page draws the larger swings as the law predicts them from a fit to the smaller ones. The page marks where they
-  // are: in the second test, whose samples come after 601 of the first.
+  // A law that is fitted to the smaller swings predicts the larger ones, and the page draws this prediction. The page
+  // must mark where the larger swings are: in the second test, which follows the 601 samples of the first.
   auto const page = page_data(read("O/report.html"));
   auto const& device = page["devices"][0];
   ASSERT_FALSE(device["large_swings"].empty());

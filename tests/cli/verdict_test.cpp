@@ -43,7 +43,8 @@ TEST_F(Terminal, a_signed_set_without_comparable_values_assesses_nothing) {
   EXPECT_FALSE(contains(o.out, "information\n")) << o;
 }
 
-// A lot's verdict holds for one condition. Two temperatures that differ by 1 °C are one, -10 and 40 °C are not.
+// The verdict on a lot holds for one condition. Temperatures of 20 and 21 °C count as one condition, 20 and -10 °C do
+// not.
 TEST_F(Terminal, tests_under_different_conditions_give_the_lot_no_verdict) {
   auto const said = [&](int temperature_C, std::string const& alike = {}) {
     write("lot.toml", fmt::format("[acceptance]\n{}\n[[device]]\nfile = 'lot/D1.csv'\ntemperature-C = 20\n"

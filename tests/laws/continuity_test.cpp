@@ -37,7 +37,8 @@ double most_from_noise(Motion const& motion) {
   return most;
 }
 
-// Two laws unload so steeply right after a turn that noise changes their force more. The notes on these laws say so.
+// Two laws unload very steeply right after a turn, so noise changes their force more than that of other laws. The notes
+// on these laws say so.
 template <class Law>
 double allowed() {
   return Law::info.id == "history-integral" || Law::info.id == "power-scragging" ? 1e-4 : 1e-6;

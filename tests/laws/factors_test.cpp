@@ -26,7 +26,7 @@ template <class Law>
 class Factors : public ::testing::Test {};
 TYPED_TEST_SUITE(Factors, EveryLaw, LawName);
 
-// Two cycles each of 100, 208 and 150 mm at 0.5 Hz, with 400 samples a cycle.
+// Returns two cycles each of 100, 208 and 150 mm at 0.5 Hz, with 400 samples a cycle.
 Motion cycles() {
   Motion motion;
   for (double const amplitude : {100.0, 208.0, 150.0})
@@ -70,7 +70,7 @@ TYPED_TEST(Factors, MultiplyThePartsOfTheForce) {
   }
 }
 
-// Equal factors multiply the whole force, also if the work of one part acts on the other.
+// Equal factors on both parts must multiply the whole force, even if a part depends on the work of the other part.
 TYPED_TEST(Factors, EqualFactorsMultiplyTheForce) {
   auto const& law = laws::find_law(TypeParam::info.id);
   for (std::uint32_t index = 0; index < 10; ++index) {

@@ -1,4 +1,5 @@
-// A law keeps a bounded number of turning points. These tests compare it with one that keeps them all.
+// A law remembers only a bounded number of turning points. These tests compare its force with that of a law without
+// this bound.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ std::vector<std::vector<double>> shrinking() {
   return paths;
 }
 
-// Computes the memory of the path again, without a limit on the number of turning points.
+// Computes the remembered turning points of the path again, without a limit on their number.
 void keep_all(laws::Path& path) {
   std::vector<double> turned;
   double before = 0.0;
@@ -61,7 +62,8 @@ void keep_all(laws::Path& path) {
   }
 }
 
-// After the turns the motion goes on to the full amplitude, to one side or the other. docs/laws.md states the bound.
+// After the turns the motion goes on to the full amplitude, to one side or the other. docs/laws.md states how much the
+// forces may differ.
 TYPED_TEST(TurningPoints, DroppingThemChangesTheForceLittle) {
   if (!TypeParam::info.traits.masing) GTEST_SKIP() << "keeps no turning points";
   for (auto const& path_in : shrinking())

@@ -91,7 +91,7 @@ TYPED_TEST(Metadata, EveryParameterIsNamedOnceAndExplained) {
   }
 }
 
-// True if the formula contains the name as a whole word.
+// Returns true if the formula contains the name as a whole word.
 bool names(std::string_view formula, std::string_view name) {
   auto const letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto at = formula.find(name); at != std::string_view::npos; at = formula.find(name, at + 1)) {

@@ -135,7 +135,8 @@ TEST(Online, state_holds_the_law_s_variable_and_the_open_turning_points) {
   bilinear.trial(30.0, 0.0);
   bilinear.commit();
   EXPECT_EQ(bilinear.state(), (std::vector{10.0, 30.0, 0.0, 1.0, 30.0}));  // z = (K1 - K2) xy
-  // The state holds: force and forces at the turns; follower; displacement; last direction and list of turns; motion.
+  // From its sixth number on, the state holds the displacement without movements in the dead band, the last direction,
+  // the number of open turning points and the last of them, and the motion: displacement, velocity, direction and peak.
   laws::Online remembering("ramberg-osgood", parameters_of(laws::find_law("ramberg-osgood"), 0.35));
   for (double const x : {30.0, -20.0, 10.0}) {
     remembering.trial(x, 0.0);

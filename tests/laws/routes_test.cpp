@@ -69,7 +69,7 @@ std::array<std::vector<double>, width> batch_forces(Group<Law> const& group, law
   return out;
 }
 
-// True if the bits are the same. All NaN count as equal, because their signs and payloads mean nothing.
+// Returns true if the bits are the same. All NaN count as equal, because their signs and payloads mean nothing.
 ::testing::AssertionResult same(std::vector<double> const& a, std::vector<double> const& b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " samples against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)

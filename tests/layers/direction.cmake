@@ -1,8 +1,8 @@
 # A module may include only modules to the left of it here: base <- num <- {laws, opt, data} <- wording <- fit <-
 # analysis <- {campaign, lot, rules} <- {building, conditions} <- study <- {render, programs} <- api <- app. Modules in
-# one pair of braces must not include one another. The folders of render must not include one another either, but all of them may
-# include `json` and render/results.hpp. The folders of data are ordered too: files <- channels <- cycles <- signals <-
-# properties, and none of them includes a file that lies in data itself, such as data/read.hpp.
+# one pair of braces must not include one another. The folders of render must not include one another either, but all of
+# them may include `json` and render/results.hpp. The folders of data are ordered too: files <- channels <- cycles <-
+# signals <- properties. None of these folders may include a file that lies in data itself, such as data/read.hpp.
 # Usage: cmake -DSOURCE=src/isolaw -P direction.cmake
 get_filename_component(SOURCE "${SOURCE}" ABSOLUTE)
 set(rank_base 0)

@@ -1,8 +1,8 @@
 """Runs a Tcl script in OpenSees as OpenSees.exe would: tcl_script.py FILE [ARGUMENTS...].
 
-The package index has OpenSees as a module of Python only. Here Tcl's own interpreter reads the script, and every command
-of OpenSees in it is passed to that module, whose parser of arguments is the one of both languages. What this cannot show:
-the few commands that OpenSees' Tcl program defines by itself. Needs python3-tk and openseespy (tools/opensees.sh).
+The package index has OpenSees only as a module of Python. This program lets Tcl's own interpreter read the script, and
+passes every OpenSees command in it to that module, which parses arguments in the same way for both languages. It cannot
+run the few commands that only OpenSees' Tcl program defines. It needs python3-tk and openseespy (tools/opensees.sh).
 """
 
 import os

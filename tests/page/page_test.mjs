@@ -61,7 +61,8 @@ const set = async (page, id, value) => {
   await page.type(id, value);
   await page.idle();
 };
-// Whether a report has drawn a plot. It draws a plot only when the plot comes into view.
+// This expression scrolls to the first plot of a report and is true once the plot is drawn. A report draws a plot only
+// when it comes into view.
 const PLOTS = "document.querySelector('.plot').scrollIntoView() || document.querySelectorAll('.plot .main-svg').length > 0";
 const inFrameUntil = async (page, expression, what) => {
   for (let i = 0; i < 400; ++i) {
@@ -71,7 +72,7 @@ const inFrameUntil = async (page, expression, what) => {
   }
   throw new Error('waited 20 s in the frame for: ' + what);
 };
-// A telephone widens its window to what is in it, so there the width of the screen counts.
+// A browser on a telephone widens its window to the widest content, so there the content is compared with the screen.
 const narrow = async (page, what) => expect((await page.evaluate('document.documentElement.scrollWidth <= (screen.width < 500 ? screen.width : innerWidth)')) === true, what + ': wider than the window');
 
 // Identifies laws with the settings that the page shows. Returns the seconds until the report appeared.
@@ -135,7 +136,7 @@ const tests = {
     await inFrameUntil(page, PLOTS, 'plots');
     equal(await inFrameUntil(page, "document.body.dataset.errors !== undefined && 'none' + document.body.dataset.errors", 'errors'), 'none', 'errors in the frame');
     expect((await page.inFrame('origin')) === 'null', 'the frame has an origin apart');
-    // The report in the frame cannot load itself in other units. The page opens it again.
+    // The report in the frame cannot load itself again in other units, so the page around the frame must do so.
     const units = '.units [aria-pressed=true]';
     for (const [id, words] of [['kip-in', /kip/], ['N-m', /N\/m/], ['kN-mm', /kN\/mm/]]) {
       await page.inFrame(`document.querySelector('.units [value=${id}]').click()`);
@@ -402,7 +403,7 @@ const tests = {
     await page.idle();
     equal([await band(page), Object.keys(await shown()).length], ['3\u202fdevices read', 7], 'without this test');
 
-    // More files join the table. Without the switch, every test is a device of its own.
+    // More files join the table. If the user turns the switch off, every test must become a device of its own.
     copyFileSync(join(conditions, 'P2-40C.csv'), join(folder, 'P2_T40C.csv'));
     await page.drop([join(folder, 'P2_T40C.csv')], [300, 20]);
     const more = (await shown())['P2_T40C.csv'];

@@ -1,4 +1,4 @@
-"""Makes records of devices with constant stiffness and friction under a sine, as arrays and files; runs the program."""
+"""Makes records of devices with constant stiffness and friction, as arrays and files, and runs the program."""
 
 import importlib.util
 import os

@@ -1,4 +1,4 @@
-"""The isolated building from Python: the program's bytes, arrays, motions and buildings from memory, refusals."""
+"""Tests isolaw.building: the same bytes as the program, motions and buildings from memory, and refusals."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""The command of the Python package does what the program does, with the same output and exit codes."""
+"""The command of the Python package must do what the program does, with the same output and exit codes."""
 
 import pathlib
 import signal

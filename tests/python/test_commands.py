@@ -1,4 +1,4 @@
-"""Python does what the other commands of the program do, with the same bytes; and pickle keeps records and campaigns."""
+"""Tests that Python gives the bytes of the other commands, and that pickle keeps records and campaigns."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""The study of conditions in Python gives the numbers of the program and of closed forms."""
+"""Tests isolaw.conditions: its numbers must be those of the program and of closed forms."""
 
 import json
 import pathlib
@@ -40,7 +40,8 @@ class Conditions(unittest.TestCase):
         for at, number in zip(sorted(rates), (0.927280900, 1.067708704)):
             self.assertAlmostEqual(rates[at] / number, 1.0, delta=1e-3)
 
-    # The tables of the lot file as a dict, with the tests of devices as isolaw.Test, give the same results as the file.
+    # The tables of a lot file may be given as a dict and its tests as isolaw.Test. The results must be those of the
+    # file.
     def test_tables_give_what_the_lot_file_gives(self):
         tables = tomllib.loads(self.lot.read_text())
         for device in tables["device"]:
@@ -72,7 +73,7 @@ class Conditions(unittest.TestCase):
         with self.assertRaises(TypeError):
             isolaw.Test("p1-warm.csv", order=1, temperature=20)
 
-    # A test without its temperature or its record is refused with the reason, and the others count.
+    # A test that lacks its temperature or its record must be refused with the reason, and the other tests must count.
     def test_a_test_that_cannot_be_used_says_why(self):
         tables = tomllib.loads(self.lot.read_text())
         tables["device"][0]["test"][1].pop("temperature-C")

@@ -1,4 +1,7 @@
-"""The Dask example with local processes: parts are futures, a worker may be lost, the bytes equal one machine's."""
+"""Runs the Dask example with local processes.
+
+The merged campaign must have the bytes of one from a single machine, even if a worker is lost while it computes a part.
+"""
 
 import functools
 import importlib.util
@@ -25,7 +28,7 @@ LAWS = "bilinear,vaiana"
 
 
 def share_of_a_worker_that_is_lost(mark, files, settings, number, of, there=None):
-    """Computes a part. Kills the worker of the second part, but only once: a file `mark` says that it was done."""
+    """Computes a part. The first worker that computes part 2 is killed; the file `mark` records that this happened."""
 
     def lose(*told):
         try:

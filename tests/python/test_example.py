@@ -1,4 +1,4 @@
-"""The examples of the documentation run."""
+"""Runs the examples of the documentation."""
 
 import csv
 import pathlib
@@ -50,7 +50,7 @@ class Examples(unittest.TestCase):
     @needs("pypesto")
     def test_pypesto_takes_a_model_as_it_is(self):
         pypesto, own = self.objectives_of("pypesto_fit.py")
-        self.assertLess(pypesto, 1.001 * own)  # of the same objective
+        self.assertLess(pypesto, 1.001 * own)  # both packages minimise the same objective
 
     def test_a_building_on_the_example_lot(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,4 @@
-"""The laws in OpenSeesPy from PyPI, as isolaw.opensees adds them: every law, in one and in two directions."""
+"""Tests the laws that isolaw.opensees adds to OpenSeesPy from PyPI: every law, in one and in two directions."""
 
 import contextlib
 import csv
@@ -25,12 +25,12 @@ except ImportError as error:
 
 LAWS = isolaw.laws()
 TIME = np.linspace(0.0, 3.0, 601)
-# Three cycles of a rising amplitude, up to the displacement of the record that the boxes come from.
+# Three cycles of rising amplitude, up to the largest displacement of the record from which the search boxes follow.
 PATH = 100.0 * np.sin(2.0 * np.pi * TIME) * (0.3 + 0.7 * TIME / 3.0)
 
 
 def usual_parameters(law):
-    """The middle of the law's search box on a bilinear record."""
+    """Returns the middle of the law's search box for a bilinear record."""
     t, x, F = arrays()
     box = isolaw.box(law, isolaw.record(x, F, t))
     middle = {}
@@ -45,7 +45,7 @@ def usual_parameters(law):
 
 
 def two_nodes(*free):
-    """A model of two nodes, of which the second may move along the given directions from 1."""
+    """Makes a model of two nodes. The second node may move along the given directions, which count from 1."""
     ops.wipe()
     ops.model("basic", "-ndm", 3, "-ndf", 6)
     for tag in (1, 2):
@@ -103,7 +103,7 @@ class Materials(InFolder):
         for law, about in LAWS.items():
             with self.subTest(law=law):
                 parameters = usual_parameters(law)
-                # A static analysis has no velocity, so the motion takes very long for isolaw.
+                # In a static analysis the velocity is zero. The motion given to isolaw is therefore extremely slow.
                 expected = isolaw.force(law, parameters, isolaw.motion(PATH, 1e9 * TIME))
                 found = force_in_opensees(law, parameters, PATH)
                 self.assertLess(np.abs(found - expected).max(), 1e-6 * np.abs(expected).max())
@@ -126,7 +126,7 @@ class Materials(InFolder):
                 parameters = usual_parameters(law)
 
                 def after(x, v):
-                    """Force, tangent and damping of a new material after a step from 30 mm."""
+                    """Returns force, tangent and damping of a new material that moves from 30 mm to x."""
                     ops.wipe()
                     add("material", 7, law, parameters)
                     ops.testUniaxialMaterial(7)
@@ -238,10 +238,10 @@ class Materials(InFolder):
                 self.assertLess(np.abs(force - parameters["K2"] * np.array([PATH[-1], 0.5 * PATH[-1]]) - z[-1]).max(), 1e-6)
                 self.assertAlmostEqual(states[-1, 2], PATH[-1])
                 ops.parameter(1, "element", 1, "factor")
-                for value in (2.0, math.inf):  # the second is refused
+                for value in (2.0, math.inf):  # infinity is refused
                     ops.updateParameter(1, value)
                     np.testing.assert_allclose(ops.eleResponse(1, "section", "force"), 2.0 * force)
-            else:  # springs around the circle, of which the first is along the first direction
+            else:  # springs around the circle; the first spring acts along the first direction
                 alone = 13
                 self.assertEqual(states.shape[1], 16 * alone)
                 way = 2.0 / 16 / math.tan(0.5 * math.pi / 16)
@@ -337,7 +337,7 @@ for one in (opensees, ops, ops.Model, ops.Model(ndm=1, ndf=1)):
             warnings.simplefilter("always")
             isolaw.opensees.material(7, "power-masing-viscous", self.lot)
             isolaw.opensees.material(8, "power-masing-viscous", self.lot)
-        self.assertEqual(len(caught), 1)  # once for a law, whatever it has to say
+        self.assertEqual(len(caught), 1)  # one warning for the law, not one for each material
         self.assertIn("depends on velocity, which is 0 in a static analysis", str(caught[0].message))
 
     def test_a_model_is_printed_as_json(self):
@@ -390,7 +390,7 @@ class Sections(InFolder):
     Y = 60.0 * np.sin(2.0 * np.pi * TIME)
 
     def simulated(self, law, parameters, how):
-        """The forces that isolaw simulate gives for the motion in two directions."""
+        """Returns the forces that isolaw simulate gives for the motion in two directions."""
         (self.path / "p.toml").write_text("".join(f'"{name}" = {value!r}\n' for name, value in parameters.items()))
         write_csv(self.path / "m.csv", TIME, self.X, self.Y, header="time [s],x displacement [mm],y [mm]")
         printed = program("simulate", law, "--motion", "m.csv", "--columns", "disp=2", "--second-disp", "3", "--parameters", "p.toml",
@@ -448,7 +448,8 @@ class Sections(InFolder):
             u, v = np.array(ops.nodeDisp(2)[:2]), np.array(ops.nodeVel(2)[:2])
             motion.append((u @ y, u @ z, v @ y, v @ z))
             forces.append(ops.eleResponse(1, "section", "force"))
-        # The same springs around the circle, one after another (src/isolaw/laws/plane/springs.hpp).
+        # Computes the force of the same springs around the circle, one spring after another
+        # (src/isolaw/laws/plane/springs.hpp).
         count = 16
         of_force = math.tan(0.5 * math.pi / count)
         way = 2.0 / count / of_force
@@ -528,7 +529,7 @@ print("code", ops.analyze(1))
 
 
 class SelfChecks(InFolder):
-    """The check in each exported file for OpenSees must fail if any number in it that acts on the force is 0.1 % larger."""
+    """The check in an exported file must fail if a number that acts on the force is made 0.1 % larger."""
 
     # The places of arguments that have no effect on the force: the exponent mu of a hardening term whose coefficient is
     # 0 in all exports, and the tolerance and limit of OpenSees' own iteration.

@@ -1,5 +1,8 @@
-"""Tests exported buildings in OpenSeesPy. They use the law itself if the package isolaw is installed, else its re-fit.
-The response with the re-fit that isolaw states is compared with OpenSees."""
+"""Tests exported buildings in OpenSeesPy. The isolators have the law itself if the package isolaw is installed.
+
+Otherwise they have the re-fit, the nearest material of OpenSees. isolaw states the response with the re-fit, and
+OpenSees must confirm it.
+"""
 
 import csv
 import json
@@ -54,7 +57,7 @@ class Models(InFolder):
         return done.stdout + done.stderr
 
     def peaks(self, folder):
-        """The largest displacement and force of the first isolator under the nominal law."""
+        """Returns the largest displacement and the largest force of the first isolator with the nominal law."""
         with open(self.path / folder / "peaks.csv", encoding="utf-8") as file:
             row = next(row for row in csv.DictReader(file) if row["case"] == "nominal")
         return [float(value) for name, value in row.items() if name.startswith("largest")]
@@ -107,7 +110,8 @@ class Models(InFolder):
         self.assertEqual(len(re.findall("isolaw power-masing-viscous nominal: .*: PASS", with_law)), 1)
         self.assertNotIn("isolaw power-masing-viscous", without)
         self.assertNotIn("Warning", with_law)
-        # Another version of the law would not pass, and is not taken.
+        # The law is changed in the file, as if isolaw had another version of it. The file must notice this and not use
+        # the law.
         text = (self.path / "m.py").read_text()
         (self.path / "other.py").write_text(re.sub(r'(LAW_PARAMETERS = \{\n    "\w+": )', r"\g<1>1.01 * ", text))
         done = subprocess.run([sys.executable, "other.py"], cwd=self.path, capture_output=True, text=True, timeout=300,

@@ -1,6 +1,6 @@
-"""isolaw.opensees refuses an OpenSees whose classes are laid out differently, by a sentence and without a crash.
+"""Tests that isolaw.opensees refuses an OpenSees whose classes have another layout, with a message and without a crash.
 
-Each case is a copy of the module from PyPI in which a few bytes are changed, imported in a process of its own.
+Each case changes a few bytes in a copy of the module from PyPI and imports the copy in a process of its own.
 """
 
 import pathlib
@@ -21,7 +21,7 @@ MODULE = pathlib.Path(openseespylinux.__file__).parent / "opensees.so"
 
 
 class Elf:
-    """The symbols and relocations of a 64-bit module, whose bytes can be changed."""
+    """Finds symbols and relocations in a 64-bit module (an ELF file) and changes its bytes."""
 
     def __init__(self, file):
         self.bytes = bytearray(file.read_bytes())
@@ -46,7 +46,7 @@ class Elf:
         return struct.unpack_from("<Q", self.bytes, self.symbols[symbol] + 8)[0]
 
     def place(self, address):
-        """Where the byte of this address lies in the file."""
+        """Returns the position in the file of the byte with this address."""
         for s in self.sections.values():
             if s[3] <= address < s[3] + s[5] and s[1] != 8:
                 return address - s[3] + s[4]
@@ -56,7 +56,7 @@ class Elf:
         struct.pack_into(form, self.bytes, at, value)
 
     def swap(self, first, second):
-        """Exchanges what two words are filled with."""
+        """Exchanges the values that the loader writes to two words."""
         a, b = self.relocations[first] + 8, self.relocations[second] + 8
         self.bytes[a : a + 16], self.bytes[b : b + 16] = self.bytes[b : b + 16], self.bytes[a : a + 16]
 
@@ -85,7 +85,7 @@ def another_place_of_a_base(elf):
 
 
 def a_hidden_symbol(elf):
-    """Hides an exported function. The module's own calls get the function's address, so that they need no name."""
+    """Hides an exported function. The module's own calls get its address instead of its name, so they still work."""
     name = "_Z23OPS_addUniaxialMaterialP16UniaxialMaterial"
     symbol = (elf.symbols[name] - elf.sections[".dynsym"][4]) // 24
     for section in (".rela.dyn", ".rela.plt"):
@@ -100,7 +100,7 @@ def a_hidden_symbol(elf):
 
 
 def a_member_more(elf):
-    """Makes objects look larger: before it jumps to the constructor, the code writes 1 behind the object (40(%rdi))."""
+    """Makes objects look larger: code before the constructor writes 1 behind the object, at 40(%rdi)."""
     constructor, unused = elf.address("_ZN16UniaxialMaterialC2Eii"), elf.address("_Z11OPS_getTimev")
     code = b"\x48\xc7\x47\x28\x01\x00\x00\x00\xe9" + struct.pack("<i", constructor - (unused + 13))
     at = elf.place(unused)

@@ -27,7 +27,7 @@ def one_bearing(law, source, **keywords):
 
 
 def steps_under_load(law, parameters, algorithm, most, count=10):
-    """Steps of a static analysis to +most, -most and +most. Fewer than 5 count if one failed."""
+    """Makes 5 * count steps under loads to +most, -most and +most. Returns how many succeed before one fails."""
     one_bearing(law, parameters)
     path = [0.0, *(most * k / count for k in range(1, count + 1))]
     path += [most * (1.0 - k / count) for k in range(1, 2 * count + 1)]

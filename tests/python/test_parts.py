@@ -1,4 +1,4 @@
-"""Parts of a campaign and their merge give the same as the program."""
+"""Tests that parts of a campaign and their merge give the same results as the program."""
 
 import pathlib
 import shutil

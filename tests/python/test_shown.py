@@ -1,4 +1,4 @@
-"""How records, campaigns, fits and models are shown (text, HTML, tables, plots), and what least_squares of SciPy gets."""
+"""Tests how records, campaigns, fits and models are shown, and what SciPy's least_squares gets."""
 
 import contextlib
 import copy

@@ -1,4 +1,4 @@
-"""The stub agrees with the package."""
+"""Tests that the type stub lists exactly what the package has."""
 
 import ast
 import inspect

@@ -105,9 +105,9 @@ inline void analyse(LawResult& law) {
   law.population = population(law);
 }
 
-// All laws with a `beta_converged` but the second are put on the front of `objective_converged` against
-// `beta_converged`. The front of errors on devices that were left out of the fit gets the first law alone. The
-// prediction of the second law is unusable, that of the others fair.
+// Puts all laws with a `beta_converged`, except the second law, on the front of `objective_converged` against
+// `beta_converged`, and the first law alone on the front of errors on devices that were left out of the fit. The
+// prediction of the second law is unusable, and that of the other laws is fair.
 inline Summary analysed(Summary summary) {
   for (std::size_t j = 0; j < summary.laws.size(); ++j) {
     auto& law = summary.laws[j];

@@ -15,7 +15,7 @@
 namespace isolaw::analysis {
 namespace {
 
-// A first-order autoregressive series with unit standard deviation.
+// Returns a first-order autoregressive series with unit standard deviation.
 std::vector<double> series(std::size_t length, double correlation, std::uint32_t number) {
   num::Draws draws(num::Stream(7), number, 0);
   double value = draws.normal();

@@ -19,8 +19,8 @@ namespace isolaw::building {
 using Bearings = std::vector<std::unique_ptr<Bearing>>;
 using Values = std::vector<double>;
 
-// Three equal floors on a base slab, 400 Mg each. On a fixed base the periods are 0.45 s along x and 0.4 s along y, and
-// the damping is 2 %.
+// Returns three equal floors on a base slab, 400 Mg each. On a fixed base the periods are 0.45 s along x and 0.4 s
+// along y, and the damping is 2 %.
 inline Frame three_floors() {
   Diaphragm const slab{.mass_Mg = 400.0, .gyration_mm = 7000.0};
   return {.base = slab, .floors = equal_floors(3, slab, 0.45, 0.4), .damping = {0.02}};
@@ -35,7 +35,7 @@ inline Plan grid(std::size_t along, std::size_t across, double spacing_mm) {
   return plan;
 }
 
-// A ground motion of several frequencies under a bell-shaped envelope, different along x and y.
+// Returns a ground motion of several frequencies under a bell-shaped envelope, different along x and y.
 inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double peak_g = 0.15) {
   using std::numbers::pi;
   Motion motion{.name = "shaking", .step_s = step_s, .x_mm_s2 = {}};
@@ -53,8 +53,8 @@ inline Motion shaking(double step_s = 0.01, double duration_s = 12.0, double pea
   return motion;
 }
 
-// Bilinear parameters of equal bearings that carry 1600 Mg together: period 2.5 s after yielding, strength 6 % of the
-// weight, yield displacement 10 mm.
+// Returns bilinear parameters of equal bearings that carry 1600 Mg together: period 2.5 s after yielding, strength 6 %
+// of the weight, yield displacement 10 mm.
 inline Values usual_bilinear(std::size_t bearings) {
   double const share = 1.6 / static_cast<double>(bearings), K2 = share * std::pow(2.0 * std::numbers::pi / 2.5, 2);
   return {K2 + 0.06 * share * 9806.65 / 10.0, K2, 10.0};

@@ -242,8 +242,8 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
     }
 }
 
-// If a law has a slope at rest, the springs of its bearing are those of laws::Springs. This law has none, so each
-// spring is a straight line until it first moves by more than 1e-6 mm. From then on the forces must be those of
+// If a law has a slope at rest, the springs of its bearing are those of laws::Springs. This law has none, so the force
+// of each spring is linear until the spring first moves by more than 1e-6 mm. From then on the forces must be those of
 // laws::Springs.
 TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
   Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};

@@ -55,8 +55,8 @@ TEST(BuildingLanes, lanes_are_the_scalar_path) {
   }
 }
 
-// A run that is asked to end does so long before its end. An explicit run asks every 4096 steps, and once behind the
-// last one; an implicit run, such as one of springs, asks at every step.
+// The caller may ask a run to stop, and the run must then stop long before its end. An explicit run calls `interrupted`
+// every 4096 steps and once after its last step. An implicit run, here one with springs, calls it at every step.
 TEST(BuildingLanes, an_interrupted_run_ends_within_the_run) {
   auto const model = usual_model();
   auto const motion = shaking();
@@ -136,9 +136,9 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
   }
 }
 
-// A building stands on two bearings of each law of the catalogue in turn, whose parameters lie near the middle of a box
-// scaled to one device. The bearings use the law's two-dimensional form, or a set of springs if the law has none.
-// Explicit and implicit integration must agree and keep the balance of energy.
+// Each law of the catalogue in turn carries a building on two bearings. Its parameters lie near the middle of a box
+// that is scaled to one device. The bearings use the law's two-dimensional form, or a set of springs if the law has
+// none. Explicit and implicit integration must agree and keep the balance of energy.
 TEST(BuildingLanes, every_law_carries_a_building) {
   Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
   auto const motion = shaking(0.01, 6.0, 0.12);

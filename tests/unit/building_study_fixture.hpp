@@ -13,7 +13,8 @@
 
 namespace isolaw::building {
 
-// A bilinear law whose parameters K1 and K2 scatter in the population. The third parameter is the same for all devices.
+// Returns a bilinear law whose parameters K1 and K2 scatter in the population. The third parameter is the same for all
+// devices.
 inline LawSource bilinear_source(double scatter, std::size_t count) {
   auto const nominal = usual_bilinear(count);
   LawSource source{.law = "bilinear",

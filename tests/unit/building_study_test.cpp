@@ -51,7 +51,7 @@ class BuildingFileTest : public testing::Test {
     for (int i = 0; i < samples; ++i) out << 0.01 * i << ',' << (i + 1 < samples ? "0.5" : last) << '\n';
   }
   BuildingFile read(std::string const& text) const { return read_building_text(text, "b.toml", folder_); }
-  // The error message for the template of building files after one of its lines has been replaced.
+  // Returns the error message for the template of building files after one of its lines has been replaced.
   std::string refused(std::string const& line, std::string const& instead) const {
     auto text = building_template();
     auto const at = text.find(line);
@@ -152,7 +152,7 @@ TEST(BuildingFile, takes_the_design_conditions_in_place_of_a_factor) {
   auto const settings = read().settings;
   EXPECT_FALSE(settings.lower);
   EXPECT_EQ(settings.upper, whole(1.1));
-  // A store of runs keeps the word, and reads it back as the same setting.
+  // A store of runs keeps the word "conditions" and must give the same setting when it is read.
   for (auto const& key : settings_table()) {
     if (key.key != "lower") continue;
     FileTables from{.building = settings}, to;
@@ -226,7 +226,8 @@ TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   EXPECT_EQ(values[2], values[5]);  // xy does not scatter in this population, so all bearings share its value
 }
 
-// A study of bearings with power-masing, which has no two-dimensional form. The first number of `law` scales the force.
+// Returns a study of bearings with power-masing, which has no two-dimensional form. The first number of `law` scales
+// the force.
 Study power_masing_study(Values const& law) {
   auto study = usual_study(0.0, 3);
   study.laws = {{.law = "power-masing",
@@ -555,8 +556,8 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
       << answers.warnings;
 }
 
-// The law gave no numbers in most draws. They count as outside, and the answer itself must say that the law is the
-// cause. Numbers that could be computed only from the few other draws are left out.
+// The law gave no numbers in most draws. These draws count as outside, and the answer itself must say that the law is
+// the cause. Numbers that could be computed only from the few other draws are left out.
 TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
   auto study = usual_study(0.01, 80);
   study.file.limits.bearing_mm = 1e4;
@@ -598,7 +599,8 @@ TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
   EXPECT_TRUE(json["laws"][0]["bearings"]["displacement_mm"][0].is_null());
   EXPECT_EQ(json["laws"][0]["limits"][0]["broken_by"], "draws");
   EXPECT_FALSE(contains(wording::paragraph(most.verdict), "nan"));
-  // The page moves the nominal building, since the first draw has no numbers under the motion that is shown.
+  // The page shows the loops of the nominal building, since the first draw has no numbers under the motion that is
+  // shown.
   EXPECT_EQ(most.laws[0].loops.motion, 1u);
   EXPECT_FALSE(most.laws[0].loops.drawn);
 
@@ -704,7 +706,8 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   std::size_t told = 0, asked = 0;
   {
     RunStore store(file_, properties_of(study), false);
-    // The program asks several times during each run. The fourth question after the third run comes within the fourth.
+    // The program asks several times during each run whether to stop. The fourth question after the third run comes
+    // within the fourth run.
     EXPECT_FALSE(run_all(study, store, 1,
                          {.progress = [&](RunProgress const& p) { told = p.done; },
                           .part = {},

@@ -1,4 +1,4 @@
-// A device whose record was made from another device's does not count in any statistic over devices.
+// A device must not count in statistics over devices if its record was made from the record of another device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 class LotWithCopy : public testing::Folder {
  protected:
-  // Nine devices with noise, and as many copies of D3 with forces 1.02 times as large as are asked for.
+  // Calibrates nine devices with noise and `copies` copies of D3, whose forces are multiplied by 1.02.
   Contents calibrated(int copies) const {
     std::vector<NamedRecord> records;
     for (unsigned d = 1; d <= 9; ++d) {
@@ -98,7 +98,7 @@ TEST_F(LotWithCopy, HasTheStatisticsOfTheOtherNineDevices) {
     EXPECT_EQ(of_ten.acceptance.lot.quantities[q].tolerance_factor,
               of_nine.acceptance.lot.quantities[q].tolerance_factor);
   }
-  // The law is fitted to the copy all the same, and a warning says that it is left out.
+  // The law must be fitted to the copy too, and a warning must say that the statistics leave the copy out.
   auto const& copy = law.devices.back();
   EXPECT_FALSE(copy.counts);
   EXPECT_TRUE(copy.optimum);

@@ -61,7 +61,7 @@ class Folder : public ::testing::Test {
   std::filesystem::path folder;
 };
 
-// A record of three cycles of a wide loop at 0.5 Hz. The devices of a campaign differ in `stiffness`.
+// Returns a record of three cycles of a wide loop at 0.5 Hz. The devices of a campaign differ in `stiffness`.
 inline std::string record_text(double stiffness, bool with_time = true, int samples_per_cycle = 40) {
   std::string text = with_time ? "time [s],disp [mm],force [kN]\n" : "disp [mm],force [kN]\n";
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {
@@ -82,7 +82,7 @@ inline DeviceInput device_input(std::string name, std::vector<std::filesystem::p
   return input;
 }
 
-// A run in which no candidate gave a finite force.
+// Returns a run in which no candidate gave a finite force.
 inline Run failed_run(std::size_t device, std::string law, int number, std::string failure) {
   return {.device = device,
           .law = std::move(law),

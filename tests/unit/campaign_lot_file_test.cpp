@@ -24,7 +24,8 @@ class LotFileTest : public testing::Folder {
     return read_lot_file(write("lot.toml", text), options);
   }
 
-  // The messages about a wrong lot file, one per line, without the folder's name. Empty if the file can be read.
+  // Returns the messages about a wrong lot file, one per line, without the folder's name, or "" if the file can be
+  // read.
   std::string complaints(std::string_view text) const {
     try {
       read(text);
@@ -36,7 +37,7 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // The messages about a lot file with one device and with these lines in [calibrate], the first of which is line 3.
+  // Returns the messages about a lot file with one device and these lines in [calibrate]. The first of them is line 3.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));

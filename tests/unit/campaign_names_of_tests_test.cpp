@@ -1,4 +1,4 @@
-// Tests that names of records propose the conditions of tests.
+// Tests that isolaw proposes the conditions of tests from the names of their records.
 #include "isolaw/campaign/names_of_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -34,7 +34,7 @@ using testing::record_text;
 
 class CampaignTest : public testing::Folder {
  protected:
-  // Two devices of different stiffness whose records have time.
+  // Returns a lot of two devices of different stiffness. Their records have time.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
     Lot lot_of_two;
     lot_of_two.settings.analysis = false;  // other tests cover the analyses

@@ -452,7 +452,8 @@ TEST_F(StoreTest, RefusesAnotherSchemaAndChangesNothing) {
   }
 }
 
-// A store of an earlier build holds no faults of signals. They are then found in its samples.
+// Stores of earlier builds have no list of signal faults, and such a store must be read. A store with an impossible
+// list must be refused.
 TEST_F(StoreTest, AStoreWithoutFaultsIsRead) {
   make();
   sql(file(), "DELETE FROM meta WHERE key = 'faults'");

@@ -19,7 +19,7 @@ using campaign::Contents;
 using campaign::Outcome;
 using campaign::Run;
 
-// Three cycles of ±100 mm with the force of a bilinear device: K1 = 1.5 and K2 = 0.6 kN/mm, xy = 20 mm.
+// Returns three cycles of ±100 mm with the force of a bilinear device: K1 = 1.5 and K2 = 0.6 kN/mm, xy = 20 mm.
 data::FitRecord record() {
   data::FitRecord r;
   for (int i = 0; i <= 600; ++i) {

@@ -16,13 +16,14 @@
 namespace isolaw::conditions {
 namespace {
 
-// For each kind of interval, the share of simulated lots in which the interval contains the true value.
+// Holds for each kind of interval the share of simulated lots in which the interval contains the true value.
 struct Coverage {
   double mean = 0.0, device = 0.0, system = 0.0;
 };
 
-// Simulates lots of 28 devices. Their logarithmic ratios differ by `slope_std` of `ratio` between devices, and every
-// test has an error of `test_std`. The first `tested` devices are tested once at reference and once at -20 C.
+// Simulates lots of 28 devices. The logarithm of a device's true ratio is normally distributed about `ratio`, with the
+// standard deviation `slope_std` times `ratio`. Every test has an error of standard deviation `test_std`. The first
+// `tested` devices are tested once at reference and once at -20 C.
 Coverage simulated(int tested, double slope_std, int lots) {
   constexpr double ratio = 0.27, test_std = 0.006;
   constexpr int installed = 28;

@@ -162,7 +162,7 @@ TEST(Plan, begins_with_devices_that_have_tests_of_the_effect) {
 }
 
 // A was tested at the end of the range and lacks only its reference test. A plan has at most one reference test for
-// each device, also if several ends need it.
+// each device, even if several ends need it.
 TEST(Plan, adds_reference_tests_once) {
   auto end = cold();
   end.without_reference = {"A"};
@@ -204,7 +204,7 @@ TEST(Plan, takes_new_devices_for_scragging) {
   EXPECT_EQ(texts(plan(ends, {}, 1, at_20_C, 3)), (Texts{"new 1 reference", "new 1 temperature"}));
 }
 
-// Once the planned tests are made, as many devices as were asked for show the end of the design range.
+// After the planned tests, as many devices as the user asked for must show the end of the design range.
 TEST(Plan, makes_the_end_shown) {
   auto const ln = [](std::string const& device, double temperature_C) {
     return Sample{.device = device, .condition = with_temperature(temperature_C), .ln = -0.006 * temperature_C};

@@ -20,7 +20,7 @@
 namespace isolaw::conditions {
 namespace {
 
-constexpr double closely = 1e-8, ends = 1e-7;  // relative
+constexpr double closely = 1e-8, ends = 1e-7;  // relative tolerances
 void expect_near(double value, double wanted, double relative = closely) {
   EXPECT_NEAR(value, wanted, relative * std::abs(wanted));
 }
@@ -572,7 +572,8 @@ TEST(Response, of_a_range_keeps_the_end_that_is_known) {
   EXPECT_NEAR(max.lambda(), 1.0, 1e-12);
 }
 
-// Tests of ageing have no order in which those that agree are neighbours.
+// Tests under nearly equal conditions form one level. Tests of ageing cannot be sorted so that such tests are
+// neighbours: here the tests of A and C belong together, and B's test stands between them.
 TEST(Response, joins_the_tests_that_agree) {
   auto const aged = [](std::string device, double days, double at_C, double value) {
     auto condition = condition_of({});
@@ -681,8 +682,9 @@ TEST(BoundLaws, fall_back_to_one_factor) {
   EXPECT_EQ(bound.parameters[kikuchi.index_of("G1")], 100.0);
 }
 
-// The elastic force falls by 1.5 kN/mm, beside a hysteretic force that hardly yields and begins with 2.5 A = 5 kN/mm.
-// Energy and stiffness together would need factors a and b with which Ke' = (2.5 b - 1.5 a) kN/mm is below its limit 0.
+// The elastic part has the stiffness -1.5 kN/mm. The hysteretic part hardly yields and starts with 2.5 A = 5 kN/mm. To
+// meet both targets, energy and stiffness, the parts would need factors a and b for which Ke' = (2.5 b - 1.5 a) kN/mm
+// is below its limit 0.
 TEST(BoundLaws, keep_the_limits_of_parameters) {
   auto const& law = laws::find_law("bouc-wen");
   double const slow = 0.05 / amplitude_mm;

@@ -1,4 +1,5 @@
-// Blocks of cycles: where they end, and that a fault or a failure takes the block in which it lies and no other.
+// Tests where blocks of cycles end. A fault of a signal or a failure of the device must affect only the block in which
+// it lies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -137,8 +138,8 @@ TEST(Blocks, ALoopThatGivesEnergyBackTakesItsBlock) {
   EXPECT_EQ(properties.faulty[0].kind, FindingKind::cycle_gives_energy);
 }
 
-// The device fails in the third cycle, which keeps one of its peaks and most of its energy. That it failed shows only
-// in the next cycle, which has almost no force.
+// The device fails in the third cycle. This cycle keeps one of its peaks and most of its energy, so only the next
+// cycle, which has almost no force, shows the failure.
 TEST(Blocks, TheCycleInWhichTheForceGoesAfterAPeakDoesNotCount) {
   auto motion = Motion().sine(100.0, 0.5, 5).end().loop();
   auto const sound = motion.properties();
@@ -153,7 +154,8 @@ TEST(Blocks, TheCycleInWhichTheForceGoesAfterAPeakDoesNotCount) {
   EXPECT_EQ(properties.reported->K_eff_kN_per_mm, sound.find(1, 2)->K_eff_kN_per_mm);
 }
 
-// A logger writes 0 where it has no value. Were these samples taken for a rough signal, the energy would be too small.
+// A logger writes 0 where it has no value. These samples must not count as a rough signal, because the energy would
+// then be too small.
 TEST(Blocks, OneValueInPlaceOfMissingOnesIsNoRoughSignal) {
   auto motion = Motion().sine(100.0, 0.5, 4).end().loop();
   for (std::size_t i = 30; i < motion.force_kN.size(); i += 40) motion.force_kN[i] = 0.0;
@@ -353,7 +355,7 @@ TEST(Cuts, NoLoopIsClosedAcrossAJumpOfTimeAndTheLoggersNumbersCount) {
   auto const properties = cyclic_properties(read_record_text(text, "bursts.csv"));
   ASSERT_EQ(properties.counted().size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(properties.counted()[k]->number, logged[k]);
-  EXPECT_NEAR(properties.counted()[2]->last, 299.0, 1e-9);  // its last sample before the jump
+  EXPECT_NEAR(properties.counted()[2]->last, 299.0, 1e-9);  // the last sample before the logged number jumps to 100
   EXPECT_NEAR(properties.counted()[3]->first, 300.0, 1e-9);
   auto const found = stability(properties.blocks[0], &Cycle::energy_kN_mm);
   EXPECT_EQ(found.ratio_to_third.size(), 6u);
@@ -428,7 +430,7 @@ TEST(DeviceKind, AShockAbsorberOffZeroWithoutAnyStiffnessHasProperties) {
   auto motion = Motion().sine(25.0, 1.0, 4, 40.0).end(40.0);
   for (double const t : motion.time_s) {
     double const v = 50.0 * pi * std::cos(2.0 * pi * t);
-    motion.force_kN.push_back(-0.15 + (v > 0.0 ? 0.0036 * v : 0.0024 * v));  // a gas spring pushes it out
+    motion.force_kN.push_back(-0.15 + (v > 0.0 ? 0.0036 * v : 0.0024 * v));  // a gas spring adds -0.15 kN
   }
   auto const properties = cyclic_properties(record_of_motion(motion));
   EXPECT_TRUE(properties.refusal.empty()) << said_in(properties.refusal);

@@ -1,5 +1,6 @@
 // Tests the search for faults of a channel that leave a plausible loop: gains that change, zeros that jump, hum, delays
-// that grow and frequencies that sweep. Counts how often each is reported of sound records of devices and of all laws.
+// that grow and frequencies that sweep. Further tests count how often such a fault is reported for sound records of
+// devices and of all laws.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ namespace {
 // little noise. K_eff is 0.7 kN/mm.
 struct Bearing {
   int cycles = 4;
-  double rate_Hz = 200.0, first_stiffness = 2.9, frequency_Hz = 0.5, start = 0.0;  // start: in samples
+  double rate_Hz = 200.0, first_stiffness = 2.9, frequency_Hz = 0.5, start = 0.0;  // start: in samples of the motion
   std::function<double(double)> late_s = [](double) { return 0.0; };               // delay of the force at a time
   double noise = 1.0;
 };
@@ -156,7 +157,7 @@ TEST(ChannelChanges, a_delay_that_grows_is_said_for_its_cycles) {
   auto const* found = find(budget, FindingKind::lag_grows);
   ASSERT_NE(found, nullptr) << all_of(budget);
   EXPECT_NEAR(found->number("first_ms"), 0.0, 4.0);
-  EXPECT_NEAR(found->number("last_ms"), 25.0, 3.0);  // at 6.5 and 7.5 s
+  EXPECT_NEAR(found->number("last_ms"), 25.0, 3.0);  // mean of the delays at the turns, 6.5 and 7.5 s
   EXPECT_NEAR(found->number("reported_ms"), 15.0, 4.0);
   EXPECT_NEAR(found->number("damping_points"), -2.4, 0.7);  // 100 pi f dt
   EXPECT_EQ(find(budget, FindingKind::force_late), nullptr);
@@ -287,7 +288,7 @@ TEST(ChannelChanges, no_delay_is_claimed_that_the_samples_cannot_show) {
   EXPECT_GT(estimated, 100);
 }
 
-// --- how often they are reported of sound records ---
+// --- how often faults are reported for sound records ---
 
 using Counts = std::map<std::string, int>;
 
@@ -367,7 +368,7 @@ TEST(ChannelChanges, none_is_reported_of_the_laws) {
   expect_rare(counts);
 }
 
-// --- how often they are found ---
+// --- how often real faults are found ---
 
 struct PutFault {
   FindingKind kind;
@@ -449,7 +450,8 @@ TEST(ChannelChanges, faults_of_random_records_are_found) {
 
 // --- steep reversals are no spikes ---
 
-// Steel coupons: first over second stiffness of 50 to 200, cycles of growing or equal amplitude, few samples a cycle.
+// Makes the record of a steel coupon. The first stiffness is 50 to 200 times the second, the cycles grow or have one
+// amplitude, and there are few samples a cycle.
 Recording coupon(Drawn& random) {
   constexpr int finer = 32;
   int const samples = random.whole(20, 40), cycles = random.whole(4, 12);

@@ -71,7 +71,7 @@ TEST(CentralDifference, OfShortRecords) {
   EXPECT_EQ(central_difference({1.0, 3.0}, {2.0, 6.0}), (Values{2.0, 2.0}));
 }
 
-// Three cycles of a sine with an amplitude of 100 mm and a frequency of 0.5 Hz.
+// Returns three cycles of a sine with an amplitude of 100 mm and a frequency of 0.5 Hz.
 TestRecord sine(int samples_per_cycle, bool with_time = true) {
   TestRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {

@@ -1,4 +1,4 @@
-// Records that were made from another one are found, and tests of two devices are not taken for copies.
+// Tests that a record which was made from another one is found, and that tests of two devices are not taken for copies.
 #include "isolaw/data/signals/copies.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double peak_kN = 100.0;
 
-// Nine cycles in three amplitudes, 100 samples a cycle; a smooth loop with noise of 0.2 % of the peak.
+// Returns nine cycles at three amplitudes, with 100 samples a cycle. The loop is smooth and has noise of 0.2 % of the
+// peak.
 TestRecord device(unsigned seed, double hardening = 0.1) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;

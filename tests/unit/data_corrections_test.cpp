@@ -15,7 +15,7 @@
 namespace isolaw::data::testing {
 namespace {
 
-// Five cycles of 208 mm at 0.5 Hz of a bearing whose stiffness falls exponentially with the distance from each
+// Returns five cycles of 208 mm at 0.5 Hz of a bearing whose stiffness falls exponentially with the distance from each
 // reversal. The force is late by `late_s`.
 TestRecord bearing(double late_s = 0.0) {
   Motion fine;
@@ -50,7 +50,8 @@ std::string refusal(Corrections const& corrections, TestRecord record = bearing(
   return refusal_of([&] { correct(record, corrections); });
 }
 
-// An early force leaves no force for the first samples, which are dropped.
+// The correction of an early force leaves the first samples without a force, so these samples are dropped. The numbers
+// of faulty samples must change accordingly.
 TEST(Corrections, ASkewMovesFaultsWithTheirSamples) {
   auto record = bearing();
   auto const size = record.size();

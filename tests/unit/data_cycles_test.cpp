@@ -395,7 +395,7 @@ TEST(Segment, HistoriesThatDoNotMoveAreRefused) {
 
 class Draw : public ::testing::TestWithParam<unsigned> {
  protected:
-  // A cyclic test with stages of growing amplitude. The sampling interval, the direction, the stages, the rests
+  // Returns a cyclic test with stages of growing amplitude. The sampling interval, the direction, the stages, the rests
   // between them and the noise are random.
   Motion random() {
     std::mt19937 generator(GetParam());

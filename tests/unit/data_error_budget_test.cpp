@@ -32,7 +32,7 @@ Motion plain() {
   return Motion().sine(208.0, 0.5, 5).end().loop();
 }
 
-// Cycles of 208 mm whose force is late by `late_s`, computed at fine steps and then sampled every 0.01 s.
+// Returns cycles of 208 mm whose force is late by `late_s`, computed at fine steps and then sampled every 0.01 s.
 Motion skewed(double late_s, double K = 0.5, double Q = 30.0, double alpha = 0.08, double friction_kN = 0.0) {
   Motion fine;
   fine.dt_s = 0.0005;

@@ -47,7 +47,8 @@ class Files : public ::testing::Test {
     return read_record(write(bytes), options);
   }
 
-  // The messages with which a file is refused, one a line, with FILE for its path; empty if the file was read.
+  // Returns the messages with which a file is refused, one per line and with FILE for its path, or "" if the file was
+  // read.
   std::string refusal(std::string_view bytes, ReadOptions const& options = {},
                       std::string_view file_name = "test.csv") {
     auto const file = write(bytes, file_name);

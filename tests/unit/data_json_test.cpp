@@ -73,7 +73,7 @@ TEST_F(Json, AUnitIsNeverAssumed) {
       "FILE: unknown unit 'furlong' of column 2 'force' (force); allowed: kN, N, MN, tonf, kgf, daN, kip, lbf, Mp; try: --units force=kN --channel-scale force=FACTOR, if a value of 1 is FACTOR kN");
 }
 
-// A list of units without names of columns decides nothing, but the advice names its units.
+// isolaw cannot use a list of units without names of columns, but its advice must name these units.
 TEST_F(Json, UnitsInAListAreProposed) {
   std::string const test = R"("test": {"disp": [0, 1, 2], "force": [1, 2, 1]})";
   for (auto const* source :

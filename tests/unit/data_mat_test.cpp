@@ -323,7 +323,7 @@ std::string packed(std::string const& data) {
 
 class Mat5 : public Files {
  protected:
-  // The message about a file that holds these data elements and a sound force.
+  // Returns the message about a file that holds these data elements and a sound force.
   std::string found(std::string const& elements) {
     auto const text = refusal(file_of(elements + array("force_kN", four_force, 4, 1)));
     std::string const start = "FILE: the .mat file cannot be read: ";
@@ -410,7 +410,7 @@ TEST_F(Mat5, BigEndian) {
 
 class Mat73 : public Files {
  protected:
-  // A file written by the HDF5 library, with space for MATLAB's text block at its start.
+  // Returns a file written by the HDF5 library, with space for MATLAB's text block at its start.
   template <class Fill>
   std::string mat_of(Fill&& fill) {
     auto const file = write("", "made.h5");

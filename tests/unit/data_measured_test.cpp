@@ -169,7 +169,7 @@ TEST(Measured, BiaxialOrbitsWithoutNamesAreNotGuessed) {
 
 class Quakes : public Files {
  protected:
-  // The numbers, separated by blanks, that `command` prints; empty if the command fails.
+  // Returns the numbers, separated by blanks, that `command` prints, or none if the command fails.
   std::vector<double> numbers(std::string const& command) {
     auto const file = write("");
     if (std::system(fmt::format("{} > '{}' 2>/dev/null", command, file.string()).c_str()) != 0) return {};
@@ -218,7 +218,7 @@ TEST_F(Quakes, ElCentroThroughAnyIsolationIsNotCyclic) {
 
 class FrictionDamper : public Files {};
 
-// The rows of a JSON file, "[[1, 2], [3, 4]]", as text separated by commas.
+// Returns the rows of a JSON file, "[[1, 2], [3, 4]]", as text separated by commas.
 std::string rows_of(std::string_view json) {
   auto const begin = json.find("[[") + 2;
   auto const end = json.find("]]", begin);

@@ -220,7 +220,7 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
 class TwoFiles : public Files {
  protected:
   static inline Ellipse const loop{};
-  // A file with one channel: every `step`-th sample from sample `first` on, with `shift_s` added to the times.
+  // Returns a file with one channel: every `step`-th sample from sample `first` on, with `shift_s` added to the times.
   static std::string channel(bool of_force, double shift_s = 0.0, int first = 0, int step = 1, bool timed = true) {
     std::string text = fmt::format("{}{}\n", timed ? "Time [s];" : "", of_force ? "Force [kN]" : "Disp [mm]");
     for (int i = first; i < loop.size(); i += step)
@@ -278,7 +278,7 @@ TEST_F(TwoFiles, TakeTheSameRowsOrTimes) {
   EXPECT_EQ(joined(channel(false), channel(true), span).size(), 401u);
 }
 
-// The first line of an error message, without the folder.
+// Returns the first line of an error message, without the folder.
 std::string first_line(Error const& error) {
   std::string text = error.what();
   text.resize(std::min(text.find('\n'), text.size()));

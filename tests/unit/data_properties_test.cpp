@@ -30,7 +30,8 @@ Cycle const& nth(Properties const& properties, std::size_t index) {
   return *properties.counted().at(index);
 }
 
-// Xa sin(a) as displacement and Fa sin(a + phi) as force; `sign` is the direction of the first motion.
+// Returns cycles with the displacement Xa sin(a) and the force Fa sin(a + phi). `sign` is the direction of the first
+// motion.
 History ellipse(int samples_per_cycle, int cycles, double Xa, double Fa, double phi, double sign = 1.0) {
   History history;
   for (int i = 0; i <= samples_per_cycle * cycles; ++i) {
@@ -281,7 +282,8 @@ TEST(Properties, TheIdealisationOfABilinearLoopIsTheLoop) {
   EXPECT_NEAR(nth(properties, 0).Q_d_kN, Qd, 1e-9);
 }
 
-// The work is that of both tests; the way from the end of the first to the start of the second does none.
+// The work must be the sum over both tests. The jump from the end of the first to the start of the second must add
+// none.
 TEST(Properties, WorkGoesOnOverSeveralTests) {
   auto const one = ellipse(200, 3, 100.0, 80.0, 0.3);
   auto two = one;
@@ -300,7 +302,7 @@ TEST(Properties, AnElasticSpringHasNoIdealisation) {
   EXPECT_FALSE(cycle.period_s || cycle.v_max_mm_s || cycle.N_mean_kN);
 }
 
-// A record with time at 0.5 Hz and with a vertical load of 1000 kN that swings by 30 kN twice a cycle.
+// Returns a record with time at 0.5 Hz and with a vertical load of 1000 kN that swings by 30 kN twice a cycle.
 TestRecord timed(double (*wave)(double), int samples_per_cycle = 200, double frequency = 0.5) {
   TestRecord record;
   for (int i = 0; i <= 4 * samples_per_cycle; ++i) {

@@ -232,7 +232,7 @@ TEST_F(Refuse, ChannelsThatDoNotMove) {
       "FILE: force is constant: column 3 'Force [kN]' holds 2 kN in all 3 samples; allowed: a channel that moves; try: --columns force=NUMBER with the column that was measured");
 }
 
-// The rows of a sound loop, with some forces replaced.
+// Returns the rows of a sound loop, with some forces replaced.
 std::string loop_with(std::vector<std::pair<int, std::string>> const& replaced, Ellipse const& loop = {}) {
   std::string text = header_row;
   for (int i = 0; i < loop.size(); ++i) {

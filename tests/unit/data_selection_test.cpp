@@ -50,7 +50,7 @@ TEST(ParseNumbers, Contains) {
   EXPECT_TRUE(Numbers{}.contains(123456));
 }
 
-// Two blocks of two cycles each at about 10 samples a cycle. Half a cycle follows the second block.
+// Returns two blocks of two cycles each at about 10 samples a cycle. Half a cycle follows the second block.
 Segmentation two_blocks() {
   Segmentation s;
   s.cyclic = true;

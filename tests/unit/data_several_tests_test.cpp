@@ -16,7 +16,7 @@
 namespace isolaw::data {
 namespace {
 
-// Three cycles of this amplitude, with an elliptic loop of 0.8 kN/mm.
+// Returns three cycles of this amplitude, with an elliptic loop of 0.8 kN/mm.
 TestRecord cyclic(double amplitude_mm, double period_s = 2.0, int samples_per_cycle = 200) {
   Values values;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {

@@ -30,7 +30,8 @@ bool names(std::vector<SignalFault> const& faults, std::string_view channel, Fau
   return std::ranges::any_of(faults, [&](auto const& f) { return f.channel == channel && f.kind == kind; });
 }
 
-// A channel that is constant at its extreme value may be reported as clipped or as stuck.
+// Returns whether the channel is reported as clipped or as stuck. Both are right for a channel that stays at its
+// extreme value.
 bool stands(std::vector<SignalFault> const& faults, std::string_view channel) {
   return names(faults, channel, FaultKind::clipped) || names(faults, channel, FaultKind::stuck);
 }
@@ -41,7 +42,8 @@ std::string text_of(std::vector<SignalFault> const& faults) {
   return text;
 }
 
-// The number of samples of a cycle that clipping changes on one side. `depth` is the share of the amplitude cut off.
+// Returns how many samples of a cycle clipping changes on one side. `depth` is the share of the amplitude that it cuts
+// off.
 double samples_beyond(Plan const& plan, double depth) {
   return plan.samples * (plan.waveform == Waveform::triangle ? depth / 2.0 : std::acos(1.0 - depth) / std::numbers::pi);
 }
@@ -61,8 +63,9 @@ bool near_a_turn(Plan const& plan, Recording const& record, std::size_t where, s
   return std::ranges::any_of(turns, [&](auto turn) { return std::max(turn, where) - std::min(turn, where) < reach; });
 }
 
-// Draws the plan of one record per seed. `of` makes the record, in most tests with a fault, and returns whether isolaw
-// judges it rightly, or that the record is left out. The records that are judged wrongly are counted as missed.
+// Draws the plan of one record per seed and calls `of`, which makes the record, in most tests with a fault. `of`
+// returns whether isolaw judges the record rightly, or that the record does not count. Records that are judged wrongly
+// are counted as missed.
 enum class Found { left_out, no, yes };
 struct Rate {
   int drawn = 0, missed = 0;
@@ -80,7 +83,7 @@ Rate rate_of(unsigned first_seed, bool holds, std::function<Found(Plan&, Drawn&)
   return rate;
 }
 
-// Whether isolaw finds the clipping in `record`. Prints the record if it does not.
+// Returns whether isolaw finds the clipping in `record`. Prints the record if it does not.
 Found found_at(double depth, auto const& record, std::string const& channel) {
   auto const faults = faults_of(record);
   if (stands(faults, channel)) return Found::yes;
@@ -508,11 +511,12 @@ TEST(Signals, energy_given_back_refuses) {
 
 // --- plateaus without noise ---
 
-// Four cycles of 20 mm at 1 Hz, of a device whose force follows a path of slopes.
+// Describes four cycles of 20 mm at 1 Hz. `step` returns the next force from the last force, the displacement since
+// then and the travel since the last turn.
 struct Exact {
   int samples = 200;
   bool triangle = false;
-  double hold = 0.0;  // the triangle is cut off above 1 / (1 + hold) of its peak
+  double hold = 0.0;  // the triangle is cut off at 1 / (1 + hold) of its height
   std::function<double(double force, double way, double back)> step;
 };
 
@@ -541,8 +545,8 @@ std::vector<SignalFault> faults_of(Motion const& motion) {
   return signal_faults(motion.disp_mm, motion.force_kN, motion.time_s);
 }
 
-// A soft device with a constant force, which unloads at once where the motion turns. A clipped channel would stay at
-// its level until the force that it cut off is gone.
+// The force of this soft device stays constant once it reaches a limit, and falls at once when the motion turns. A
+// clipped channel would instead stay at its level until the true force has fallen below it.
 double soft_then_flat(double force, double way, double back, double lower, double upper) {
   bool const unloads = force * way < 0.0 && back < 1.0;
   return std::clamp(force + (unloads ? 10.0 : 1.0) * way, lower, upper);
@@ -584,7 +588,8 @@ TEST(Plateaus, of_a_clipped_sensor_are_found_on_one_side_or_both) {
       }
 }
 
-// A gap gives no force, a digitiser repeats values, and a rig may hold a triangle at its peaks.
+// No fault must be reported for a device with a gap, which has no force within it, for a coarse digitiser, which
+// repeats values, and for a rig that holds a triangle at its peaks.
 TEST(Plateaus, of_a_gap_a_hold_or_a_digitiser_are_no_fault) {
   for (int const samples : {50, 100, 200, 500}) {
     auto gap = exact({.samples = samples, .step = [](double, double, double) { return 0.0; }});
@@ -608,7 +613,7 @@ TEST(Plateaus, of_a_gap_a_hold_or_a_digitiser_are_no_fault) {
   }
 }
 
-// A converter of 16 bits that counts on from its largest value at its smallest.
+// The range of this converter is -12 to 12 kN. Above 12 kN it goes on from -12 kN.
 TEST(Plateaus, a_force_that_wraps_around_is_found) {
   for (int const samples : {50, 100, 200, 500}) {
     double yielding = 0.0;
@@ -640,7 +645,7 @@ TEST(Plateaus, a_late_force_of_friction_does_not_wrap) {
       }
 }
 
-// The logger repeats the last force, or writes 0, for 3 to 10 samples of a steep part of three cycles.
+// In three cycles, for 3 to 10 samples where the force is steep, the logger repeats the last force or writes 0.
 TEST(Plateaus, of_a_dropout_that_is_held_are_found) {
   for (int const samples : {50, 100, 200})
     for (std::size_t const length : {3u, 5u, 10u})

@@ -30,7 +30,7 @@ double unit_sine(double t) {
   return std::sin(2.0 * std::numbers::pi * t);
 }
 
-// The weighted mean of |computed - measured| over the weighted standard deviation of the measured force.
+// Returns the weighted mean of |computed - measured| divided by the weighted standard deviation of the measured force.
 double misfit(std::vector<double> const& weights, std::vector<double> const& measured,
               std::vector<double> const& computed) {
   double const sum = std::accumulate(weights.begin(), weights.end(), 0.0);

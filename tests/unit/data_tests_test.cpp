@@ -118,8 +118,8 @@ TEST_F(SeveralTests, AreListed) {
   EXPECT_EQ(one.front().test, std::nullopt);
 }
 
-// A LabVIEW file has two headers above the names of channels. The second has a row of units. One column is for
-// comments.
+// Returns the first of the two headers of a LabVIEW file. lvm_part() returns the second, which has a row of units, then
+// the names of channels and the rows. One column is for comments.
 std::string lvm_head(std::string const& x_columns = "One") {
   return "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\nDecimal_Separator\t,\nMulti_Headings\tNo\n"
          "X_Columns\t" +

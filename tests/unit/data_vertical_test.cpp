@@ -150,8 +150,8 @@ TEST(Vertical, NoiseMakesNoDeviceStiffer) {
     }
 }
 
-// A random compression test of a device that stiffens, settles and creeps. The loadings rise and fall as triangles or
-// cosines and may be held at their ends. Friction, noise and a coarse converter are drawn too.
+// Returns a random compression test of a device that stiffens, settles and creeps. The loadings rise and fall as
+// triangles or cosines and may be held at their ends. Friction, noise and a coarse converter are drawn too.
 VerticalTest drawn_test(Drawn& drawn) {
   int const samples = static_cast<int>(drawn.on_logs(20.0, 2000.0)), loadings = drawn.whole(1, 5);
   bool const triangle = drawn.chance(0.5), lifts_off = drawn.chance(0.2), friction = drawn.chance(0.3);

@@ -282,7 +282,7 @@ TEST_F(Workbook, CellsThatSayTheyAreElsewhere) {
             std::string("FILE:Test: a cell in column ALM; allowed: 1000 columns, to ALL") + advice);
 }
 
-// In this small file a great many cells refer to one text of 30 000 characters. It must be refused.
+// In this small file a great many cells refer to one text of 30 000 characters. isolaw must refuse the file.
 TEST_F(Workbook, OneTextSaidManyTimesIsCut) {
   std::string const shared = "<sst><si><t>" + std::string(30'000, 'x') + "</t></si></sst>";
   std::string rows = header_cells;

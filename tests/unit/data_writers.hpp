@@ -70,7 +70,7 @@ inline std::string workbook_of(std::filesystem::path const& file,
   return bytes_of(file);
 }
 
-// A zip archive with these entries.
+// Returns a zip archive with these entries.
 inline std::string zip_of(std::filesystem::path const& file,
                           std::vector<std::pair<std::string, std::string>> const& parts) {
   auto* archive = zipOpen64(file.c_str(), APPEND_STATUS_CREATE);
@@ -84,7 +84,7 @@ inline std::string zip_of(std::filesystem::path const& file,
   return bytes_of(file);
 }
 
-// The smallest workbook that has a sheet with these rows, given as XML.
+// Returns the smallest workbook that has a sheet with these rows, given as XML.
 inline std::string workbook_with(std::filesystem::path const& file, std::string const& rows,
                                  std::vector<std::pair<std::string, std::string>> more = {}) {
   std::string const relations = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";

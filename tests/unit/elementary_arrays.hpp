@@ -17,7 +17,7 @@ struct ElementaryArrays {
 
 extern ElementaryArrays const elementary_baseline, elementary_v3, elementary_v4;
 
-// Whether this processor can run the functions compiled for x86-64-v3.
+// Returns whether this processor can run the functions compiled for x86-64-v3.
 inline bool runs_v3() {
   __builtin_cpu_init();
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");

@@ -185,7 +185,7 @@ TEST(ParseOverride, ATieNamesTheOtherAndReadsBack) {
   EXPECT_TRUE(parse_override("vaiana.Kb-=free").tied_to.empty());
 }
 
-// The message about a wrong --set option; "" if the option was accepted.
+// Returns the message about a wrong --set option, or "" if the option was accepted.
 std::string refusal(std::string_view text) {
   return refusal_of([&] { parse_override(text); });
 }
@@ -376,8 +376,8 @@ std::map<std::string, std::vector<Published>> const table_4{
       {"a10", -2.925e-5, 0}}},
 };
 
-// The sizes of a record of a bearing like the paper's, in the law's units. The caller may multiply its lengths by
-// `size`, its forces by `strength` and its velocity by `speed`.
+// Returns the sizes of a record of a bearing like the paper's, in the law's units. The caller may multiply its lengths
+// by `size`, its forces by `strength` and its velocity by `speed`.
 laws::RecordScales scales(laws::LawInfo const& law, double size = 1.0, double strength = 1.0, double speed = 1.0) {
   double const L = law.length.in_record_units, F = law.force.in_record_units;
   return {.disp = 200.0 * size / L,
@@ -601,8 +601,8 @@ TEST(Box, ATieOutlivesLogarithmicScales) {
 
 // --- scales of a record ---
 
-// Three cycles of ±100 mm of a bilinear device from rest: K1 = 2.5 and K2 = 0.5 kN/mm, xy = 20 mm. Then Qd = (K1 - K2)
-// xy = 40 kN, the peak force is K2 100 + Qd = 90 kN and the effective stiffness is 0.9 kN/mm.
+// Returns three cycles of ±100 mm of a bilinear device from rest: K1 = 2.5 and K2 = 0.5 kN/mm, xy = 20 mm. Then
+// Qd = (K1 - K2) xy = 40 kN, the peak force is K2 100 + Qd = 90 kN and the effective stiffness is 0.9 kN/mm.
 data::FitRecord bilinear_loop() {
   data::FitRecord record;
   constexpr int samples_per_cycle = 4000;

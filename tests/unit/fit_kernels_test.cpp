@@ -92,8 +92,8 @@ class Kernels : public ::testing::TestWithParam<Case> {
   // unstable.
   int per_cycle() const { return how() == Integration::paper ? 400 : 100; }
 
-  // Cycles of 208 mm, the amplitude of the example lot. `irregular` has reversals at many samples and small loops
-  // within large ones.
+  // Returns cycles of 208 mm, the amplitude of the example lot. `irregular` has reversals at many samples and small
+  // loops within large ones.
   data::FitRecord regular() const {
     return law_tests::record_of(law_tests::sine(208.0, 0.5, 3, per_cycle()), 2.0 / per_cycle(), 0.67, 45.0);
   }
@@ -105,7 +105,7 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return law_tests::record_of(law_tests::irregular(2, 208.0, 2, 60), 0.02, 0.67, 45.0);
   }
 
-  // Candidates drawn uniformly, in turn from the published box and from the box scaled to the record.
+  // Returns candidates drawn uniformly, in turn from the published box and from the box scaled to the record.
   std::vector<Values> candidates(data::FitRecord const& record, std::size_t count) const {
     std::vector<Values> all;
     std::array const boxes{make_box(law(), BoxKind::published, scales_of(record, law().info), {}),
@@ -125,10 +125,10 @@ class Kernels : public ::testing::TestWithParam<Case> {
     return objectives(model, candidates, set());
   }
 
-  // Whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the rate of
-  // decay, here per length, times the longest step is below 2.78; the test keeps a margin and takes 2.5. The hysteretic
-  // force approaches saturation at the rate n A / z_max in bouc-wen, with z_max = (A / (beta + gamma))^(1/n), and in
-  // the abe laws at n / U0 or slower.
+  // Returns whether rounding errors may grow from step to step. The fourth-order Runge-Kutta rule is stable if the rate
+  // of decay, here per length, times the longest step is below 2.78; the test keeps a margin and takes 2.5. The
+  // hysteretic force approaches saturation at the rate n A / z_max in bouc-wen, with
+  // z_max = (A / (beta + gamma))^(1/n), and in the abe laws at n / U0 or slower.
   bool may_be_unstable(Values const& p, double longest_step) const {
     if (how() != Integration::paper) return false;
     auto const value = [&](char const* name) { return p[law().index_of(name)]; };
@@ -146,7 +146,7 @@ double longest_step(std::span<double const> x) {
   return longest;
 }
 
-// Whether all values are equal to the last bit.
+// Returns whether all values are equal to the last bit.
 ::testing::AssertionResult same(std::span<double const> a, std::span<double const> b) {
   if (a.size() != b.size()) return ::testing::AssertionFailure() << a.size() << " values against " << b.size();
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -241,8 +241,8 @@ TEST_P(Kernels, GiveACandidateTheSameBitsWhateverItsPlaceAndNeighbours) {
   }
 }
 
-// Candidates without a finite objective: one whose force overflows, some with one parameter NaN or infinite, and for
-// bouc-wen some whose force grows without bound.
+// Returns candidates without a finite objective: one whose force overflows, some with one parameter NaN or infinite,
+// and for bouc-wen some whose force grows without bound.
 std::vector<Values> sick_ones(laws::LawEntry const& law, Values const& sound) {
   std::vector<Values> sick{sound};
   for (auto const& [name, value] : law_tests::overflowing_values(law)) sick.front()[law.index_of(name)] = value;

@@ -25,7 +25,7 @@ double objective_of(LawOnRecord const& model, Values const& parameters) {
   return model.objective(parameters, work);
 }
 
-// A record with uneven intervals of time and without noise.
+// Returns a record with uneven intervals of time and without noise.
 data::FitRecord uneven() {
   return {.time_s = {0.0, 1.0, 3.0, 3.5},
           .disp_mm = {0.0, 1.0, -1.0, 2.0},
@@ -35,7 +35,7 @@ data::FitRecord uneven() {
           .cleaning = {}};
 }
 
-// Three cycles of ±100 mm at 0.5 Hz with an elliptic loop of force.
+// Returns three cycles of ±100 mm at 0.5 Hz with an elliptic loop of force.
 data::FitRecord sine(int samples_per_cycle = 60) {
   data::FitRecord record;
   for (int i = 0; i <= 3 * samples_per_cycle; ++i) {

@@ -17,7 +17,7 @@
 namespace isolaw::fit {
 namespace {
 
-// Cycles of this amplitude, with an elliptic loop of force.
+// Returns cycles of this amplitude, with an elliptic loop of force.
 data::FitRecord cycles(double amplitude_mm, int count) {
   data::FitRecord record;
   for (int i = 0; i <= 100 * count; ++i) {
@@ -46,7 +46,7 @@ struct Device {
   data::FitRecord small = cycles(50.0, 2), large = cycles(100.0, 3), both = one_after_another(small, large);
 };
 
-// Twenty parameter sets that lie between 0.4 and 0.59 of each interval of the law's box.
+// Returns twenty parameter sets that lie between 0.4 and 0.59 of each interval of the law's box.
 std::vector<std::vector<double>> candidates(laws::LawEntry const& law, data::FitRecord const& record) {
   auto const box = make_box(law, BoxKind::scaled, scales_of(record, law.info), {});
   std::vector<std::vector<double>> all(20, std::vector<double>(law.parameters.size()));

@@ -40,9 +40,9 @@ std::vector<DeviceEstimate> with(std::vector<Values> const& values, SquareMatrix
   return devices;
 }
 
-// Ten devices about (0, 0): two at each of (a, a), (-a, -a), (b, -b), (-b, b) and (0, 0). Each parameter has both
-// signs, so none is taken as a logarithm. The variance of the estimates is 8 a^2 / 9 along (1, 1) and 8 b^2 / 9 along
-// (1, -1).
+// Returns ten devices about (0, 0): two at each of (a, a), (-a, -a), (b, -b), (-b, b) and (0, 0). Each parameter has
+// both signs, so none is taken as a logarithm. The variance of the estimates is 8 a^2 / 9 along (1, 1) and 8 b^2 / 9
+// along (1, -1).
 std::vector<Values> ellipse(double a, double b) {
   return {{a, a}, {-a, -a}, {a, a}, {-a, -a}, {b, -b}, {-b, b}, {b, -b}, {-b, b}, {0, 0}, {0, 0}};
 }

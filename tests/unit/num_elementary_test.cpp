@@ -85,7 +85,7 @@ std::vector<double> uniform(double lower, double upper, std::uint64_t seed = 1, 
   for (double& v : values) v = distribution(engine);
   return values;
 }
-// Values that are evenly spread on a logarithmic scale.
+// Returns values that are evenly spread on a logarithmic scale.
 std::vector<double> binades(double lower, double upper) {
   auto values = uniform(std::log2(lower), std::log2(upper));
   for (double& v : values) v = std::exp2(v);
@@ -123,8 +123,8 @@ constexpr auto exact_exp2 = [](long double x) { return std::exp2(x); };
 constexpr auto exact_exp = [](long double x) { return std::exp(x); };
 constexpr auto exact_log2 = [](long double x) { return std::log2(x); };
 
-// Largest relative error of a function that is called here with one argument at a time. Calls with batches of arguments
-// are left to the tests of the laws, which compare batches with single calls.
+// Returns the largest relative error of a function that is called here with one argument at a time. Calls with batches
+// of arguments are left to the tests of the laws, which compare batches with single calls.
 template <class F, class Exact>
 double largest_relative(std::vector<double> const& arguments, F f, Exact exact) {
   double largest = 0.0;

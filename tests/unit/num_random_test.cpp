@@ -20,7 +20,7 @@ using Words = std::array<std::uint32_t, 4>;
 
 static_assert(std::uniform_random_bit_generator<Draws>);
 
-// Chi-square of counts that should be equal, in standard deviations above its mean.
+// Returns the chi-square of counts that should be equal, in standard deviations above its mean.
 double excess_chi_square(std::span<int const> counts, double draws) {
   double const expected = draws / static_cast<double>(counts.size());
   double chi_square = 0.0;

@@ -24,7 +24,7 @@ num::Draws some_draws(std::uint64_t key = 1) {
   return {num::Stream(key), 0, 0};
 }
 
-// Chi-square of counts against given probabilities, in standard deviations above its mean.
+// Returns the chi-square of counts against given probabilities, in standard deviations above its mean.
 double excess_chi_square(std::span<int const> counts, std::span<double const> probabilities) {
   double const total = std::accumulate(counts.begin(), counts.end(), 0.0);
   double chi_square = 0.0, freedom = -1.0;

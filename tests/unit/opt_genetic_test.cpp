@@ -65,7 +65,8 @@ double rastrigin(Point x) {
   return sum;
 }
 
-// A small identification problem: the mean absolute deviation between two curves that are a line plus a decay.
+// Returns the objective of a small identification problem: the mean absolute deviation between two curves, each the sum
+// of a line and a decay.
 double curve_fit(Point x) {
   constexpr int samples = 100;
   double sum = 0.0;
@@ -209,7 +210,7 @@ TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
   EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
-// An objective that falls by 1 % of its start in each generation, whatever the points are.
+// Returns an objective that falls by 1 % of its start in each generation, whatever the points are.
 FunctionProblem steadily_falling(int& calls) {
   return {2, [&calls](Point) { return 1.0 - 0.01 * (calls++ / 10); }};
 }

@@ -20,7 +20,7 @@ namespace {
 
 using Point = std::span<double const>;
 
-// `count` residuals r(x, j), equally weighted unless weights are given.
+// A problem with `count` residuals r(x, j), which are equally weighted unless weights are given.
 class Residuals : public DeviationProblem {
  public:
   Residuals(std::size_t dimension, std::size_t count, std::function<double(Point, std::size_t)> residual)

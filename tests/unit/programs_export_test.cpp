@@ -190,7 +190,7 @@ TEST(Refits, say_their_error_and_are_the_same_again) {
               error.largest, 1e-6);
 }
 
-// The numbers of each line below the head. Comment lines are left out.
+// Returns the numbers of each line below the head. Comment lines are left out.
 std::vector<std::vector<double>> rows_of(std::string const& csv, std::string& head) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(csv);

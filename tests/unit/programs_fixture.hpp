@@ -18,7 +18,7 @@ namespace isolaw::programs_test {
 
 using namespace isolaw::programs;
 
-// One cycle of `samples` steps at each amplitude, from rest at zero.
+// Returns one cycle of `samples` steps at each amplitude, from rest at zero.
 inline History cycles(std::vector<double> const& amplitudes_mm, int samples, double frequency_Hz = 0.5) {
   History history;
   history.device = "D";
@@ -77,7 +77,7 @@ inline double peak_of(std::vector<double> const& force) {
   return peak;
 }
 
-// The commands of one variant of a procedure, parsed from the text of a Tcl script.
+// Returns the commands of one variant of a procedure, parsed from the text of a Tcl script.
 inline std::vector<Command> commands_in(std::string const& script, std::string const& procedure,
                                         std::string const& variant) {
   std::vector<Command> commands;

@@ -7,7 +7,7 @@
 
 namespace isolaw::programs_test {
 
-// A ground motion near the period of the building. In the default duration it makes about two cycles.
+// Returns a ground motion near the period of the building. In the default duration it makes about two cycles.
 inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, double duration_s = 4.5) {
   data::GroundMotion motion{.file = "made here", .step_s = step_s, .acceleration_mm_s2 = {}, .recognised = "made here"};
   for (int i = 0; i * step_s <= duration_s; ++i)
@@ -17,7 +17,7 @@ inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, 
 
 inline constexpr double carried_kN = 588.4;  // load on one isolator, which gives a period near two seconds
 
-// Isolators at the corners of a rectangle. The two isolators at the larger y carry more by the share `heavier`.
+// Returns isolators at the corners of a rectangle. The two isolators at the larger y carry more by the share `heavier`.
 inline Model four(double amplitude_mm_s2, double heavier = 0.0) {
   Model model;
   model.layout = "made here";

@@ -68,7 +68,7 @@ std::vector<double> response(double mass, std::vector<double> const& ground, dou
   return path;
 }
 
-// The ground motion at the steps of the analysis, with `pieces` steps between two samples.
+// Returns the ground motion at the steps of the analysis, with `pieces` steps between two samples.
 std::vector<double> in_pieces(std::vector<double> const& values, int pieces) {
   std::vector<double> steps{values.front()};
   for (std::size_t i = 1; i < values.size(); ++i)

@@ -14,7 +14,7 @@ RefitResponse response(Subject const& subject, std::string_view law, std::vector
   return BuildingOnLaw(subject).with("the stand-in", laws::find_law(law), parameters);
 }
 
-// A spring of stiffness k, as a bilinear law.
+// Returns a spring of stiffness k, as a bilinear law.
 std::vector<double> spring(double k) {
   return {k, k, 18.0};
 }

@@ -70,7 +70,7 @@ void drive(Material m) {
     std::printf("%.17g %.17g %.17g %.17g %.17g %.17g %.17g ", force, m.tangent(), m.damping(), (above - force) / h,
                 (force - below) / h, (faster - force) / h, (force - slower) / h);
     m.commit();
-    // From its numbers on, in another.
+    // Saves the state as numbers and loads it into another material.
     std::vector<double> numbers(m.state_size());
     m.save(numbers.data());
     Material loaded = fresh;
@@ -81,7 +81,7 @@ void drive(Material m) {
         loaded.tangent() != m.tangent() || loaded.damping() != m.damping())
       std::printf("a state is lost\n");
     m = loaded;
-    // Once more at rest there.
+    // Makes trials at rest with the other material.
     double const on = m.trial(p.x + h, p.v), back = m.trial(p.x - h, p.v), held = m.trial(p.x, p.v);
     std::printf("%.17g %.17g %.17g\n", m.tangent(), (on - held) / h, (held - back) / h);
     m.revert();

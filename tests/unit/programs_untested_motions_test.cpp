@@ -42,9 +42,9 @@ TEST(OtherCycles, OneThatIsFarOffIsEnough) {
   EXPECT_TRUE(far_off(cycles));
 }
 
-// A script's form that OpenSees integrates is compared with the law at the number of steps that the script demands. Its
-// errors are then those of the fitted law itself, which a value sheet states. Integration adds the 1 % of the energy
-// that the demanded steps allow at the tested amplitude, and more in small cycles.
+// OpenSees integrates some exported forms step by step. They are compared with the law at the number of steps per cycle
+// that the script demands. The errors must be those of the fitted law itself, which a value sheet states, plus those of
+// the integration: 1 % of the energy at the tested amplitude, and more in small cycles.
 TEST(OtherCycles, OfARefitAreThoseOfTheFittedLaw) {
   int compared = 0;
   double at_80_steps = 0.0;

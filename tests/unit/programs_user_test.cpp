@@ -53,7 +53,7 @@ struct OfLaw {
   std::string name() const { return identifier(subject, unit_systems[1]); }
 };
 
-// Every law of the catalogue, with parameters for which its memory matters.
+// Returns every law of the catalogue, with parameters for which its memory matters.
 std::vector<OfLaw> every_law() {
   std::vector<OfLaw> cases;
   for (auto const& law : laws::catalogue())

@@ -32,7 +32,7 @@ std::vector<std::string> keys_of(Json const& object) {
   return names;
 }
 
-// The first cells of the table rows under a heading of docs/building-json.md.
+// Returns the first cells of the table rows under a heading of docs/building-json.md.
 std::vector<std::string> documented_keys(std::string const& heading) {
   std::ifstream page(ISOLAW_SOURCE_DIR "/docs/building-json.md");
   std::vector<std::string> keys;

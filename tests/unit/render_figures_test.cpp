@@ -443,7 +443,7 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// The text of an SVG file; throws if the file is not well-formed XML.
+// Returns the text of an SVG file; throws if the file is not well-formed XML.
 std::string text_of_svg(std::string const& svg) {
   std::string text;
   auto* parser = XML_ParserCreate(nullptr);

@@ -134,7 +134,8 @@ TEST(PageData, ConstantAndNonFiniteCurves) {
   for (double const value : values) EXPECT_EQ(value, 3.0);
 }
 
-// The third cycle is larger and does not count. The remainder of the block has no value there.
+// The fourth cycle is larger and does not count. The remainder of the block (signal minus mean cycle) has no value
+// there.
 TEST(PageData, TheRemainderHasGapsBetweenItsCycles) {
   auto summary = fixture::lot();
   auto const motion = data::testing::Motion().sine(100.0, 0.5, 3).sine(110.0, 0.5, 1).sine(100.0, 0.5, 3).end().loop();

@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-// A plain reader of CSV (RFC 4180).
+// Returns the rows of a CSV table (RFC 4180).
 Rows read(std::string_view text) {
   Rows rows{{""}};
   bool quoted = false;

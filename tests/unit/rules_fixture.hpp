@@ -14,8 +14,8 @@
 
 namespace isolaw::rules::testing {
 
-// A cycle of ±100 mm and ±120 kN, so K_eff is 1.2 kN/mm. Its energy is that of 15 % damping. `force_factor` multiplies
-// the forces.
+// Returns a cycle of ±100 mm and ±120 kN, so K_eff is 1.2 kN/mm. Its energy is that of 15 % damping. `force_factor`
+// multiplies the forces.
 inline data::Cycle cycle(int number, double force_factor = 1.0) {
   double const energy = 0.15 * 2.0 * 3.14159265358979323846 * 1.2 * 1e4;  // xi 2 pi K D^2
   data::Cycle cycle;
@@ -32,7 +32,7 @@ inline data::Cycle cycle(int number, double force_factor = 1.0) {
   return cycle;
 }
 
-// Cycles 1 to `count` at 0.5 Hz. The forces of the third cycle are multiplied by `third`.
+// Returns cycles 1 to `count` at 0.5 Hz. The forces of the third cycle are multiplied by `third`.
 inline BlockValues block(double third = 1.0, int count = 3) {
   BlockValues values{.number = 1,
                      .amplitude_mm = 100.0,

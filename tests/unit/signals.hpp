@@ -50,7 +50,7 @@ class Drawn {
   }
 
  private:
-  // A number from 0 to below 1, from 64 random bits.
+  // Returns a number from 0 to below 1, from 64 random bits.
   double uniform() {
     auto const low = static_cast<double>(random_()), high = static_cast<double>(random_());
     return std::min((low + 0x1p32 * high) * 0x1p-64, std::nextafter(1.0, 0.0));
@@ -91,7 +91,7 @@ inline Plan draw(Drawn& random, Bounds const& bounds, bool holds) {
   return plan;
 }
 
-// Displacement over amplitude; `phase` counts cycles from the start.
+// Returns the displacement divided by the amplitude. `phase` counts cycles from the start.
 inline double shape_of(Plan const& plan, double phase) {
   double const part = phase - std::floor(phase);
   auto const triangle = [](double p) { return p < 0.25 ? 4.0 * p : p < 0.75 ? 2.0 - 4.0 * p : 4.0 * p - 4.0; };
@@ -115,12 +115,13 @@ inline double shape_of(Plan const& plan, double phase) {
   }
 }
 
-// The force in kN along a finely sampled history. Distances are in proportion to the amplitude and stiffnesses to its
-// inverse. The force therefore does not depend on the amplitude.
+// Returns the force in kN along a finely sampled history. Distances are in proportion to the amplitude and stiffnesses
+// to its inverse. The force therefore does not depend on the amplitude.
 inline std::vector<double> force_of(Device device, std::vector<double> const& x, double dt, Plan const& plan) {
   double const D = plan.amplitude_mm, K = 100.0 / D, period = 1.0 / plan.frequency_Hz;
-  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in 100 kN. The difference
-  // between the plastic part and its strength Q falls by a factor e over each travel of `way` times the amplitude.
+  // The parts of the force (elastic, plastic Q, relaxing `maxwell`, viscous `damper`) are in units of 100 kN. The
+  // difference between the plastic part and its strength Q falls by a factor e over each travel of `way` times the
+  // amplitude.
   double elastic = 0.6, Q = 0.4, way = 0.1, maxwell = 0.0, damper = 0.0;
   if (device == Device::lead) elastic = 0.35, Q = 0.65, way = 0.02;
   if (device == Device::friction) elastic = 0.2, Q = 0.8, way = 0.001;
@@ -163,7 +164,7 @@ struct Clean {
   std::vector<double> time_s, disp_mm, force_kN;
 };
 
-// The motion without noise: first rest, then the cycles, then rest.
+// Returns the motion without noise: first rest, then the cycles, then rest.
 inline Clean true_motion(Plan const& plan) {
   constexpr int finer = 8;
   int const n = plan.samples * plan.cycles * finer;

@@ -1,5 +1,5 @@
-// Verdicts on a record of several blocks: which block they rest on, and that they do not rest on a faulty one or on a
-// device that lost its force.
+// Tests on which block of a record the verdict rests. It must not rest on a faulty block or on one in which the device
+// has lost its force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,7 +122,8 @@ TEST(Lot, DevicesWithOtherEarlierCyclesWereTestedUnderOtherConditions) {
   EXPECT_EQ(conditions_differ(differing), std::nullopt);
 }
 
-// With two devices at 100 mm and two at 200 mm, the usual amplitude is that of a device, and the others are named.
+// With two devices at about 100 mm and two at about 200 mm, the usual amplitude is that of one of the devices. Devices
+// that were tested at another amplitude must be named.
 TEST(Lot, OutliersAreSoughtAmongDevicesOfOneAmplitude) {
   auto const usual = usual_amplitude({100.0, 200.0, 101.0, 201.0}, {}, {});
   EXPECT_EQ(usual.mm, 101.0);

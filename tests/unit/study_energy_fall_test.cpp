@@ -12,7 +12,7 @@ namespace {
 
 constexpr int per_cycle = 100;
 
-// Elliptic loops in which the energy of cycle k, counted from 0, is proportional to factor(k).
+// Returns elliptic loops in which the energy of cycle k, counted from 0, is proportional to factor(k).
 template <class Factor>
 data::FitRecord ellipses(int cycles, Factor const& factor) {
   data::FitRecord record;

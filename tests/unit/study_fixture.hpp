@@ -1,5 +1,6 @@
-// A small made-up lot for the tests of the report. Its devices differ a little, its laws miss their loops in different
-// ways, and it has one refused device whose name attacks every output format.
+// A small made-up lot for the tests of the report. The devices differ a little, and the loops of the laws differ from
+// the records in different ways. One device is refused; its name contains characters that could break every output
+// format.
 #pragma once
 
 #include <cmath>
@@ -15,12 +16,12 @@ namespace isolaw::study::fixture {
 
 inline std::string const nasty_name = "</script><img src=x onerror=alert(1)>\"'\n=1+1";
 
-// A made-up law: its accuracy, robustness and parameters, and how far its loops miss the record.
+// A made-up law with its accuracy, robustness and parameters, and how far its loops differ from the record.
 struct LawSketch {
   std::string id, title;
   double objective, beta;
   bool on_front;
-  double stiffness, strength;  // the law's stiffness and strength over those of the record
+  double stiffness, strength;  // of the law, divided by the values of the record
   std::vector<ParameterFit> parameters;
 };
 
@@ -34,8 +35,8 @@ inline ParameterFit parameter(std::string name, std::string unit, double mean, d
   return fit;
 }
 
-// A lot has the first few of these laws: three, unless a test asks for more. The later laws fill the page for browser
-// tests. The seventh law, abe-y0, has made-up numbers; the objectives and betas of the others are those of the
+// lot() takes the first of these laws, three unless a test asks for more. The later laws fill the page for browser
+// tests. The seventh law, abe-y0, has made-up numbers. The objectives and betas of the other laws are those of the
 // published table.
 inline std::vector<LawSketch> sketches() {
   return {
@@ -106,8 +107,9 @@ inline std::vector<LawSketch> sketches() {
   };
 }
 
-// The force on three cycles of ±208 mm at 0.5 Hz. `stiffness` and `strength` are factors; both are 1 for a device at
-// the mean of the lot. `scragging` is the share by which the stiffness is larger at the start; it fades within seconds.
+// Returns the force on three cycles of ±208 mm at 0.5 Hz. `stiffness` and `strength` are factors; both are 1 for a
+// device at the mean of the lot. `scragging` is the share by which the stiffness is larger at the start. It fades
+// within seconds.
 inline std::vector<double> loop_force(data::FitRecord const& record, double stiffness, double strength,
                                       double scragging) {
   std::vector<double> force;
@@ -165,7 +167,7 @@ inline DeviceResult device(std::string name, double scatter, int samples_per_cyc
   return device;
 }
 
-// `law_count` laws on the devices D1, D2, ..., followed by one refused device.
+// Returns a lot with `law_count` laws on the devices D1, D2, ... and one refused device after them.
 inline Summary lot(int device_count = 3, int law_count = 3) {
   Summary summary;
   summary.version = "0.1.0";

@@ -17,8 +17,8 @@ namespace {
 
 using NamedValues = std::vector<std::pair<std::string, double>>;
 
-// Two cycles of this amplitude with a peak velocity of `speed_mm_s`. The force is an elliptic loop with this damping
-// and a stiffness of 1 kN/mm.
+// Returns two cycles of this amplitude with a peak velocity of `speed_mm_s`. The force is an elliptic loop with this
+// damping and a stiffness of 1 kN/mm.
 DeviceResult tested_device(double amplitude_mm, double speed_mm_s, double damping) {
   DeviceResult device;
   device.name = "device";
@@ -151,8 +151,9 @@ TEST(RangeTest, GoesToTheDisplacementOfTheDesign) {
   }
 }
 
-// One device was tested to 200 mm, the other only to 50 mm. The law of the second softens so much that it must be
-// refused if it is tried at 400 mm, as the law of the first is, but not if it is tried at twice its own 50 mm.
+// One device was tested to 200 mm, the other only to 50 mm. Each law is first tried at twice the tested amplitude of
+// its own device, and both pass. If the design asks for 400 mm, the law of the second device softens so much up to
+// there that it must be refused.
 TEST(RangeTest, TriesADeviceTestedLessNoFartherInProportion) {
   Summary summary;
   summary.devices = {tested_device(200.0, 628.0, 0.3), tested_device(50.0, 157.0, 0.3)};

@@ -18,7 +18,7 @@
 namespace isolaw::study {
 namespace {
 
-// The cells of each row of the table that stands under `heading` in a file of docs/.
+// Returns the cells of each row of the table that stands under `heading` in a file of docs/.
 std::vector<std::vector<std::string>> documented(std::string const& heading,
                                                  std::string const& file = "summary-json.md") {
   std::ifstream page(ISOLAW_SOURCE_DIR "/docs/" + file);

@@ -156,8 +156,8 @@ TEST(OverallVerdict, PassesOnlyWhereEveryRequirementAndEveryDeviceIsAssessed) {
   EXPECT_EQ(overall_verdict(shear).word, "INCOMPLETE");
 }
 
-// A device whose record is a copy is not assessed. The verdict gives this reason only, also if there is another reason
-// not to assess the device.
+// A device whose record is a copy is not assessed. The verdict must give only this reason, even if there is another
+// reason not to assess the device.
 TEST(OverallVerdict, NamesACopyThatIsWithheldOnce) {
   auto summary = verified_lot();
   for (auto const* name : {"D01", "D02"}) {

@@ -22,7 +22,7 @@ constexpr double f = 0.5;    // Hz
 // The force of a steady loop as a function of the phase of x = D sin(phase).
 using Loop = std::function<double(double)>;
 
-// The force is F = K (x + tan(phi) D cos(phase)) with the damping tan(phi) / 2.
+// Returns the loop F = K (x + tan(phi) D cos(phase)), which has the damping tan(phi) / 2.
 Loop ellipse(double K, double damping) {
   return [=](double phase) { return K * D * (std::sin(phase) + 2.0 * damping * std::cos(phase)); };
 }

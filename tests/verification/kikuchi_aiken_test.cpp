@@ -221,10 +221,11 @@ TEST(KikuchiAiken, CyclesDissipate) {
     }
 }
 
-// Full cycles at 10 to 100 % of the tested amplitude, for parameters anywhere in the search box and, in every other
-// draw, in its corners. b is at most e (1/U - 1) min(c, 5), U the hysteretic share of the force Fm at the peak. Its
-// term therefore rises by at most (1 - U) Fm, which the elastic part lacks while it is below zero, so the largest
-// force is Fm. For c at least 2 the term that closes the branches makes up for what is left of it on the other side.
+// Full cycles at 10 to 100 % of the tested amplitude must not exceed the force Fm at their peaks. Parameters are drawn
+// anywhere in the search box and, in every other draw, in its corners. Let U be the hysteretic share of Fm. Since b is
+// at most e (1/U - 1) min(c, 5), the term with b adds at most (1 - U) Fm. While the elastic force is below zero, the
+// whole force is therefore at most Fm. Where it is above zero, the term that closes the branches makes up for the rest
+// of the term with b if c is at least 2.
 TEST(KikuchiAiken, CyclesDoNotExceedTheForceAtTheirPeaks) {
   constexpr int per_cycle = 400;
   for (std::uint32_t i = 0; i < 3000; ++i) {

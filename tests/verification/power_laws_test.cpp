@@ -127,8 +127,8 @@ TEST(PowerLaws, TheOutermostTurningPointIsKept) {
   for (int i = 0; i < turns; ++i) x.push_back((i % 2 == 0 ? 100.0 : -100.0) * std::pow(0.999, i));
   auto path = laws::make_path(x, {});
   EXPECT_EQ(path.deepest, laws::OpenBranches::most);
-  // A last step to -100 mm passes all later turning points. The first branch closes where it began, so the force there is
-  // the opposite of that at the first turn, at 100 mm.
+  // A last step to -100 mm passes all later turning points. The first branch closes where it began, so the force there
+  // is the opposite of that at the first turn, at 100 mm.
   auto const inwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, path);
   x.push_back(-100.0);
   auto const outwards = forces<PowerMasing>({80, 0.36, 45, 0, 0, 0.25}, laws::make_path(x, {}));

@@ -91,7 +91,8 @@ TEST(Replay, asymmetric_material_gives_the_documented_sets) {
 }
 
 // With n = 1 and gamma = 0 Wen's material obeys dz/dx = A - beta |z| sgn(dx z). Exactly solved, its branches would be
-// those of the asymmetric material without hardening. The error of the material falls with the first power of its step.
+// those of the asymmetric material (HystereticAsym) without hardening. The error of the material falls with the first
+// power of its step.
 TEST(Replay, bouc_wen_of_exponent_one_is_the_asymmetric_material_as_the_step_goes_to_zero) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0, Ke = kb + alpha * f0;
   Command const algebraic{"HystereticAsym", {kb + 2.0 * alpha * f0, kb, f0, 0, 0, 0}};

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the files of this folder: each has one wart of a laboratory's export, and all are of the same device.
+"""Writes the files of this folder. Each is the record of a test with one oddity of a laboratory's export (a wart).
 
-K = 0.5 kN/mm, friction of 20 kN, three cycles of 100 mm at 0.5 Hz, 100 samples a cycle: K_eff is 0.7 kN/mm. warts.json
-states the expected outcome of each file; tests/cli/warts_test.cpp compares the two. The impossible signals (disp-*,
-force-*, time-gap) and the unusual but possible ones (true*) are of a smooth device: 0.5 kN/mm, and 30 kN that follow
-the displacement within 12.5 mm; K_eff is 0.8 kN/mm."""
+Most records are of a device with K = 0.5 kN/mm and friction of 20 kN. They have three cycles of 100 mm at 0.5 Hz with
+100 samples a cycle, so K_eff is 0.7 kN/mm. Records with impossible signals (disp-*, force-*, time-gap) or unusual but
+possible ones (true*) are of a smooth device: 0.5 kN/mm and 30 kN that follow the displacement within 12.5 mm. Its K_eff
+is 0.8 kN/mm. warts.json states the expected outcome of each file, and tests/cli/warts_test.cpp checks it."""
 import datetime
 import json
 import math
@@ -94,7 +94,7 @@ def time_stamps():
 
 
 def workbook(name, head, time):
-    """Writes the smallest workbook that Excel can read; cells of the first column have style 1, a date and time."""
+    """Writes the smallest workbook that Excel can read. Cells of the first column have style 1, a date and time."""
     def text(content):
         return f'<c t="inlineStr"><is><t>{content}</t></is></c>'
     rows = '<row>' + text(head) + text('Displacement [mm]') + text('Force [kN]') + '</row>'

@@ -1,7 +1,7 @@
 """Looks for code outside the table of sentences that compares, cuts or searches words.
 
-A literal of two words or more beside a search, a comparison or a cut is such a place, in C++ and in the page's script.
-Usage: searched.py SOURCE_FOLDER; exit code 1 where a place is found that is not listed below.
+It reports each search, comparison or cut, in C++ and in the page's script, that has a literal of two words or more.
+Usage: searched.py SOURCE_FOLDER. The exit code is 1 if it finds such a place that is not listed below.
 """
 
 import pathlib

@@ -57,8 +57,8 @@ static int watched_file(int file) {
 
 enum what { succeed, fail, tear };
 
-// Counts an operation and decides whether it is to fail, in which case errno is set. `can_tear` is 1 for writes, of
-// which half may be done.
+// Counts an operation and decides whether it fails, in which case errno is set. `can_tear` is 1 for a write, which may
+// also stop half-way.
 static enum what next_operation(int can_tear) {
   long const number = ++operations, at = atol(setting("ISOLAW_FAULT_AT"));
   const char* mode = setting("ISOLAW_FAULT_MODE");
@@ -82,7 +82,7 @@ __attribute__((destructor)) static void report_count(void) {
   fclose(file);
 }
 
-// Returns 1 if an operation is to fail that also works on a full disk, such as removing or truncating a file.
+// Counts an operation that works even on a full disk, such as removing or truncating a file. Returns 1 if it must fail.
 static int frees_space_fails(void) {
   return next_operation(0) == fail && errno != ENOSPC;
 }
