@@ -22,7 +22,7 @@ struct Loop {
   double energy_kN_mm = 0.0;
   double slope_kN_per_mm = 0.0;
   double correlation = 0.0;
-  double equivalent_damping = 0.0;  // energy over that of ellipses; see measure_loop()
+  double equivalent_damping = 0.0;  // energy / area of ellipses; see measure_loop()
 };
 
 Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cycles) {
@@ -56,7 +56,7 @@ Loop measure_loop(TestRecord const& record, std::vector<Cycle const*> const& cyc
   return loop;
 }
 
-// Warns if the stiffness is one that no isolator has, such as that of a steel bar or of a rubber band, or if the travel
+// Warns if the stiffness is far outside the range of isolators, as for a steel bar or a rubber band, or if the travel
 // is metres long. A unit is then probably wrong.
 void warn_about_magnitude(TestRecord& record) {
   constexpr double stiffest_kN_per_mm = 100.0;

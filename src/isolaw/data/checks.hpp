@@ -11,8 +11,8 @@ namespace isolaw::data {
 // tells the user how to exchange the columns.
 void check_physics(TestRecord const& record, Properties const& properties, std::string const& exchange_advice);
 
-// Finds the faults of the signals test by test. Called for records from a store that an earlier build wrote, because
-// such a store does not hold the faults.
+// Finds the faults of the signals test by test. The caller needs this for records from a store that an earlier build
+// wrote, because such a store does not hold the faults.
 void find_faults(TestRecord& record);
 
 void add_warnings(TestRecord& record, Properties const& properties);

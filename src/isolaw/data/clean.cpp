@@ -162,7 +162,7 @@ void choose_scored(FitRecord& record, std::span<double const> scored, std::span<
 }
 
 // Sets the weights of the samples of all tests. They stay empty if each sample counts by the time around it. If the
-// user chooses no weighting, samples count by swing, or by time if the swings of all tests together are alike.
+// user chooses no weighting, samples are weighted by swing, or by time if all swings of all tests are alike.
 void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& tests, std::optional<Weighting> asked) {
   if (asked == Weighting::time) return;
   auto const ranges = test_ranges(record.starts, record.size());

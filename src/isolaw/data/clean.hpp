@@ -34,8 +34,8 @@ struct CleanOptions {
 FitRecord clean(TestRecord const& raw, CleanOptions const& options);
 FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOptions const& options);
 
-// The dead band for a displacement: three standard deviations of its noise, which normally distributed noise exceeds in
-// one sample of about 400. 0 if there is no noise beyond rounding errors.
+// The dead band for a displacement: three standard deviations of its noise. Normally distributed noise exceeds this in
+// one of about 400 samples. 0 if there is no noise beyond rounding errors.
 double dead_band_of(std::vector<double> const& disp_mm);
 
 // Makes a record from which a law computes its force: all samples of the displacement, and the velocity if there is

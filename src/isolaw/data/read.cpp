@@ -140,7 +140,7 @@ void append_record(TestRecord& history, TestRecord const& next, std::string cons
   history.sha256 = sha256(history.sha256 + next.sha256);
 }
 
-// Refuses a test that has the name or the values of an earlier one.
+// Refuses a test that has the same name or the same values as an earlier test.
 void refuse_repeated(NamedTest const& test, std::span<NamedTest const> earlier) {
   for (auto const& other : earlier) {
     if (other.name == test.name)
@@ -156,7 +156,8 @@ void refuse_repeated(NamedTest const& test, std::span<NamedTest const> earlier) 
 // Finds the facts about the device that the files of its tests state differently.
 std::vector<Finding> disputed_facts(std::span<NamedTest const> tests) {
   std::vector<Finding> warnings;
-  std::map<std::string, std::vector<std::pair<std::string, std::string>>> stated;  // by fact: test and text
+  // For each fact, the names of the tests and the texts that they state.
+  std::map<std::string, std::vector<std::pair<std::string, std::string>>> stated;
   for (auto const& test : tests)
     for (auto const& [fact, text] : test.record.device_facts) stated[fact].emplace_back(test.name, text);
   for (auto const& [fact, said] : stated) {
@@ -193,8 +194,8 @@ TestRecord read_motion_text(std::string_view bytes, std::string const& name, Rea
   auto const acceleration = line_about_acceleration(bytes);
   try {
     auto motion = read_tests(bytes, name, options, Wanted::motion());
-    // A file with displacements may also mention acceleration. If --columns names the displacement, this is only a
-    // warning.
+    // A file with displacements may also mention acceleration. If --columns names the displacement, isolaw only warns
+    // of this.
     if (acceleration && options.columns.contains(Channel::disp))
       motion.warnings.push_back({.kind = FindingKind::about_acceleration, .words = {{"line", *acceleration}}});
     return motion;

@@ -48,7 +48,7 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
       {{.key = key, .kind = Kind::assignments, .help = std::move(help), .heading = Heading::everyday}, write, read}};
 }
 
-// `written` says whether lot files store the value as text or as a number.
+// `written` is the form in which lot files store the value: text or a number.
 Reading name_or_number(std::string_view key, std::string help, Kind written,
                        std::optional<std::string> ReadOptions::*choice, std::string (*parse)(std::string const&)) {
   auto const write = [=](ReadOptions const& from) {
@@ -140,8 +140,8 @@ Reading rows() {
            read}};
 }
 
-// The options --from and --to are called --motion-from and --motion-to where a command reads a motion, because --from
-// names a campaign there.
+// In commands that read a motion, --from and --to are called --motion-from and --motion-to, because --from names a
+// campaign there.
 Reading time_limit(std::string_view key, std::string help, std::optional<double> ReadOptions::*value,
                    std::string_view keyword, std::string_view motion_option) {
   Reading row{number<ReadOptions>(key, std::move(help), at(value)).under(Heading::reading), false, motion_option};

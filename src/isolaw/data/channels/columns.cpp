@@ -100,8 +100,8 @@ class Resolver {
     return kind == StampKind::date_time || kind == StampKind::clock;
   }
 
-  // Marks the time column as one of time stamps. Plain numbers count as days of a spreadsheet only if they have no unit
-  // and the column's name means a date: in a column "Time" they may be seconds.
+  // Sets the kind of time stamps in a time column. Plain numbers count as a spreadsheet's dates, in days, only if they
+  // have no unit and the column's name means a date: in a column "Time" they may be seconds.
   void take_stamps(Column& time) {
     auto const kind = stamps_of(time.index);
     bool const has_unit = options_.units.contains(Channel::time) || !written_units(Channel::time, time.index).empty();
@@ -188,7 +188,7 @@ class Resolver {
     bool const timed = result_.channels.contains(Channel::time);
     for (std::size_t i = 0; i < count_; ++i) {
       bool const date = timed && result_.channels.at(Channel::time).date_column == i;
-      // recognise_columns() reports a counter of samples.
+      // A column that counts samples is left out here, because recognise_columns() reports it.
       bool const counter = !timed && i < header_.names.size() && is_counter(header_.names[i]);
       if (is_taken(i) || date || counter) continue;
       texts.push_back(column_text(i, header_));
@@ -358,7 +358,7 @@ class Resolver {
                  : fmt::format("--columns {}=NAME", name(channel)));
   }
 
-  // Prefers a column named by a word to one named by a symbol: beside a column "Force", a column "F" is something else.
+  // Takes a column named by a symbol only if none is named by a word: beside "Force", a column "F" is something else.
   std::vector<std::size_t> candidates_of_any(Channel channel) const {
     auto found = candidates(channel, Certainty::word);
     return found.empty() ? candidates(channel, Certainty::symbol) : found;
@@ -424,7 +424,7 @@ class Resolver {
 
   // Looks for a second horizontal direction: columns whose names differ from those of displacement and force only by y
   // in place of x, or x in place of y. The user must then choose the direction with an option, because nobody would
-  // notice which one isolaw had taken.
+  // notice which direction isolaw had taken.
   void look_for_second_direction() {
     auto const disp = result_.channels.find(Channel::disp), force = result_.channels.find(Channel::force);
     if (!has_names() || disp == result_.channels.end() || force == result_.channels.end()) return;
@@ -516,8 +516,8 @@ class Resolver {
     return scale == 1.0 ? std::string(unit.symbol) : fmt::format("{:.6g} {}", scale, unit.symbol);
   }
 
-  // The unit of this dimension that the file states without naming a column, as in a list of units. Empty if the file
-  // states no such unit or several.
+  // Returns the unit of this dimension that the file states without naming a column, as in a list of units. Returns an
+  // empty text if the file states no such unit or several.
   std::string unit_elsewhere(Dimension dimension) const {
     std::string found;
     for (auto const& text : header_.units_elsewhere) {
@@ -529,7 +529,7 @@ class Resolver {
     return found;
   }
 
-  // Warns if the options give another unit or scale than the file does. The unit and the scale of the options are used.
+  // Warns if the options give another unit or scale than the file. The column is read as the options say.
   void warn_of_other_unit(Channel channel, Column const& column) {
     auto const written = units_in_file(column.index);
     auto const stated = written.empty() ? std::nullopt : parse_unit_text(written.front().text);

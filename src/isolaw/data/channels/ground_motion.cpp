@@ -35,7 +35,7 @@ std::optional<double> number_behind(std::string_view line, std::string_view word
   return number_in<double>(line.substr(0, line.find_first_of(" \t,;")));
 }
 
-// Facts about the acceleration values that the head of an agency's file states above them.
+// Facts that the head of an agency's file (PEER, ESM, ...) states about the acceleration values below it.
 struct Agency {
   std::string_view format;
   std::size_t first = 0;             // index of the first line after the head
@@ -43,7 +43,7 @@ struct Agency {
   bool more_follows = false;         // velocity and displacement may follow the values
   double step_s = 0.0;
   std::optional<double> unit_mm_s2;
-  std::size_t width = 0;  // characters of a value in its line; 0 if blanks separate the values
+  std::size_t width = 0;  // width of a value in characters; 0 if blanks separate the values
   bool off_zero = false;  // the values are uncorrected: their mean is the instrument's zero, not an acceleration
   std::string_view unit_stated = {};  // for messages: the text in the head that would state the unit
 };
@@ -232,8 +232,8 @@ void cut(std::string_view line, std::size_t width, std::vector<std::string_view>
   for (std::size_t at = 0; at < line.size(); at += width) cells.push_back(trimmed(line.substr(at, width)));
 }
 
-// The options or keys by which the user can state the step, the unit or both, for messages: for example "--motion-dt
-// SECONDS and --motion-unit UNIT".
+// Text for messages: the options or keys by which the user can state the step, the unit or both, for example
+// "--motion-dt SECONDS and --motion-unit UNIT".
 std::string to_state(StatedMotion const& stated, bool step, bool unit) {
   if (stated.how_step.empty()) return {};
   return fmt::format("{}{}{}{}", step ? stated.how_step : "", step && unit ? " and " : "", unit ? stated.how_unit : "",
@@ -372,7 +372,7 @@ std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwis
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) steps.push_back(time_s[i] - time_s[i - 1]);
   double const usual = num::median(steps);
-  constexpr double off = 0.2;  // twice what equally_spaced() allows a time: a step lies between two times
+  constexpr double off = 0.2;  // twice the tolerance of equally_spaced(), because a step is the difference of two times
   auto const found = std::ranges::find_if(steps, [&](double s) { return std::abs(s - usual) > off * std::abs(usual); });
   auto const i = found == steps.end() ? otherwise : static_cast<std::size_t>(found - steps.begin()) + 1;
   return fmt::format(

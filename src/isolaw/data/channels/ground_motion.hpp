@@ -33,12 +33,12 @@ struct GroundMotion {
 struct StatedMotion {
   std::optional<double> step_s = {};
   std::optional<std::string> unit = {};
-  // For messages: the two options or keys by which the user can state the step and the unit, and where these stand.
-  // Empty if the user cannot state them.
+  // Texts for messages: the options or keys by which the user can state the step and the unit, and the place of these
+  // keys, such as " in its [[motion]]". Empty if the user cannot state them.
   std::string_view how_step = {}, how_unit = {}, where = {};
 };
 
-// The two options that set the time step and the unit. `place` returns the StatedMotion in a Target.
+// Makes the two options that set the time step and the unit. `place` returns the StatedMotion that a Target holds.
 template <class Target, class Access>
 std::array<Option<Target>, 2> stated_options(std::string_view step_key, std::string_view unit_key, Access place) {
   return {number<Target>(step_key, "time step in seconds, for motions whose files do not state it",

@@ -23,7 +23,7 @@ struct Opened {
   Tests tests;
   ReadOptions options;
   Wanted wanted;
-  bool chooses_sheet = false, chooses_test = false;  // --sheet (--test) is given and this file has several of them
+  bool chooses_sheet = false, chooses_test = false;  // the user chooses a sheet (test) and this file has several
 
   Opened(std::filesystem::path const& file, ReadOptions const& asked, Wanted what) : options(asked), wanted(what) {
     options.sheet.reset();
@@ -122,7 +122,7 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   bool const untimed = asked.columns.contains(Channel::time) && lower(asked.columns.at(Channel::time)) == "none";
   for (auto const& [other, of_other] : others) {
     auto more = of_other;
-    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // no time is read from this file
+    if (more.dt_s || untimed) more.columns[Channel::time] = "none";  // the time of this file is not read
     auto const time_unit = more.units.extract(Channel::time);        // used if this file's time column has no unit
     Wanted const wanted{.time = true,
                         .disp = more.columns.contains(Channel::disp),
@@ -143,14 +143,15 @@ RecordPart read_joined(std::filesystem::path const& file, ReadOptions options,
   for (auto const& more : rest)
     std::erase_if(idle, [&](auto const& option) { return std::ranges::count(idle_in(more), option) == 0; });
   refuse_idle(idle, first.start.file);
-  // If no file has several sheets or tests to choose from, the first file is read with --sheet and --test, which may
-  // fit its only sheet or test or be refused.
+  // If no file has several sheets (tests), --sheet (--test) is applied to the first file. It is refused if it does not
+  // fit the only sheet (test) of that file.
   if (asked.sheet && !first.chooses_sheet && !sheet_of_another) {
     first.options.sheet = asked.sheet;
     first.open(file);
   }
   if (asked.test && !first.chooses_test && !test_of_another) first.options.test = asked.test;
-  // --from and --to apply to each file's own time, unless the files are joined row by row.
+  // If the files are joined by time, --from and --to cut each file by its own time. If they are joined row by row,
+  // these options are removed here and cut the joined record below.
   auto const clock = first.clock();
   bool const by_time = clock != Opened::Clock::none &&
                        std::ranges::all_of(rest, [&](auto const& more) { return more.clock() == clock; });

@@ -1,4 +1,4 @@
-// Reads a test whose channels are in several files. Brings them to the samples of the first file, by time or by row.
+// Reads a test that has its channels in several files. Brings them to the first file's samples, by time or by row.
 #pragma once
 
 #include <filesystem>

@@ -29,7 +29,7 @@ struct Corrections {
 // How to read a file. isolaw recognises from the file what the user does not state here.
 struct ReadOptions {
   std::map<Channel, std::string> columns;          // name or number from 1; "none": leave the channel out
-  std::map<Channel, std::string> units;            // "cm", "tonf", ...; others are read from the header
+  std::map<Channel, std::string> units;            // "cm", "tonf", ...; for other channels the header states the unit
   std::map<Channel, std::string> scales;           // a value of 1 in the file is this many units ("0.01")
   std::optional<double> dt_s;                      // sampling interval of a file without a time column
   std::optional<DateOrder> date_order;             // for dates like 03/04/2024
@@ -42,7 +42,7 @@ struct ReadOptions {
   std::optional<std::string> sheet;  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
   std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
   bool half_cycles = false;          // swings that belong to no full cycle count as half cycles
-  Corrections corrections;           // options --skew-ms and so on
+  Corrections corrections;           // options --repair, --skew-ms and so on
   bool checks_physics = true;        // refuse a record whose loops supply energy instead of dissipating it
 
   bool operator==(ReadOptions const&) const = default;
@@ -67,10 +67,10 @@ inline constexpr std::array<std::string_view, 9> record_extensions{".csv", ".tsv
                                                                    ".lvm", ".mat", ".xlsx", ".json"};
 bool is_record_name(std::string_view file);
 
-// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if the text names no file of a record.
+// A column in another file: "loadcell.csv:Force". file_column() returns nullopt if no file name precedes a colon.
 struct FileColumn {
   std::string file, column;
-  std::string text() const { return file + ":" + column; }  // file_column() reads it back
+  std::string text() const { return file + ":" + column; }  // file_column() parses this text
 };
 std::optional<FileColumn> file_column(std::string_view text);
 

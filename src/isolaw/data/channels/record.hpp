@@ -18,11 +18,11 @@ enum class FaultKind { clipped, stuck, spike, rectified, dropout, wrapped };
 struct SignalFault {
   FaultKind kind = FaultKind::clipped;
   std::string channel;               // "displacement" or "force"
-  std::vector<std::size_t> samples;  // from 0, rising: each spike or peak, or the first sample of each plateau
+  std::vector<std::size_t> samples;  // rising indices: each spike or peak, or the first sample of each plateau
   Finding finding = {};              // numbers samples from 1; gives times too if the record has time
 
-  std::size_t longest() const;  // samples of its longest plateau; 1 for faults of single samples
-  bool is_outside() const { return !finding.word("outside").empty(); }  // see Properties::faults
+  std::size_t longest() const;  // length of its longest plateau in samples; 1 if it has no plateau
+  bool is_outside() const { return !finding.word("outside").empty(); }  // it lies outside all blocks of cycles
 };
 
 struct TestSource {  // one of several tests of a device
@@ -40,8 +40,8 @@ struct TestRecord {
   std::vector<double> disp_mm;
   std::vector<double> force_kN;
   std::vector<double> load_kN;
-  std::vector<double> logged_cycle = {};    // the logger's number of the cycle at each sample; mostly empty
-  std::vector<double> second_disp_mm = {};  // at right angles to disp_mm, in tests in two directions; drawn, not stored
+  std::vector<double> logged_cycle = {};    // the logger's cycle number at each sample; usually empty
+  std::vector<double> second_disp_mm = {};  // at right angles to disp_mm, in tests in two directions; only plotted
   // All choices made in reading. Read with these options, the file gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
@@ -57,25 +57,25 @@ struct TestRecord {
 
   bool has_time() const { return !time_s.empty(); }
   std::size_t size() const { return disp_mm.size(); }
-  bool counts_half_cycles() const;  // ReadOptions::half_cycles; read from `recognised`, which the store keeps
+  bool counts_half_cycles() const;  // whether a finding in `recognised` says that half cycles count
 };
 
 // True if a correction that the user asked for changed the record. A factor of the force does not count, because it
 // says what the rig measures, such as two devices in double shear. A repair that found no spikes does not count either.
 bool is_corrected(TestRecord const& record);
 
-// Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Then only rate-independent laws apply.
-// The objective of these laws does not depend on the time scale if sampling is uniform.
+// The record that laws are fitted to. Without a time channel, `time_s` counts the samples and `vel_mm_s` is empty. Only
+// rate-independent laws can then be fitted. With uniform sampling, their objective does not depend on the time scale.
 struct FitRecord {
   std::vector<double> time_s;
   std::vector<double> disp_mm;
   std::vector<double> vel_mm_s;
   std::vector<double> force_kN = {};
   std::vector<double> scored = {};  // 1 if the objective counts a sample, 0 if a law only runs through it; empty: all 1
-  std::vector<double> weights = {};  // weight of each sample in the objective, to any scale; empty: the time around it
-  std::vector<double> block = {};    // number of each sample's block if only some blocks are fitted, else empty
+  std::vector<double> weights = {};      // relative weight of each sample in the objective; empty: the time around it
+  std::vector<double> block = {};        // number of each sample's block if only some blocks are fitted, else empty
   std::vector<std::size_t> starts = {};  // as in TestRecord: laws begin anew at each test
-  double dead_band_mm = 0.0;             // laws that remember turning points ignore smaller reversals
+  double dead_band_mm = 0.0;             // laws that remember turning points ignore reversals below this
   std::vector<Finding> cleaning = {};    // each step of cleaning, with its numbers
 
   bool has_time() const { return !vel_mm_s.empty(); }

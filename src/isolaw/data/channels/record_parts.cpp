@@ -42,7 +42,7 @@ std::size_t sample_count(TestRecord const& record) {
 
 constexpr Channel measured_channels[] = {Channel::disp, Channel::force, Channel::load, Channel::second_disp};
 
-// Refuses gaps between the times `first` and `last` of `other`: nobody knows what its channels did in a gap.
+// Refuses a record with a gap in time between `first` and `last`: values in the gap cannot be interpolated.
 void require_without_gaps(TestRecord const& other, double first, double last) {
   double const longest = most_intervals * usual_interval(other.time_s);
   for (std::size_t i = 1; i < other.time_s.size(); ++i) {

@@ -16,9 +16,9 @@ struct Span {
   std::size_t first = 0, count = 0;
 };
 
-// The samples from options.from_s to options.to_s. Returns nullopt, with a complaint, if there are none or if the time
-// passes through this interval more than once. `dashes` is what messages write before "from" and "to"; for a motion,
-// whose options are --motion-from and --motion-to, it is "--motion-".
+// Returns the samples from options.from_s to options.to_s. Returns nullopt, with a complaint, if there are none or if
+// the time passes through this interval more than once. Messages write `dashes` before "from" and "to": for a motion it
+// is "--motion-", because the options are then --motion-from and --motion-to.
 std::optional<Span> span_of_time(std::vector<double> const& time_s, ReadOptions const& options,
                                  std::string const& place, std::vector<Complaint>& complaints,
                                  std::string_view dashes = "--");

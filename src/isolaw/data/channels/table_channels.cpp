@@ -51,7 +51,7 @@ void describe_rows(Rows const& rows, Header const& header, TestRecord const& rec
                record.layout.dt_s && !of_header ? "--dt" : ""));
 }
 
-// The time of a sample in a file without a time column. It counts from the file's first row, even if --rows leaves that
+// The time of a sample in a file without a time column. Time 0 is at the file's first row, even if --rows leaves that
 // row out.
 double time_of_row(std::size_t sample, ReadOptions const& options) {
   return static_cast<double>(sample + options.rows.value_or(RowRange{}).first - 1) * *options.dt_s;

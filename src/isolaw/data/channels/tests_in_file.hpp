@@ -15,10 +15,10 @@ namespace isolaw::data {
 Tests open_tests(std::string_view bytes, std::string const& file, ReadOptions const& options,
                  Wanted wanted = Wanted::test());
 
-// Options that have no effect on this file. They are refused, because the user expects an effect.
+// Lists the options that have no effect on this file. refuse_idle() refuses them, because the user expects an effect.
 std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const& options);
 void refuse_idle(std::vector<std::string> const& idle, std::string const& file);
-// Whether --columns names displacement, and force if it is wanted, so that neither need be recognised.
+// Whether --columns names the columns of displacement and, if it is wanted, of force. They then need not be recognised.
 bool columns_are_told(ReadOptions const& options, Wanted wanted);
 
 void require_one_sheet(Tests const& tests, std::string const& file, ReadOptions const& options, Wanted wanted);

@@ -34,7 +34,7 @@ std::vector<Gap> gaps_of_test(std::span<double const> x, std::span<double const>
     double const after = i + 2 < x.size() ? std::abs(x[i + 2] - x[i + 1]) : 0.0;
     double const speed = std::max(before, after) / interval;
     double const way = std::abs(x[i + 1] - x[i]);
-    // If the device stands still on both sides of the gap, it is taken to have rested for as long as the clock says.
+    // If the device stands still on both sides of the gap, it is assumed to have rested during the whole gap.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
     gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
   }

@@ -14,8 +14,8 @@ namespace {
 constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
-constexpr double far_beyond = 50.0;      // times ordinary_size(); a larger value is an overload
-constexpr double sentinel_beyond = 3.0;  // times ordinary_size(); a smaller 9999 may be a measured value
+constexpr double far_beyond = 50.0;      // a value above this many times ordinary_size() is an overload
+constexpr double sentinel_beyond = 3.0;  // a 9999 below this many times ordinary_size() may be a measured value
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {

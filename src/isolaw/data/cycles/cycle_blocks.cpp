@@ -13,18 +13,18 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double nominal = 0.05;       // fraction of the block's amplitude; a counted cycle differs by less
-constexpr double least_change = 0.05;  // fraction of the period; a larger change splits a block
-constexpr double clear_change = 0.20;  // fraction of the period; used if only one cycle precedes the change
-constexpr double agreement = 0.25;     // fraction of a change of period; the periods on each side of it scatter by less
+constexpr double nominal = 0.05;       // the amplitude of a counted cycle is at most this fraction off its block's
+constexpr double least_change = 0.05;  // a change of the period by more than this fraction splits a block
+constexpr double clear_change = 0.20;  // replaces least_change if only one cycle precedes the change
+constexpr double agreement = 0.25;     // periods on each side of a change scatter by at most this part of the change
 constexpr std::size_t compared = 3;    // at most this many cycles before a change are compared
-constexpr double far_period = 1.4;     // largest ratio of two alike periods; a cycle unlike its block does not count
-constexpr double other_load = 0.1;     // fraction of the vertical load; a larger change splits a block
-constexpr double build_up = 0.15;   // fraction of the amplitude; a lone cycle this close to a run's amplitude joins it
-constexpr double symmetric = 0.05;  // Shape::unevenness; a lone cycle that is more even is a block of its own
-constexpr double lopsided = 0.25;   // fraction of the amplitude; the middles of two regular cycles in a row differ less
-constexpr std::size_t sure_run = 3;       // cycles; the amplitudes of fewer may agree by chance
-constexpr std::size_t longest_taper = 2;  // cycles; a test builds up or fades within this many
+constexpr double far_period = 1.4;     // two periods are alike if they differ by at most this factor
+constexpr double other_load = 0.1;     // a change of the vertical load by more than this fraction splits a block
+constexpr double build_up = 0.15;      // a lone cycle joins a run if their amplitudes differ by at most this fraction
+constexpr double symmetric = 0.05;     // a lone cycle with at most this Shape::unevenness is a block of its own
+constexpr double lopsided = 0.25;    // times the amplitude; neighbouring regular cycles' middles differ by at most this
+constexpr std::size_t sure_run = 3;  // fewer cycles may agree in amplitude by chance
+constexpr std::size_t longest_taper = 2;  // a test builds up or fades within at most this many cycles
 
 struct Run {
   std::size_t begin = 0;
@@ -81,11 +81,11 @@ bool changes(std::vector<Shape> const& shapes, std::size_t begin, std::size_t at
          largest_new.period - least_new.period <= agreement * change;
 }
 
-// Splits a run where its frequency changes. A new part starts at cycle i if the periods of i and i + 1 agree, the
-// periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the other
-// and is then not compared. The first cycle of a part may start slowly, so it is not compared if two or more cycles
-// follow it before cycle i. A run of just two cycles is split if neither starts or ends slowly and one period is more
-// than 1.4 times the other.
+// Splits a run where its frequency changes. A new part starts at cycle i if the periods of cycles i and i + 1 agree,
+// the periods of the cycles before agree, and the two groups differ. Cycle i - 1 may lead from one frequency to the
+// other; then it is not compared. The first cycle of a part may start slowly, so it is not compared if two or more
+// cycles follow it before cycle i. A run of just two cycles is split if neither starts or ends slowly and one period is
+// more than 1.4 times the other.
 std::vector<Run> split_by_frequency(std::vector<Shape> const& shapes, Run const& run) {
   std::vector<Run> parts{{.begin = run.begin, .end = run.end}};
   auto const split_at = [&](std::size_t i) {
@@ -169,8 +169,8 @@ double middle(Shape const& shape) {
   return shape.largest / 2.0 + shape.least / 2.0;
 }
 
-// Whether the middle between a cycle's extremes is close to that of the neighbouring cycle. In a regular cycle it may
-// drift slowly, but not jump.
+// Whether the middle between a cycle's extremes is close to the neighbouring cycle's middle. The middles of regular
+// cycles may drift slowly, but not jump.
 bool stays(std::vector<Shape> const& shapes, Run const& run, std::size_t i) {
   auto const neighbour = i > run.begin ? i - 1 : i + 1;
   return std::abs(middle(shapes[i]) - middle(shapes[neighbour])) <= lopsided * shapes[i].amplitude();
@@ -289,9 +289,9 @@ double period_of(std::vector<Shape> const& shapes, std::vector<std::size_t> cons
 }
 
 // Numbers a block's counted cycles as the logger did, if the logger's numbers rise. `before` is the logger's number of
-// the last counted cycle of the block before. If the logger goes on counting from `before` in this block, the numbers
-// are shifted so that the first cycle of the block, counted or not, has number 1. Returns the logger's number of the
-// last counted cycle, or 0 if the logger's numbers are not used.
+// the last counted cycle in the previous block. If the logger did not start anew in this block, the numbers are shifted
+// so that the block's first cycle, counted or not, has number 1. Returns the logger's number of the last counted cycle,
+// or 0 if the logger's numbers are not used.
 int take_logged_numbers(std::vector<CycleCut>& cuts, std::size_t begin, std::vector<Shape> const& shapes, int before) {
   std::vector<std::size_t> counted;
   for (auto i = begin; i < cuts.size(); ++i)

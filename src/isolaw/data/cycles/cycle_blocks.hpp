@@ -1,5 +1,5 @@
-// Groups cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count. Only these
-// are numbered and enter the results of the block.
+// Groups cycles into blocks of one amplitude and one frequency, and decides which cycles of a block count. Only cycles
+// that count are numbered and enter the block's results.
 #pragma once
 
 #include <string_view>
@@ -10,18 +10,18 @@
 namespace isolaw::data {
 
 // Whether two vertical loads may belong to one block, that is, differ by at most a tenth of the larger one. `largest`
-// is the size of the record's largest load: a difference of up to a hundredth of it is noise.
+// is the size of the record's largest load. A difference of up to a hundredth of `largest` is noise.
 bool same_load(double load, double other, double largest);
 
 struct Shape : CycleCut {
   double least = 0.0;  // mm
   double largest = 0.0;
-  double period = 0.0;         // from start to end in s or in samples, without holds and rests
-  double rise_and_fall = 0.0;  // twice the time between the two tips, with holds and rests; unit as period
-  // How far the middle of the two tips lies from the displacement at which cycles are cut, divided by the amplitude.
+  double period = 0.0;         // from start to end without holds and rests, in s (in samples without time)
+  double rise_and_fall = 0.0;  // twice the time between the two peaks, with holds and rests, in the unit of period
+  // Distance of the midpoint of the two peaks from the displacement at which cycles are cut, divided by the amplitude.
   double unevenness = 0.0;
-  double load_kN = 0.0;          // mean vertical load between the two tips; 0 if it is not known
-  double load_scatter_kN = 0.0;  // standard deviation of the load between the two tips
+  double load_kN = 0.0;          // mean vertical load between the two peaks; 0 if it is not known
+  double load_scatter_kN = 0.0;  // standard deviation of the load between the two peaks
   int logged = 0;                // the logger's number of the cycle; 0 if it has none
   bool jumps = false;            // the logger left out cycles within this one, so its loop is made of two cycles
   double rest_before = 0.0;      // time near the centre before the cycle, in the unit of period
@@ -38,7 +38,7 @@ struct Shape : CycleCut {
 // amplitude. A change of frequency splits a block if the period changes by 5 % and keeps its new value for two cycles;
 // the periods before the change, and those after it, must scatter by less than a quarter of the change. A block also
 // ends where the vertical load changes by a tenth, and at a rest longer than the period if three or more cycles without
-// such a rest lie on each side of it. A cycle does not count if its period and that of its block differ by a factor of
+// such a rest lie on each side of it. A cycle does not count if its period and the block's period differ by a factor of
 // more than 1.4. `unit` is the unit of periods in messages.
 std::vector<CycleCut> number_cycles(std::vector<Shape>& shapes, std::string_view unit);
 

@@ -18,27 +18,27 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_floor = 0.01;      // times the half range; the noise band is at least this
-constexpr double largest_floor = 0.05;    // times the half range; the noise band is at most this: no rig has more noise
-constexpr double noise_deviations = 5.0;  // standard deviations of the noise; one sample in a million lies beyond
-constexpr double interruption = 0.04;     // times the smaller neighbouring swing; a swing below this is an interruption
-constexpr double off_centre = 0.05;       // times the amplitude; a middle closer to zero than this counts as zero
+constexpr double least_floor = 0.01;      // the noise band is at least this fraction of the half range
+constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise, so the band is at most this
+constexpr double noise_deviations = 5.0;  // noise band in standard deviations; one sample in a million lies beyond it
+constexpr double interruption = 0.04;     // a swing below this fraction of both neighbouring swings is an interruption
+constexpr double off_centre = 0.05;       // a middle closer to zero than this fraction of the amplitude counts as zero
 constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
 constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
-constexpr double as_large = 0.05;  // times the amplitude; amplitudes that differ by less repeat each other
+constexpr double as_large = 0.05;  // amplitudes that differ by at most this fraction repeat each other
 // In a cyclic record, cycles that repeat an amplitude or are symmetric make up at least this fraction of the travel
 // (the way that the device moves in all). Cyclic tests reach 0.9. Among 1000 irregular responses of linear oscillators,
 // ten reach 0.64 and one reaches 0.80.
 constexpr double least_regular_share = 0.8;
-// A test may consist of half cycles each of which is larger than the one before, by a factor from least_growth to
+// A test may consist of growing half cycles: each is larger than the one before by a factor from least_growth to
 // largest_growth. A ground motion does not grow like this over fewest_growing half cycles.
 constexpr std::size_t fewest_growing = 6;
 constexpr double least_growth = 1.02, largest_growth = 1.5;
 constexpr double at_start = 0.05;  // times the smallest peak; a one-sided test returns as close as this to its start
-constexpr double one_stage = 1.1;  // ratio of the largest to the smallest peak; a one-sided test in stages has more
+constexpr double one_stage = 1.1;  // in a one-sided test in stages, largest peak / smallest peak exceeds this
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
-// The first sample, then the turning points between swings of `least` mm or more.
+// Returns the first sample and then the turning points between swings of `least` mm or more.
 std::vector<std::size_t> extremes(std::span<double const> x, double least) {
   std::vector<std::size_t> found;
   std::size_t low = 0, high = 0;
@@ -79,7 +79,7 @@ std::vector<std::size_t> without_interruptions(std::span<double const> x, std::v
 struct Swings {
   std::vector<double> half;
   std::vector<double> middle;
-  std::size_t begin = 0;  // swings [begin, end) are used: of three or more, all but the first and last
+  std::size_t begin = 0;  // swings [begin, end) are used: all, but not the first and last of three or more
   std::size_t end = 0;
 
   double largest() const { return std::ranges::max(std::span(half).subspan(begin, end - begin)); }
@@ -125,8 +125,8 @@ std::size_t swings_across(Swings const& swings, double level, double margin) {
 
 // The displacement at which cycles are cut. It is zero if the motion's middle is close to zero and at least as many
 // swings cross zero as cross the middle, because noise makes the middle less certain than the zero of the test.
-// Otherwise it is the start, if the record also ends there and the start is off the middle by at most a quarter of the
-// amplitude, or else the middle.
+// Otherwise it is the first displacement, if the record also ends there and the first displacement is off the middle by
+// at most a quarter of the amplitude. In all other cases it is the middle.
 double centre_of(std::span<double const> x, Swings const& swings, double band) {
   double const middle = middle_of(swings);
   double const amplitude = swings.largest();
@@ -178,7 +178,7 @@ struct Motion {
   }
 };
 
-// Measures of a cycle that do not depend on where within it the motion turns.
+// Computes the measures of a cycle that do not depend on where the motion turns within the cycle.
 Shape Motion::shape(double first, double last) const {
   Shape shape;
   shape.first = first;
@@ -269,7 +269,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
 
 Finding too_short(std::span<double const> x, Motion const& motion, Segmentation const& segmentation) {
   auto const [least, largest] = std::ranges::minmax(x);
-  // Counts the crossings of the centre in the direction of the first motion: each starts an excursion to that side.
+  // Counts the crossings of the centre in the direction in which the test starts, by the excursions to that side.
   auto const first = std::ranges::find(motion.excursions, false, &Excursion::starts_open);
   auto const crossings = std::count_if(first, motion.excursions.end(), [&](Excursion const& excursion) {
     return excursion.positive == first->positive;
@@ -299,8 +299,8 @@ double regular_ends(std::vector<Shape> const& shapes, Swings const& swings, std:
   return travel;
 }
 
-// The travel of regular cycles as a share of the whole travel. The whole leaves out pre-loads, the cycles with which a
-// test builds up or fades (tapers), regular_ends(), and the first and the last swing.
+// The travel of regular cycles as a share of the whole travel. The whole travel leaves out pre-loads, the cycles with
+// which a test builds up or fades (tapers), regular_ends(), and the first and the last swing.
 double regular_share(std::vector<Shape> const& shapes, Swings const& swings, Motion const& motion,
                      std::vector<std::size_t> const& at) {
   double regular = 0.0, in_cycles = 0.0, in_tapers = 0.0, travel = 0.0;
@@ -331,7 +331,7 @@ Finding not_cyclic(std::vector<Shape> const& shapes, double share) {
                       {"largest_mm", (largest.largest - largest.least) / 2.0}}};
 }
 
-// Whether half cycles grow from each to the next, as in a test that makes each larger than the one before.
+// Whether the test has growing amplitudes: each half cycle, except at most one, is larger than the one before.
 bool grows(Motion const& motion) {
   std::size_t growing = 0;
   for (std::size_t i = 1; i < motion.excursions.size(); ++i) {
@@ -341,9 +341,9 @@ bool grows(Motion const& motion) {
   return growing + 1 >= fewest_growing && growing + 2 >= motion.excursions.size();
 }
 
-// Whether a test in stages goes to one side and comes back to its start each time: 0, peak, 0, peak, 0.
+// Whether a test in stages always goes to the same side and comes back to its start: 0, peak, 0, peak, 0.
 bool is_one_sided(std::span<double const> x, Reversals const& found) {
-  constexpr std::size_t fewest = 6;  // start, turns and end: three loops, the last of them without its way back
+  constexpr std::size_t fewest = 6;  // start, turns and end of three loops, if the last loop lacks its way back
   if (found.at.size() < fewest) return false;
   double const start = x[found.at[0]];
   bool const positive = x[found.at[1]] > start;
@@ -360,7 +360,8 @@ bool is_one_sided(std::span<double const> x, Reversals const& found) {
   return least > 0.0 && largest > one_stage * least && off <= std::max(at_start * least, found.band_mm / 2.0);
 }
 
-// The loops of a one-sided test, from each return to its start to the next, and what is left after the last.
+// Cuts a one-sided test into loops, each from one return to the start to the next. The motion after the last return is
+// a partial cycle.
 Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
   auto const& turns = motion.turns;
   std::vector<Shape> shapes;
@@ -389,7 +390,8 @@ Segmentation cut_one_sided(Motion const& motion, Segmentation segmentation) {
   return segmentation;
 }
 
-// The swings that belong to no full cycle, in groups between which full cycles lie. See the head of cycles.hpp.
+// Finds the swings that belong to no full cycle (see the top of cycles.hpp). Each group holds swings that follow one
+// another; full cycles lie between the groups.
 std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<CycleCut const> full) {
   auto const& x = motion.x;
   auto const& turns = motion.turns;
@@ -405,8 +407,8 @@ std::vector<std::vector<Shape>> half_cycles(Motion const& motion, std::span<Cycl
     for (auto cut = std::ranges::lower_bound(full, first, {}, &CycleCut::last); cut != full.end() && cut->first < last;
          ++cut)
       in_full += std::abs(value_at(x, std::min(cut->last, last)) - value_at(x, std::max(cut->first, first)));
-    // A swing belongs to the full cycles if more than this part of its way lies in them. 1e-6 allows for rounding
-    // errors of the interpolated cuts.
+    // A swing belongs to the full cycles if more than this part of its way lies in full cycles. 1e-6 allows for
+    // rounding errors of the interpolated cuts.
     constexpr double half = 0.5 + 1e-6;
     bool const belongs = in_full > half * way || has_gap(motion.gaps, first, last) ||
                          (k == 0 && is_no_turn(turns[0])) || (k + 2 == turns.size() && is_no_turn(turns[k + 1]));
@@ -465,7 +467,7 @@ void part_at_gaps(Motion& motion) {
   for (auto const& gap : motion.gaps) {
     if (gap.taken_s >= gap.length_s) continue;  // the logger only skipped a rest
     auto const after = static_cast<double>(gap.after);
-    constexpr double rounding = 0.5;  // samples by which the boundary of two excursions may lie after the gap
+    constexpr double rounding = 0.5;  // the boundary of two excursions may lie up to this many samples after the gap
     auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
     if (excursion == motion.excursions.end() || excursion + 1 == motion.excursions.end() ||
         excursion->last > after + 1.0 + rounding)
@@ -475,7 +477,7 @@ void part_at_gaps(Motion& motion) {
   }
 }
 
-// Cuts a test into full cycles and parts of cycles. Fills the members of `motion`, which with_half_cycles() needs.
+// Cuts a test into full cycles and parts of cycles. Also fills `motion`, because with_half_cycles() needs it.
 Segmentation cut_full(std::span<double const> disp_mm, std::span<double const> time_s, FurtherChannels const& further,
                       Motion& motion) {
   auto gaps = time_gaps(disp_mm, time_s);

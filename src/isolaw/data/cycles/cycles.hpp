@@ -2,16 +2,16 @@
 // - Noise: a swing from one extreme to the next is taken as motion only if it is at least twice as large as a band. The
 //   band is one hundredth of the half range, or five standard deviations of the noise if that is more, but at most 5 %
 //   of the half range. A small interruption of a large swing is ignored.
-// - Cuts: cycles are cut where displacement crosses its centre in the direction in which the test, or a part of it
-//   after a rest, starts (data/cycles/excursions.hpp). A motion that starts, turns or rests near the centre is cut at
-//   that sample. The centre is zero unless the record is clearly off zero. A test in stages to one side is cut where it
-//   comes back to its start.
+// - Cuts: cycles are cut where displacement crosses its centre in the direction in which the test starts, or in which
+//   it starts again after a rest (data/cycles/excursions.hpp). A motion that starts, turns or rests near the centre is
+//   cut at that sample. The centre is zero unless the record is clearly off zero. A test in stages to one side is cut
+//   where it comes back to its start.
 // - Blocks: data/cycles/cycle_blocks.hpp groups cycles into blocks and decides which of them count, that is, enter the
 //   results.
-// - Half cycles, if FurtherChannels::half_cycles asks for them: each swing of which at most half lies in full cycles
-//   becomes a half cycle. Half cycles form blocks of their own. They replace the partial cycles that they overlap and,
-//   in a record that is not cyclic, all cycles that they overlap. The first and the last sample count as turns of the
-//   motion only at zero or at the centre, because tests start and end there.
+// - Half cycles, if FurtherChannels::half_cycles asks for them: a swing becomes a half cycle if at most half of it lies
+//   in full cycles. Half cycles form blocks of their own. They replace the partial cycles that they overlap and, in a
+//   record that is not cyclic, all cycles that they overlap. The first and the last sample count as turns of the motion
+//   only at zero or at the centre, because tests start and end there.
 // - A period leaves out the time in which the device stands still (data/cycles/holds.hpp).
 #pragma once
 
@@ -29,13 +29,13 @@ struct CycleCut {
   int block = 0;            // number of its block, from 1
   int number = 0;           // from 1, among the counted cycles of its block; 0 if the cycle does not count
   std::string not_counted;  // why the cycle does not count; empty if it counts
-  bool partial = false;     // less than a cycle: an end of the record cuts it off, or it goes to one side only
+  bool partial = false;     // less than a cycle: the record starts or ends within it, or it goes to one side only
   double first = 0.0;       // start and end, as fractional sample indices
   double last = 0.0;
   bool turns_at_start = false;  // at its start, the motion turns at the centre or begins from rest
   bool turns_at_end = false;
-  bool half = false;           // a swing from one turn of the motion to the next that belongs to no full cycle
-  bool one_sided = false;      // to one side only, from a turn of the motion to the next on the same side
+  bool half = false;           // a half cycle: a swing from one turn to the next that belongs to no full cycle
+  bool one_sided = false;      // to one side only: from one return to the start displacement to the next
   double still_samples = 0.0;  // samples in which the device stands still
   double still_time = 0.0;     // time in which it stands still, in s; in samples if there is no time
 };

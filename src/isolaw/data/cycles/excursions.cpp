@@ -6,11 +6,11 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double at_rest = 0.05;   // fraction of an excursion's reach; a point closer to the centre counts as at it
-constexpr double alike = 0.15;     // difference of two reaches over the larger one; alike excursions differ by less
-constexpr double same_fall = 1.5;  // ratio of the times in which two excursions fall; in alike excursions it is smaller
-constexpr double slight = 0.2;     // fraction of the next excursion's reach; an excursion that is smaller is a pre-load
-constexpr double closed_by = 1.5;  // times the last step of displacement; a record that ends closer to the centre rests
+constexpr double at_rest = 0.05;   // a point closer to the centre than this fraction of the reach counts as the centre
+constexpr double alike = 0.15;     // the reaches of alike excursions differ by at most this fraction of the larger one
+constexpr double same_fall = 1.5;  // the times in which two alike excursions fall differ by at most this factor
+constexpr double slight = 0.2;     // an excursion with less than this fraction of the next one's reach is a pre-load
+constexpr double closed_by = 1.5;  // a record that ends at most this many of its last steps off the centre is at rest
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {
@@ -183,8 +183,8 @@ std::vector<Group> group_excursions(std::vector<Excursion> const& excursions) {
     if (excursion.ends_open || i + 1 == excursions.size()) {
       i = add(excursion.starts_open ? Part::open_start : Part::open_end, i, i + 1);
     } else if (excursion.starts_open) {
-      // If the record starts while the motion goes outwards, cycles begin on that side of the centre. The next
-      // excursion then ends the cycle that the record's start cut, so it is left out as well.
+      // If the record starts while the motion goes outwards, each cycle begins with an excursion to that side. The next
+      // excursion is then the second half of the cycle whose beginning is missing, so it is left out as well.
       bool const outwards = excursion.tip > 0 && opposite && !excursions[i + 1].ends_open && i + 2 < excursions.size();
       i = add(Part::open_start, i, outwards ? i + 2 : i + 1);
     } else if (!opposite) {

@@ -1,9 +1,9 @@
 // An excursion is a motion to one side of the centre and back. It ends where the motion crosses the centre, or comes
-// back to it and turns there. Its reach is the distance of its tip, the sample farthest from the centre, from the
-// centre. Two excursions to opposite sides make a cycle. Some excursions belong to no cycle:
-// - A pre-load is an excursion after the start, a rest or a turn that differs from those after it: its reach is less
-//   than a fifth of the next one's, or the next two are alike and it is not like them. Excursions are alike if their
-//   reaches differ by at most 15 % and the times in which they fall by at most a factor of 1.5.
+// back to the centre and turns there. Its tip is the sample farthest from the centre, and its reach is the distance
+// from the centre to the tip. Two excursions to opposite sides make a cycle. Some excursions belong to no cycle:
+// - A pre-load is an excursion after the start, a rest or a turn that differs from the excursions after it: its reach
+//   is less than a fifth of the next one's, or the next two are alike and it is not like them. Excursions are alike if
+//   their reaches differ by at most 15 % and the times in which they fall by at most a factor of 1.5.
 // - Half a cycle is an excursion that ends a series of alike ones and is not like the next two, which are alike.
 #pragma once
 
@@ -21,9 +21,9 @@ struct Excursion {
   std::size_t tip = 0;       // sample farthest from the centre
   bool positive = false;     // on the positive side of the centre
   double reach_mm = 0.0;     // distance of the tip from the centre
-  double fall = 0.0;         // time in which it falls from 90 to 10 % of the reach, in s or in samples
-  bool turns = false;        // it starts with a turn at the centre, or the record starts there at rest
-  double rest = 0.0;         // time near the centre before it, in s or in samples
+  double fall = 0.0;         // time of its fall from 90 to 10 % of the reach, in s (in samples without time)
+  bool turns = false;        // the motion turns at the centre where it starts, or the record starts there at rest
+  double rest = 0.0;         // time near the centre before it, in s (in samples without time)
   bool rests = false;        // it starts after a rest
   bool starts_open = false;  // the record starts within it
   bool ends_open = false;    // the record ends within it

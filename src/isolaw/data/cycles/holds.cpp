@@ -11,17 +11,17 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double band = 0.005;       // fraction of the amplitude; in a hold, displacement varies by less
-constexpr double edge = 0.0005;      // fraction of the amplitude; motion by more begins or ends a hold
+constexpr double band = 0.005;       // in a hold, displacement varies by at most this fraction of the amplitude
+constexpr double edge = 0.0005;      // a hold starts and ends at most this fraction of the amplitude off its median
 constexpr double noise_band = 8.0;   // the extremes of a hold may be this many standard deviations of the noise apart
-constexpr double too_noisy = 0.3;    // fraction of the amplitude; with more noise, holds are not sought
-constexpr double least_hold = 0.15;  // fraction of the period; a hold lasts longer
-constexpr double least_stretch = 0.02;  // fraction of the cycle's samples; a hold has more
-constexpr double clear_edges = 0.9;     // fraction of a hold; its unclear ends are cut off only if so much remains
+constexpr double too_noisy = 0.3;    // no holds are sought if noise_band * noise exceeds this fraction of the amplitude
+constexpr double least_hold = 0.15;  // a hold lasts longer than this fraction of the period
+constexpr double least_stretch = 0.02;  // a hold has more than this fraction of the cycle's samples
+constexpr double clear_edges = 0.9;     // unclear ends of a hold are cut off only if this fraction of it remains
 constexpr std::size_t most_holds = 16;  // in one cycle
 constexpr std::size_t least_in_piece = 8;
 
-// Fraction of a cycle that a sine spends between two levels on its way up. Near a peak, the way down counts too.
+// Fraction of a period that a sine spends between two levels on its way up or, near a peak, on its way up and down.
 double lingering(double least, double largest) {
   auto const angle = [](double level) { return std::acos(std::clamp(level, -1.0, 1.0)); };
   double const once = (angle(least) - angle(largest)) / (2.0 * std::numbers::pi);

@@ -1,6 +1,6 @@
 // Finds holds: times when a device stands still within a cyclic test, at rest between cycles or at a displacement. In a
-// hold, displacement varies by less than half a percent of the amplitude, or only by its noise, for longer than in a
-// sinusoidal motion.
+// hold, displacement varies by less than half a percent of the amplitude, or only by its noise, and does so for longer
+// than in a sinusoidal motion.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ struct Stretch {
   std::size_t last = 0;
   std::size_t size() const { return last - first; }
 };
-// The longest stretches of samples in [begin, end) within which x varies by at most `width`. Only stretches of at least
-// `least` intervals are returned; they may overlap. Takes O(n).
+// Returns the stretches of samples in [begin, end) in which x varies by at most `width` and which cannot be extended.
+// Leaves out stretches of fewer than `least` intervals. Stretches may overlap. Takes O(n).
 std::vector<Stretch> stretches_within(std::span<double const> x, std::size_t begin, std::size_t end, double width,
                                       std::size_t least);
 

@@ -125,7 +125,7 @@ std::vector<double> block_numbers(Selection const& selection, Segmentation const
   if (selection.blocks.all()) return {};
   std::vector<double> numbers(samples, 0.0);
   bool any = false;
-  // Marks fitted blocks last, so that a sample in which two blocks meet belongs to the fitted one.
+  // Marks fitted blocks last: if two blocks meet in a sample, it belongs to the fitted block.
   for (bool const fitted : {false, true})
     for (auto const& cycle : segmentation.cycles) {
       bool const wanted = fitted || selection.predicted.contains(cycle.block);

@@ -1,5 +1,5 @@
-// Selects the samples of a test that the objective counts. A law also runs through the samples before them, which act
-// on its state but are not scored.
+// Selects the samples of a test that the objective counts. A law also runs through the samples before them: these
+// change its state, but do not enter the objective.
 #pragma once
 
 #include <cstddef>
@@ -38,12 +38,13 @@ struct Selection {
   std::string text() const;  // "blocks 1-2", "cycles 1-3 of block 2"; empty if all are selected
 };
 
-// 1 for each sample that the objective counts, 0 for the others; empty if it counts all. If only blocks are selected,
-// their partial cycles count too. Throws an Error that lists blocks and cycles if fewer than two samples are selected.
+// 1 for each sample that the objective counts, 0 for the others; empty if it counts all. If only blocks and no cycles
+// are selected, their partial cycles count too. Throws an Error that lists blocks and cycles if fewer than two samples
+// are selected.
 std::vector<double> scored_samples(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 // For each sample, the number of its block if that block is fitted or predicted, else 0. Empty if all blocks are
-// fitted. Throws Error if predicted blocks are named, but the record has none of them, or all that it has are fitted.
+// fitted. Throws Error if blocks to predict are named and the record has none of them, or only fitted ones.
 std::vector<double> block_numbers(Selection const& selection, Segmentation const& segmentation, std::size_t samples);
 
 }  // namespace isolaw::data

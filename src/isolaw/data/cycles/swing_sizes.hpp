@@ -1,5 +1,5 @@
-// The small and the large swings of a device's tests. A law that is fitted to the small ones and judged on the large
-// ones shows how well it predicts motions that are larger than those it was fitted to.
+// Sorts the swings of a device's tests into small and large ones. A law that is fitted to the small swings and judged
+// on the large swings shows how well it predicts larger motions than it was fitted to.
 #pragma once
 
 #include <span>
@@ -26,11 +26,11 @@ struct SwingSizes {
   bool tell = false;
 };
 
-// Returns those swings of the record of which the objective counts every sample.
+// Returns the swings of the record in which the objective counts every sample.
 std::vector<Swing> scored_swings(FitRecord const& record);
 
 // Sorts the swings of `tests` by size. Leaves out swings with a sample that the objective does not count. `weighting`
-// must be the one that made the records' weights; records without weights were made with Weighting::time.
+// must be the weighting with which the records' weights were made. Records without weights are weighted by time.
 SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting);
 
 }  // namespace isolaw::data

@@ -9,8 +9,8 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double least_way_back = 0.05;  // fraction of half the range by which a motion comes back from a turn
-constexpr double rest_band = 0.01;       // fraction of the range within which a motion rests
+constexpr double least_way_back = 0.05;  // from a turn, a motion comes back by at least this fraction of half its range
+constexpr double rest_band = 0.01;       // a motion rests while it stays within this fraction of its range
 
 std::vector<std::size_t> turning_points(std::span<double const> x, double back) {
   std::vector<std::size_t> turns;
@@ -41,8 +41,8 @@ double duration(std::span<double const> time_s, std::size_t first, std::size_t l
   return time_s.empty() ? static_cast<double>(last - first) : time_s[last] - time_s[first];
 }
 
-// The length of each interval between samples, or 0 while the motion rests (see swings.hpp). Around the turns of a slow
-// swing the motion also changes little for a while, so a rest must take more than a quarter of its swing.
+// Returns the duration of each interval between samples, or 0 while the motion rests (see swings.hpp). Around its
+// turns, a slow swing also changes little for a while. A rest must therefore take more than a quarter of its swing.
 std::vector<double> moving_intervals(std::span<double const> x, std::span<double const> time_s,
                                      std::span<std::size_t const> turns, double range) {
   constexpr double least_part = 0.25;
@@ -68,7 +68,7 @@ double weight_of(std::span<double const> x, std::span<double const> time_s, Weig
   return weighting == Weighting::travel ? std::abs(x[sample + 1] - x[sample]) : interval_after(time_s, sample);
 }
 
-// Gives half of the weight to the sample before the interval and half to the sample after it.
+// Adds half of the interval's weight to the sample before it and half to the sample after it.
 void add_interval(std::vector<double>& weights, std::size_t interval, double weight) {
   weights[interval] += 0.5 * weight;
   weights[interval + 1] += 0.5 * weight;

@@ -1,5 +1,5 @@
-// A swing is the way of a motion from one turning point to the next. Swings give the samples of an irregular record
-// weights by which a large, rare swing counts more than the small motion that fills most of the time.
+// A swing is the way of a motion from one turning point to the next. In an irregular record, samples can be weighted by
+// their swing. A large, rare swing then counts more than the small motion that fills most of the time.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace isolaw::data {
 struct Swing {
   std::size_t first = 0, last = 0;  // samples at its two turning points
   double half_range_mm = 0.0;
-  double duration = 0.0;  // without rest, in s; in samples if the record has no time
+  double duration = 0.0;  // without rests, in s; in samples if the record has no time
 };
 
 // A sample is a turning point if the motion comes back from it by 5 % of half its range. If several equal samples form
@@ -22,7 +22,8 @@ struct Swing {
 // swing. time_s may be empty.
 std::vector<Swing> swings(std::span<double const> disp_mm, std::span<double const> time_s);
 
-// Whether half ranges and durations of the swings differ by at most 10 %. Then weights by swing would change little.
+// Whether half ranges and durations of the swings differ by at most 10 %. Weights by swing then resemble weights by
+// time.
 bool are_alike(std::span<Swing const> swings);
 
 // How much the samples of a record count in the misfit of a law.

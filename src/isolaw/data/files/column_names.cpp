@@ -81,7 +81,7 @@ bool is_capital(char c) {
 struct Translation {
   std::string_view text, words;
 };
-// The names are replaced in this order, so a longer name comes before the shorter names that it contains.
+// translated() replaces the texts in this order, so a longer text comes before the shorter texts that it contains.
 constexpr Translation translations[]{{"加速度", "acceleration"},
                                      {"試験年月日", "test date"},
                                      {"試験体番号", "specimen no"},
@@ -154,8 +154,8 @@ constexpr Translation translations[]{{"加速度", "acceleration"},
                                      {"응력", "stress"},
                                      {"힘", "force"},
                                      {"번호", "no"},
-                                     // Russian words without their first letter, which may be a capital, and their
-                                     // ending, which depends on the case
+                                     // Russian words without their first letter, which may be a capital, and without
+                                     // their ending, which varies by grammar.
                                      {"еремещени", "displacement"},
                                      {"мещени", "displacement"},
                                      {"ремя", "time"},
@@ -231,7 +231,7 @@ Words words_of(std::string_view name) {
   return words;
 }
 
-// Accepts "Cycle", "cycle no", "cycle_count": a word for a cycle, alone or with one word for a number.
+// True for "Cycle", "cycle no" or "cycle_count": a word for a cycle, alone or with one word for a number.
 bool is_cycle_number(Words const& words) {
   constexpr std::string_view cycle_words[]{"cycle", "cycles", "zyklus", "zyklen", "ciclo", "cicli", "ciclos", "cyc"};
   return words.size() <= 2 && any_in(cycle_words, words) && (words.size() == 1 || any_in(counter_words, words));
@@ -275,8 +275,8 @@ Meaning meaning_of_symbol(std::string_view base, std::optional<Unit> unit) {
   return {};
 }
 
-// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm". Prefers brackets
-// that hold a plain unit to those that hold a unit with a factor.
+// Splits "Displacement [mm] horizontal" into the name "Displacement horizontal" and the unit "mm". If there are several
+// brackets, prefers a plain unit to a unit with a factor.
 std::optional<ColumnName> split_brackets(std::string_view name) {
   constexpr std::array<std::pair<char, char>, 3> brackets{{{'[', ']'}, {'(', ')'}, {'{', '}'}}};
   std::optional<ColumnName> scaled, unknown;

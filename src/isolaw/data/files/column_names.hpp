@@ -13,7 +13,7 @@ namespace isolaw::data {
 // The name "Forza orizzontale [kN]" has the base "Forza orizzontale" and the unit "kN".
 struct ColumnName {
   std::string base;
-  std::string unit;  // as written; empty when the name holds none
+  std::string unit;  // as written; empty if the name has no unit
 };
 ColumnName dissect_name(std::string_view name);
 
@@ -30,7 +30,7 @@ struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;
   bool plain_load = false;
-  bool vertical_disp = false;  // the name of a vertical displacement, which is no channel of a shear test
+  bool vertical_disp = false;  // the name means vertical displacement, which is no channel of a shear test
 };
 Meaning meaning_of(std::string_view name);
 

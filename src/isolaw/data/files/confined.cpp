@@ -53,7 +53,7 @@ void write_all(int descriptor, std::string_view bytes) {
   }
 }
 
-// Runs in the forked process: prints nothing, opens no file, writes only to the pipe `output`.
+// Runs `work` in the forked process, which then prints nothing, opens no file and writes only to the pipe `output`.
 [[noreturn]] void be_confined(std::function<void(std::function<void(std::string_view)> const&)> const& work,
                               ConfinedLimits const& limits, int output) {
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -78,10 +78,10 @@ void write_all(int descriptor, std::string_view bytes) {
   ::_exit(exit_by_exception);
 }
 
-// Returns why the forked process was given up; empty if the process closed its end of the pipe.
+// Reads the pipe until the forked process closes it. Returns why isolaw gave the process up, or an empty text.
 std::string collect(int input, ConfinedLimits const& limits, std::string& output) {
-  // limits.seconds is processor time. On a busy machine the process also waits for the processor, so it gets five times
-  // as long by the clock.
+  // limits.seconds limits the processor time. A process on a busy machine also waits for the processor, so the limit by
+  // the clock is five times as long.
   auto const patience = 5 * limits.seconds;
   auto const deadline = std::chrono::steady_clock::now() + std::chrono::seconds(patience);
   std::array<char, 1 << 16> buffer;

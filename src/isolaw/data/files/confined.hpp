@@ -9,7 +9,7 @@
 
 namespace isolaw::data {
 
-// In a build with sanitizers, memory and files are not limited.
+// Limits of the separate process. A build with sanitizers limits neither its memory nor its files.
 struct ConfinedLimits {
   std::uint64_t memory_bytes;  // beyond the address space that the process has at its start
   unsigned seconds;
@@ -18,7 +18,7 @@ struct ConfinedLimits {
 
 struct ConfinedResult {
   std::string output;
-  std::string failure;  // why there is no output; empty if the work ended well
+  std::string failure;  // why there is no output; empty if the work succeeded
 };
 
 // `work` passes its result to `write`. If `work` throws, the text of the exception becomes the result's `failure`.

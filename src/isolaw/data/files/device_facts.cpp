@@ -15,7 +15,7 @@ namespace {
 struct Label {
   std::string_view key, words;  // in lower case, without accents, with one blank between words
 };
-// Japanese labels are written as name_words() translates them.
+// Labels in Japanese are not listed, because name_words() translates them into the English labels.
 constexpr std::array labels{Label{"serial", "serial"},
                             Label{"serial", "serial no"},
                             Label{"serial", "serial number"},
@@ -141,7 +141,7 @@ void add(std::string_view key, std::string_view value, std::string const& unit, 
   bool const empty = value.find_first_not_of("-_. ") == std::string_view::npos;
   if (empty || value.size() > longest || std::ranges::find(found, key, &DeviceFacts::value_type::first) != found.end())
     return;
-  // Leaves out a value that contains a semicolon or a further colon, since it is several values.
+  // Leaves out a value with a semicolon, or a colon before a blank, because it is probably several values.
   if (value.find(';') != std::string_view::npos || value.find(": ") != std::string_view::npos) return;
   auto text = std::string(value);
   constexpr std::size_t shortest_date = 6;

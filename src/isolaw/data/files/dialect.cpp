@@ -109,8 +109,8 @@ struct Pair {
 struct Score {
   Pair pair{',', '.'};
   std::size_t columns = 0;
-  std::size_t rows = 0;  // lines with `columns` cells, of which at least two are numbers
-  double points = 0.0;   // sum over these lines: numbers / cells that are not empty
+  std::size_t rows = 0;  // lines that have `columns` cells and enough numbers
+  double points = 0.0;   // sum, over these lines, of numbers / cells that are not empty
 };
 
 bool number_like(CellKind kind) {
@@ -145,13 +145,13 @@ Score score_pair(std::span<std::string_view const> lines, Pair pair, char thousa
   return best;
 }
 
-// Whether nothing but blanks follows the last delimiter, which may be a tab.
+// Whether only blanks follow the last delimiter of the line.
 bool ends_with_delimiter(std::string_view line, char delimiter) {
   auto const last = line.find_last_of(delimiter);
   return last != line.npos && trimmed(line.substr(last + 1)).empty();
 }
 
-// Whether the last column is empty in most rows. Such rows end with the delimiter, and a few others have a number after
+// Whether the last column is empty in most rows. Most rows then end with the delimiter, and a few have a number after
 // it.
 bool has_sparse_last_column(std::span<std::string_view const> lines, Score const& score, char thousands) {
   std::vector<std::string_view> cells;
@@ -168,7 +168,7 @@ bool has_sparse_last_column(std::span<std::string_view const> lines, Score const
   return longer > 0;
 }
 
-// The first 200 lines and about 800 from all over the file. More would be slow for a million lines.
+// Returns the first 200 lines and about 800 lines spread over the file. All lines of a long file would take too long.
 std::vector<std::string_view> sample_lines(std::span<std::string_view const> lines) {
   constexpr std::size_t first = 200;
   constexpr std::size_t spread = 800;
@@ -182,7 +182,7 @@ std::vector<std::string_view> sample_lines(std::span<std::string_view const> lin
 struct ColumnStudy {
   std::size_t numbers = 0;
   std::array<std::size_t, 4> stamps{};  // number of cells of each StampKind, in the order of StampKind
-  bool serial = true;                   // each number may be a date, counted in days as spreadsheets do
+  bool serial = true;                   // all numbers may be dates, which a spreadsheet stores as days
   double least = 0.0, largest = 0.0;
 
   void take(std::string_view text, Cell const& cell) {
@@ -329,7 +329,7 @@ std::optional<Dialect> sheet_dialect(std::span<std::string_view const> rows) {
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines, std::optional<char> thousands) {
   char const group = thousands.value_or('\0');
   auto const sample = sample_lines(lines);
-  // If two pairs of delimiter and decimal sign read the file equally well, as with whole numbers, the earlier one wins.
+  // If two pairs of delimiter and decimal sign read the file equally well, as with whole numbers, the first one wins.
   std::vector<Pair> pairs{{'\t', '.'}, {'\t', ','}, {';', '.'}, {';', ','}, {',', '.'}, {' ', '.'}, {' ', ','}};
   bool const quotes = std::ranges::any_of(sample, [](auto line) { return line.find('"') != std::string_view::npos; });
   if (quotes) pairs.push_back({',', ','});  // in "1,5","2,0" the quotes keep the two kinds of commas apart

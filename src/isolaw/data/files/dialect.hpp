@@ -34,13 +34,13 @@ struct NumberFormat {
 struct Dialect {
   char delimiter = ',';  // ' ' stands for runs of blanks and tabs
   char decimal = '.';
-  std::size_t columns = 0;  // cells of a row of numbers, without an empty last cell
+  std::size_t columns = 0;  // number of cells in a row of numbers, without an empty last cell
   char thousands = '\0';
   std::vector<bool> numeric;      // for each column: whether most cells are numbers
   std::vector<StampKind> stamps;  // for each column: the kind of its dates and times
   bool decimal_seen = false;      // at least one number holds the decimal separator
-  std::string why;                // explains the choice in one sentence
-  bool sheet = false;             // a worksheet, in which short rows are filled up and cells right of the table ignored
+  std::string why;                // one sentence that explains the choice
+  bool sheet = false;             // the rows of a worksheet: split_row() cuts or fills them to `columns` cells
 
   NumberFormat format() const { return {decimal, thousands}; }
 };
@@ -52,7 +52,7 @@ enum class CellKind {
   grouped,
   text,
   stamp
-};  // grouped: looks like a number with thousands separators ("1.234,56"), but the format has none; stamp: a date or time
+};  // grouped: a number with thousands separators ("1.234,56") that the format does not have; stamp: a date or time
 
 struct Cell {
   CellKind kind = CellKind::empty;
@@ -66,7 +66,7 @@ void split_row(std::string_view line, Dialect const& dialect, std::vector<std::s
 bool is_comment(std::string_view line);
 bool is_blank(std::string_view line, char delimiter);
 
-// nullopt if no delimiter and decimal sign give rows with numbers or time stamps in two columns or more.
+// nullopt if no pair of delimiter and decimal sign gives rows with numbers or time stamps in two or more columns.
 std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines,
                                          std::optional<char> thousands = std::nullopt);
 std::optional<Dialect> one_column_dialect(std::span<std::string_view const> lines,

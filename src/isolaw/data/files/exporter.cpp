@@ -41,7 +41,7 @@ bool is_mts_test_suite(FileLines lines) {
   return true;
 }
 
-// Bluehill Universal writes "Raw Data" and then names with units. Bluehill 3 writes names and below them their units.
+// Bluehill Universal writes a line "Raw Data" and then names with units. Bluehill 3 writes names, and units below them.
 bool is_bluehill(FileLines lines) {
   constexpr std::size_t longest_head = 200;
   lines = lines.first(std::min(lines.size(), longest_head));

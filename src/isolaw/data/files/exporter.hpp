@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 struct Exporter {
   std::string_view name;
-  // Channels are named after the actuator ("Axial Displacement", "Load"), whose direction in the rig is unknown.
+  // Names such as "Axial Displacement" refer to the actuator, which may have any direction in the rig.
   bool own_axis = false;
 };
 

@@ -52,7 +52,7 @@ Names split_bracketed(std::string_view line) {
   return names;
 }
 
-// A date and a time between blanks are two columns, which often share one name. The date then gets an empty name.
+// If blanks separate cells, a date and a time are two columns, which often share one name. The date then gets no name.
 void name_date_and_clock(Names& names, Dialect const& dialect) {
   if (dialect.delimiter != ' ' || names.size() + 1 != dialect.columns) return;
   for (std::size_t i = 0; i + 1 < dialect.columns; ++i)
@@ -148,7 +148,7 @@ std::optional<Candidate> find_names(std::span<std::string_view const> above, Dia
             Header::Mismatch{i, cells.size(), dialect.delimiter == ',' && dialect.columns == 2 * cells.size()};
       continue;
     }
-    if (dialect.sheet && count_filled(cells) < 2) continue;  // only a title of the sheet
+    if (dialect.sheet && count_filled(cells) < 2) continue;  // the row holds only a title
     if (has_number(cells, dialect) || has_stamp(cells) || (best && count_units(cells).most()) ||
         count_units(cells).all())
       continue;
@@ -164,7 +164,7 @@ bool may_hold_names(std::string_view line) {
   char previous = ' ';
   for (char const c : line) {
     bool const letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-    bool const of_number = is_digit(previous);  // a letter as in 2024-05-02T10:00:00Z
+    bool const of_number = is_digit(previous);  // a letter after a digit, as in 2024-05-02T10:00:00Z
     if (letter && c != 'e' && c != 'E' && !of_number) return true;
     previous = c;
   }
@@ -281,7 +281,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
       header.unit_line = i;
       header.units = cells;
     } else if (right_size && names && i > names->line && has_number(cells, dialect) && !is_comment(lines[i])) {
-      header.first_data = i;  // a damaged row of numbers, of which Table::read() complains
+      header.first_data = i;  // a damaged row of numbers: Table::read() complains about it
     } else if (!is_comment(lines[i])) {
       header.passed_over.push_back(i);
     }
@@ -290,7 +290,7 @@ Header recognise_header(std::span<std::string_view const> lines, Dialect const& 
 }
 
 std::string column_text(std::size_t index, Header const& header) {
-  // If all variables have empty names, header.names is empty.
+  // header.names is empty if all variables have empty names.
   if (header.by_name && !header.names.empty()) return "variable " + in_quotes(header.names[index]);
   auto const label = header.lettered ? column_letters(index) : std::to_string(index + 1);
   if (header.names.empty() || header.names[index].empty()) return "column " + label;

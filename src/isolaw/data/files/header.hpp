@@ -17,7 +17,7 @@ struct Header {
   std::size_t first_data = 0;  // line of the first row of numbers
   std::optional<std::size_t> name_line;
   std::optional<std::size_t> unit_line;
-  std::vector<std::string> names;            // one for each column, with units as written; empty without a row of names
+  std::vector<std::string> names;            // one for each column, with the units in it; empty without a row of names
   std::vector<std::string> units;            // one for each column; empty if the file states none outside the names
   std::vector<std::string> units_elsewhere;  // units that the file states without naming their column
   std::vector<StampKind> stamps;         // for each column: kind of its dates and times; empty if the format has none
@@ -30,9 +30,9 @@ struct Header {
   };
   std::optional<Mismatch> mismatch;
 
-  std::optional<double> interval_s;  // interval between rows if no column has the time, but the header gives it
+  std::optional<double> interval_s;  // time between rows, if the header states it and no column holds the time
 
-  bool own_axis = false;             // names refer to the machine's axis, which may have any direction in the rig
+  bool own_axis = false;             // names refer to the actuator's axis, which may have any direction in the rig
   std::string_view row = "line";     // word for a row in messages: "line", "row", "element"
   bool lettered = false;             // columns have letters instead of numbers, as in a workbook
   bool by_name = false;              // columns are variables: messages call them by name, not by number

@@ -23,7 +23,7 @@ using namespace std::string_view_literals;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_odd_cells = 64;  // a column keeps the texts of this many cells that are no number
-constexpr std::size_t most_words = 10000;   // single texts that are kept because they may be units
+constexpr std::size_t most_words = 10000;   // number of single texts that are kept, because they may be units
 constexpr std::size_t longest_text = 200;
 
 struct Value {
@@ -90,11 +90,10 @@ class Handler {
   explicit Handler(std::size_t file_bytes) : left_(file_bytes + (std::size_t{1} << 20)) {}
 
   std::map<std::string, Branch> parts;                        // tables by path
-  std::map<std::pair<std::string, std::string>, Word> words;  // texts by path and key of their object
-  // For the path of each list: the paths of its elements that hold a table, and of those that hold none.
+  std::map<std::pair<std::string, std::string>, Word> words;  // single texts by their object's path and own key
+  // For the path of each list: the paths of its elements with a table, and of those with columns but without a table.
   std::map<std::string, std::vector<std::string>> lists, passed_over;
-  std::vector<std::string>
-      units_dropped;  // lists of units in elements without a table, whose other contents are dropped
+  std::vector<std::string> units_dropped;  // units listed in elements without a table; their other contents are dropped
   std::string refusal;
   std::size_t failed_at = 0;  // position of the syntax error in bytes, from 1
 
@@ -161,8 +160,8 @@ class Handler {
     Shape shape = Shape::none;
     std::string path = {};         // keys that lead here, joined by points
     std::string key = {};          // the last key that was read
-    bool in_reach = true;          // not too deep to contain a table
-    std::size_t elements = 0;      // objects that were read in an array
+    bool in_reach = true;          // false if it is nested too deep for a table
+    std::size_t elements = 0;      // number of objects read so far in an array
     std::size_t number = 0;        // position of an object in its array, from 1; else 0
     bool has_path_of_own = false;  // the element holds arrays or objects; its number is in its path
   };
@@ -188,13 +187,14 @@ class Handler {
   static std::string joined(std::string const& path, std::string const& key) {
     return path.empty() ? key : path + '.' + key;
   }
-  // Depth in objects. Objects in arrays do not count, so that a list of tests is no deeper than one test.
+  // Number of enclosing objects. Objects in arrays do not count, so that a list of tests is no deeper than one test.
   std::size_t depth() const {
     return static_cast<std::size_t>(std::ranges::count_if(
         stack_, [](auto const& frame) { return frame.kind == Kind::object && frame.number == 0; }));
   }
 
-  // Adds an element's number to its path if the element holds arrays or objects. Plain rows, often millions, get none.
+  // Adds an element's number to its path if the element holds arrays or objects. Plain rows, often millions, get no
+  // number.
   void number_path() {
     auto& frame = stack_.back();
     if (frame.number == 0 || frame.has_path_of_own) return;
@@ -331,7 +331,7 @@ class Handler {
         return;
       }
       auto& column = part.columns[found->second];
-      if (column.values.size() > part.rows) continue;  // the row has the key twice: the first counts
+      if (column.values.size() > part.rows) continue;  // the row has this key twice: the first value counts
       if (!afford(part.rows + 1 - column.values.size())) return;
       while (column.values.size() < part.rows) put(column, {.number = missing, .text = "a key that is not there"});
       put(column, row_[i]);
@@ -365,9 +365,9 @@ class Handler {
     return affordable;
   }
 
-  // Number of table cells that may still be kept. At first it is the file's size in bytes and a little more. Each cell
-  // that the file states takes two bytes or more of it, so only the empty cells of rows that lack a key can use it up.
-  // The file is refused then, since its table would take far more memory than the file.
+  // Number of table cells that may still be kept; at first a little more than the file's size in bytes. A cell that the
+  // file states takes at least two bytes in the file, so only empty cells, in rows that lack a key, can use up this
+  // number. The file is then refused, because its table would take far more memory than the file.
   std::size_t left_;
   std::size_t tests_ = 0;
   std::vector<Frame> stack_;
@@ -449,7 +449,7 @@ class Document {
     return result;
   }
 
-  // The texts of all lists called "units", wherever they stand.
+  // Returns the texts of all lists called "units" in the document.
   std::vector<std::string> listed_units() const {
     auto units = handler_.units_dropped;
     for (auto const& [path, part] : handler_.parts) std::ranges::move(units_in(part), std::back_inserter(units));

@@ -14,8 +14,8 @@ namespace isolaw::data {
 // Whether the bytes begin as JSON does. False for "[Data]", with which text files may begin.
 bool is_json(std::string_view bytes);
 
-// `key` is a table's key or its number from 1. Without it, reads one table and lists all in Tests::sheets. Throws
-// Error.
+// `key` is a table's key or its number from 1. Without it, reads the first table and lists all tables in Tests::sheets.
+// Throws Error.
 Tests json_tests(std::string_view bytes, std::string const& file, std::optional<std::string> const& key);
 
 }  // namespace isolaw::data

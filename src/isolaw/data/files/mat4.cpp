@@ -59,7 +59,7 @@ std::optional<Matrix> matrix_at(std::string_view bytes) {
   found.name = bytes.substr(header_bytes, name_bytes - 1);
   bool const ends = bytes[header_bytes + name_bytes - 1] == '\0';
   bool const is_name = std::ranges::all_of(found.name, [](char c) { return c > ' ' && c < '\x7F'; });
-  // Both factors are below 2^32, so the product of rows and columns cannot overflow 64 bits.
+  // The numbers of rows and columns are below 2^32, so their product cannot overflow 64 bits.
   auto const count = found.rows * found.columns;
   auto const left = bytes.size() - header_bytes - name_bytes;
   if (!ends || !is_name || count > left) return std::nullopt;

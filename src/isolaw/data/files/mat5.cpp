@@ -110,11 +110,11 @@ class InflatedSource : public Source {
 struct Tag {
   std::uint32_t type = 0;
   std::uint32_t size = 0;
-  bool small = false;  // the element's data are in its tag
+  bool small = false;  // the tag itself holds the data
   std::array<char, 4> data{};
 };
 
-// Reads one data element and counts its bytes. The bytes of a nested element count for the outer element too.
+// Reads one data element and counts its bytes down. An element's bytes are subtracted from the enclosing element too.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -220,7 +220,7 @@ class Walk {
     auto const kind = flags & 0xFFu;
     bool const complex = (flags & 0x800u) != 0;
     MatVariable variable{.name = prefix, .kind = std::string(class_names[std::min<std::size_t>(kind, 17)]), .size = {}};
-    if (kind == 17) {  // an object: such an array states no size
+    if (kind == 17) {  // an object states no size
       read_name(reader, variable);
       wanted_(variable);
       if (!prefix.empty()) reader.skip(reader.available());

@@ -149,7 +149,7 @@ void read(std::string_view bytes, MatVariable const& variable, MatSlice const& s
   if (H5Sget_simple_extent_ndims(space) != 2 || H5Sget_simple_extent_dims(space, sizes.data(), nullptr) < 0 ||
       sizes[0] != variable.size[1] || sizes[1] != variable.size[0])
     throw std::runtime_error("is damaged");
-  // A column in MATLAB is a row in the HDF5 file, because the dimensions are in reverse order.
+  // A column of the MATLAB matrix is a row in the HDF5 file, because the dimensions are in reverse order there.
   bool const whole = slice.stride == 1 && slice.count == sizes[0] * sizes[1];
   bool const column = slice.stride == 1;
   std::array<hsize_t, 2> const start{column && !whole ? slice.first / sizes[1] : 0, column ? 0 : slice.first};

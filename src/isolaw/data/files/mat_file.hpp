@@ -40,7 +40,8 @@ class MatFile {
   MatFile& operator=(MatFile const&) = delete;
 
   std::vector<MatVariable> const& variables() const { return variables_; }
-  // Returns characters as their codes. Throws Error if the file is damaged or grows beyond its limit when unpacked.
+  // Returns the values of a slice; for text, the codes of the characters. Throws Error if the file is damaged or grows
+  // beyond its limit when unpacked.
   virtual std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const = 0;
   virtual std::string_view version() const = 0;
 
@@ -57,7 +58,7 @@ class MatFile {
   std::vector<MatVariable> variables_;
 };
 
-// Whether the bytes begin with a matrix of level 4. A file of this level cannot be recognised in any other way.
+// Whether the bytes begin with a matrix of level 4. Files of this level have no signature by which to recognise them.
 bool is_mat4(std::string_view bytes);
 
 // `bytes` must outlive the MatFile. Throws Error if the file is damaged or has more than most_variables.

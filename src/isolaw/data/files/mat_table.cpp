@@ -18,7 +18,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr std::uint64_t fewest_values = 3;
-constexpr std::uint64_t most_rows_across = 20;  // channels may be rows of a wide matrix that has no more rows than this
+constexpr std::uint64_t most_rows_across = 20;  // the rows of a wide matrix are channels if there are at most this many
 constexpr std::uint64_t bytes_per_sample = 32;  // a double for each of four channels
 constexpr std::size_t most_listed = 30;
 
@@ -70,7 +70,7 @@ MatColumns columns_of(std::vector<MatVariable> const& variables) {
 // Adds a column for each matrix of characters whose rows are time stamps.
 void add_stamps(MatFile const& mat, std::uint64_t longest, MatColumns& found) {
   constexpr std::uint64_t widest = 48;
-  std::size_t left = 4;  // matrices that may be examined: each takes a pass through the file
+  std::size_t left = 4;  // at most this many matrices are examined: each takes a pass through the file
   for (auto const& v : mat.variables()) {
     if (v.kind != "char" || v.size.size() != 2) continue;
     auto const rows = v.size[0], width = v.size[1];

@@ -17,15 +17,15 @@ struct NumberColumn {
   std::size_t length = 0;
   std::vector<double> values = {};                    // may stay empty until a channel needs the column
   std::map<std::size_t, std::string> odd_cells = {};  // texts of the first cells that are no number, by row from 0
-  std::vector<Stamp> stamps = {};                     // as many as values if the column holds time stamps, else none
-  bool datenum = false;                               // the numbers are days of MATLAB's calendar
+  std::vector<Stamp> stamps = {};                     // one for each value if all cells are time stamps, else fewer
+  bool datenum = false;                               // the numbers are days in MATLAB's calendar (datenum)
 
-  StampKind kind() const;  // none if the stamps differ in kind
+  StampKind kind() const;  // StampKind::none if the stamps differ in kind
 };
 
 class NumberTable : public Table {
  public:
-  // Messages call a row `row` ("row", "element"). `recognised` says how the table was found.
+  // `row` is the word for a row in messages: "row" or "element". `recognised` says how the table was found.
   NumberTable(std::string place, std::vector<NumberColumn> columns, std::string_view row, std::string recognised,
               std::string title = {});
 

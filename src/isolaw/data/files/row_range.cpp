@@ -50,7 +50,7 @@ std::string without_rows(RowRange const& range, std::vector<std::size_t> const& 
     if (RowRange const between{.first = rows[i] + 1, .last = i + 1 < rows.size() ? rows[i + 1] - 1 : last};
         length(between) > length(longest))
       longest = between;
-  // Advises to read only a part if the part holds at least half of the rows. A shorter one would lose most of the test.
+  // Advises to read only a part if it holds at least half of the rows. A shorter part would lose most of the test.
   if (2 * length(longest) >= last + 1 - range.first && length(longest) >= least_samples)
     return fmt::format("--rows {}, the longest part without such rows", rows_text(longest));
   return fmt::format("export the record again with a number in every cell, or delete these {} rows from a copy",

@@ -1,4 +1,4 @@
-// A range of rows of numbers, and the advice to read only a range of them.
+// The rows of numbers to read (option --rows), and texts that advise the user to read only some of them.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// The form in which tests of all file formats are kept before their values are read: named columns, and rows with their
-// line numbers.
+// A table holds a test of any file format before its values are read: named columns, and rows with their line numbers.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +32,7 @@ inline Finding decision(FindingKind kind, std::string text, std::string option =
 // The column of a table that holds a channel.
 struct Column {
   std::size_t index = 0;                        // from 0
-  std::optional<Unit> unit;                     // empty if missing or wrong; a complaint says so
+  std::optional<Unit> unit;                     // empty if the unit is missing or wrong; a complaint says so
   double scale = 1.0;                           // a value of 1 in the file is `scale` units
   StampKind stamp = StampKind::none;            // kind of time stamps in the column
   std::optional<std::size_t> date_column = {};  // for times of day: the column with their dates
@@ -71,7 +70,7 @@ struct Rows {
   std::vector<RawChannel> channels;
   std::vector<std::size_t> numbers;  // number of each sample's line, sheet row or element, from 1
   std::size_t comments = 0;          // comment lines among the rows
-  std::size_t of = 0;                // number of all rows in the file, also of those not asked for
+  std::size_t of = 0;                // number of all rows in the file, with those that the user does not want
   std::vector<Finding> recognised;
   std::optional<double> origin_s;  // time stamp at time zero, if the file has time stamps
   bool dated = false;              // origin_s is in s from 1970; else from midnight
@@ -91,17 +90,17 @@ class Table {
   Table(Table const&) = delete;
   Table& operator=(Table const&) = delete;
 
-  // Where the table is, for messages, which add a row's number: "d01.csv", "d01.xlsx:Sheet1", "d01.json:data".
+  // The table's place in messages: "d01.csv", "d01.xlsx:Sheet1" or "d01.json:data". Messages append a row's number.
   std::string const& place() const { return place_; }
   Header const& header() const { return header_; }
   std::size_t columns() const { return columns_; }
   // Number of the line or row at which the test starts, its header included.
   std::size_t start() const { return start_; }
-  // The test's name in messages, as in "tests(2) 'B'", if a file's tests have no line number that tells them apart.
+  // The test's name in messages, such as "tests(2) 'B'". Empty if messages name the test by its line number.
   std::string const& title() const { return title_; }
   DeviceFacts const& device_facts() const { return device_facts_; }
 
-  // Where a column is, for messages, such as "d01.mat:dist".
+  // A column's place in messages, such as "d01.mat:dist".
   virtual std::string place_of(std::size_t /*column*/) const { return place_; }
   virtual std::vector<Finding> recognised() const = 0;
   // Adds complaints about the table as a whole.

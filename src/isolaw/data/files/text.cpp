@@ -126,7 +126,7 @@ std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_cha
        {Encoding{"CP932", "Shift-JIS"}, Encoding{"GB18030", "GB 18030 (Chinese)"},
         Encoding{"CP949", "Windows-949 (Korean)"}, Encoding{"CP1251", "Windows-1251 (Russian)"},
         Encoding{"CP1254", "Windows-1254 (Turkish)"}}) {
-    constexpr std::size_t head = 16384;  // bytes searched for names of channels, cut at the end of a line
+    constexpr std::size_t head = 16384;  // at most this many bytes, in whole lines, are searched for names of channels
     auto const cut = bytes.size() <= head ? bytes.size() : bytes.find_last_of("\n\r", head);
     auto const top = converted_to_utf8(bytes.substr(0, cut == std::string_view::npos ? head : cut), name);
     if (!top || !names_channels(*top)) continue;
@@ -140,7 +140,7 @@ std::optional<LegacyText> decode_wide(std::string_view bytes) {
     char const* name;
     std::string_view mark, comma;  // how the byte order mark and a comma are written
   };
-  // The byte order mark of UTF-32LE begins with that of UTF-16LE, so UTF-32 is tried first.
+  // UTF-32 is tried first, because its byte order mark (little-endian) begins with the mark of UTF-16.
   constexpr std::array encodings{
       Encoding{"UTF-32LE", "\xFF\xFE\0\0"sv, ",\0\0\0"sv}, Encoding{"UTF-32BE", "\0\0\xFE\xFF"sv, "\0\0\0,"sv},
       Encoding{"UTF-16LE", "\xFF\xFE"sv, ",\0"sv}, Encoding{"UTF-16BE", "\xFE\xFF"sv, "\0,"sv}};
@@ -200,7 +200,7 @@ Lines split_lines(std::string_view bytes) {
   Lines text;
   text.byte_order_mark = bytes.starts_with("\xEF\xBB\xBF");
   if (text.byte_order_mark) bytes.remove_prefix(3);
-  if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // old acquisition programs end a file with this mark
+  if (bytes.ends_with('\x1A')) bytes.remove_suffix(1);  // old acquisition programs end a file with this character
   text.windows_1252 = !is_utf8(bytes);
   while (!bytes.empty()) text.lines.push_back(take_line(bytes));
   return text;

@@ -32,7 +32,7 @@ struct Lines {
 Lines split_lines(std::string_view bytes);
 
 // Text converted to UTF-8. decode_legacy() tries Japanese, Chinese, Korean, Russian and Turkish encodings. It takes the
-// first one in which `names_channels` finds a channel's name, because a wrong encoding would hardly produce such a
+// first encoding in which `names_channels` finds a channel's name, because a wrong encoding would hardly give such a
 // name.
 struct LegacyText {
   std::string utf8;
@@ -40,8 +40,8 @@ struct LegacyText {
 };
 std::optional<LegacyText> decode_legacy(std::string_view bytes, bool (*names_channels)(std::string_view));
 
-// Converts UTF-16 or UTF-32, with or without a byte order mark, to UTF-8. nullopt if the bytes are not valid or are
-// something else.
+// Converts UTF-16 or UTF-32, with or without a byte order mark, to UTF-8. Returns nullopt if the bytes are no such
+// text.
 std::optional<LegacyText> decode_wide(std::string_view bytes);
 std::string to_utf8(std::string_view bytes);
 

@@ -211,7 +211,7 @@ class RowReader {
         row_[k] = std::numeric_limits<double>::quiet_NaN();
         continue;
       }
-      if (good) report_cell(i, k, cell, parsed.kind);  // only the first bad cell of a row
+      if (good) report_cell(i, k, cell, parsed.kind);  // reports only the first bad cell of a row
       good = false;
     }
     if (!good) return;
@@ -319,12 +319,12 @@ class RowReader {
   Header const& header_;
   RowChoice const& choice_;
   std::optional<std::size_t> stamped_;      // position in `indices_` of the channel that is read from time stamps
-  bool serial_ = false;                     // the stamps are a spreadsheet's days
-  std::optional<std::size_t> date_column_;  // the column with the dates of the times of day
+  bool serial_ = false;                     // the stamps are days, as spreadsheets store dates
+  std::optional<std::size_t> date_column_;  // the column that holds the dates if the stamps are times of day
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;
   std::vector<std::size_t> indices_;  // columns of the wanted channels
-  std::string advice_;                // stored by leave_out()
+  std::string advice_;                // the text that leave_out() returns
   std::vector<std::string_view> cells_;
   std::vector<double> row_;
   Rows rows_;
@@ -444,8 +444,8 @@ Dialect require_dialect(std::string const& file, std::span<std::string_view cons
               : "export displacement and force as CSV"});
 }
 
-// Whether a cell names a channel in Turkish or in a language without Latin letters, which shows that the text was
-// decoded correctly.
+// Whether a cell names a channel in Turkish or in a language without Latin letters. If so, the text was decoded
+// correctly.
 bool has_foreign_names(std::string_view utf8) {
   std::string word;
   auto const ends = [](char c) { return c == ';' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '"'; };

@@ -238,7 +238,7 @@ struct DatesRead {
   std::vector<double> times;
   DateOrder order = DateOrder::day_first;
   std::string why;
-  bool in_either_order = false;  // both orders of day and month give these times, but another first date
+  bool in_either_order = false;  // both orders of day and month give these times, but not the same first date
 };
 
 class DateReader {
@@ -284,8 +284,8 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Chooses the order of day and month: the one in which times rise in steps of at most 12 hours, if in the other order
-  // times go back or leap farther.
+  // Chooses the order of day and month in which the times rise in steps of at most 12 hours. Complains if both orders
+  // do, or neither.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {
@@ -330,7 +330,7 @@ class DateReader {
   std::vector<Complaint>& complaints_;
 };
 
-// Fills `times` and counts midnights. Midnight has passed if the time of day goes back by more than half a day.
+// Fills `times` and counts midnights: midnight has passed when the time of day goes back by more than half a day.
 std::size_t count_midnights(std::span<Stamp const> stamps, std::vector<double>& times) {
   std::size_t midnights = 0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {

@@ -14,7 +14,7 @@ namespace isolaw::data {
 
 enum class DateOrder { day_first, month_first };
 
-// `serial_number` means plain numbers that may be days of a spreadsheet's calendar.
+// `serial_number` means plain numbers that may be dates as spreadsheets store them, in days.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -26,16 +26,16 @@ struct Stamp {
 };
 
 std::string_view date_order_word(DateOrder order);  // "dmy" or "mdy"
-// nullopt if the cell is no time stamp. In a workbook's cell, date_cell_mark follows a number that is shown as a date.
+// nullopt if the cell is no time stamp. Also parses a workbook's date, a number of days followed by date_cell_mark.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);
-// MATLAB counts days from the year 0. Its datenum minus this constant is a spreadsheet's day.
+// MATLAB's datenum counts days from the year 0. A datenum minus this constant is a spreadsheet's day number.
 inline constexpr double datenum_of_serial = 693960.0;
 Stamp on_date(Stamp clock, Stamp const& date);
 // Whether the text may be a date. Also true for words with a year, such as "spring 2024".
 bool may_be_date(std::string_view text);
-// Whether a number may be a spreadsheet's day. Accepts the days from 1954 to 2119.
+// Whether a number may be a date as spreadsheets store it, in days. Accepts the dates from 1954 to 2119.
 bool may_be_serial(double value);
 
 inline constexpr std::string_view date_cell_mark = " (a date or time of day)";

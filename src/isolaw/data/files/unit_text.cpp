@@ -36,7 +36,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> signs{{{
                                                                                {"**", "^"},
                                                                                {"∕", "/"}}};
 
-// Writes signs of multiplication and powers in ASCII, and blanks in place of brackets.
+// Writes signs of multiplication and powers in ASCII, decimal commas as points, and blanks in place of brackets.
 std::string plain(std::string_view text) {
   std::string result(text);
   for (auto const& [sign, ascii] : signs)
@@ -145,8 +145,8 @@ std::string factor_hint(std::string_view base) {
     if (division || letter) {
       auto rest = from_here.substr(1);
       auto const factor = take_factor(rest);
-      // "x2" may name the second displacement along x. "x10" hardly names a tenth one, so it counts outside brackets
-      // too.
+      // Outside brackets, "x2" may name the second displacement along x. "x10" hardly names a tenth one, so it is a
+      // factor there too.
       bool const in_brackets = base.find(fmt::format("({}", from_here.substr(0, 2))) != std::string_view::npos;
       bool const ends = rest.empty() || rest.front() == ' ' || rest.front() == ')';
       if (factor && ends && i > 0 && (division || in_brackets || is_power_of_ten(factor->value)))
@@ -218,7 +218,7 @@ std::optional<UnitText> sensitivity_in(std::string_view name, std::string_view u
 std::string without_sensitivity(std::string_view name) {
   auto const found = find_sensitivity(plain(name));
   if (!found) return std::string(name);
-  // Searches for the whole text, such as "25 mm/V", because the number alone may occur more than once.
+  // Looks for the whole text, such as "25 mm/V", because the number 25 alone may occur more than once in the name.
   auto rest = std::string(name);
   auto const from = rest.find(found->text);
   return from == std::string::npos ? rest : rest.erase(from, found->text.size());
@@ -253,7 +253,7 @@ std::string scale_hint(std::string_view base, Dimension dimension) {
 std::string other_unit_in(std::string_view base, Unit const& unit) {
   auto const words = name_words(base);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    bool const is_range = i > 0 && number_in<double>(words[i - 1]);  // "cell of 100 kN"
+    bool const is_range = i > 0 && number_in<double>(words[i - 1]);  // as in "cell of 100 kN"
     if (words[i].size() < 2 || words[i] == "in" || is_range) continue;
     auto const other = parse_unit(words[i]);
     if (other && other->dimension == unit.dimension && other->symbol != unit.symbol) return std::string(other->symbol);

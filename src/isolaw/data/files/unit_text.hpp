@@ -1,5 +1,5 @@
-// Reads a unit with a factor, as headers write it: "x10 kN", "10^3 N", "1/100 mm". Finds hints in a column's name that
-// its values are a multiple of what was measured.
+// Reads a unit with a factor, as headers write it: "x10 kN", "10^3 N", "1/100 mm". Also finds hints in a column's name
+// that its values are a multiple of the measured quantity.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct UnitText {
 // Returns nullopt if the text is no unit. Brackets and blanks are ignored.
 std::optional<UnitText> parse_unit_text(std::string_view text);
 
-// The sensitivity of a sensor whose voltage is recorded in `unit` (V or mV): "25 mm/V" gives 25 mm for V. nullopt if
-// `unit` is no voltage or `name` states no sensitivity.
+// The sensitivity of a sensor that the file records as a voltage in `unit` (V or mV): a name with "25 mm/V" gives 25 mm
+// for each V. nullopt if `unit` is no voltage or `name` states no sensitivity.
 std::optional<UnitText> sensitivity_in(std::string_view name, std::string_view unit);
 
 // The name without its sensitivity: "Disp [V] ()" for "Disp [V] (25 mm/V)".
@@ -36,7 +36,7 @@ bool is_other_quantity(std::string_view unit);
 std::string scale_hint(std::string_view base, Dimension dimension);
 
 // Another unit of the same dimension in `base`, as "mm" in "Displacement mm [in]"; "" if there is none. Words that may
-// be no unit do not count: "in", single letters, and a unit behind a number, which may be a sensor's range.
+// not be units are ignored: "in", single letters, and a unit after a number, which may be a sensor's range.
 std::string other_unit_in(std::string_view base, Unit const& unit);
 
 }  // namespace isolaw::data

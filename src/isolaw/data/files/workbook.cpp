@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t most_rows = 1'048'576;  // Excel's limit for a sheet
 constexpr std::size_t most_sheets = 1000;
-// Long enough for a name. Longer texts are cut, because a million cells may refer to one long text, whose copies would
-// fill the memory.
+// Long enough for a name. Longer texts are cut: if a million cells refer to one long text, its copies would fill the
+// memory.
 constexpr std::size_t longest_cell_text = 200;
 
 struct Sheet {
@@ -48,7 +48,7 @@ std::string resolved(std::string_view from, std::string_view target) {
   return folder + std::string(target);
 }
 
-// The files that a part of the workbook refers to, by their id, and also by the last word of their type ("/styles").
+// The files that a part of the workbook refers to. Each has two keys: its id and the last word of its type ("/styles").
 std::map<std::string, std::string> relations(ZipArchive& archive, std::string const& file, std::string const& part) {
   auto const slash = part.rfind('/') + 1;
   auto const entry = part.substr(0, slash) + "_rels/" + part.substr(slash) + ".rels";
@@ -74,7 +74,7 @@ class SharedTexts {
   void read(ZipArchive& archive, std::string const& file, std::string const& entry) {
     if (!archive.has(entry)) return;
     bool in_text = false;
-    int phonetic = 0;  // depth in elements with Japanese pronunciation, which is no part of the text
+    int phonetic = 0;  // depth in elements that state the pronunciation of a Japanese text
     parse(archive, file, entry,
           {.start =
                [&](std::string_view name, Attributes const&) {
@@ -110,7 +110,7 @@ class SharedTexts {
 bool is_date_format(std::string_view code) {
   for (std::size_t i = 0; i < code.size(); ++i) {
     char const c = code[i];
-    if (c == '"' || c == '[') {  // text in quotes; in brackets a colour, a condition, or hours above 24
+    if (c == '"' || c == '[') {  // quoted text, or brackets with a colour, a condition or hours above 24
       auto const close = code.find(c == '"' ? '"' : ']', i + 1);
       auto const inside = code.substr(i + 1, close == std::string_view::npos ? close : close - i - 1);
       if (c == '[' &&
@@ -208,7 +208,7 @@ class RowWriter {
     in_cell_ = false;
   }
 
-  // A file may leave out empty rows. A row without a number comes right after the row before it.
+  // A file may leave out empty rows. If a row states no number, it follows directly on the row before it.
   void begin_row(std::string_view number) {
     auto const row = number.empty() ? std::optional(next_row_ + 1) : number_in<std::size_t>(number);
     if (!row || *row == 0 || *row > most_rows)
@@ -407,16 +407,17 @@ Tests workbook_tests(std::string_view bytes, std::string const& file, std::optio
     if (names.size() > 1) tests.sheet = sheet_key(names, index);
     tests.recognised.push_back(
         decision(FindingKind::file_format, fmt::format("an Excel workbook, sheet {}", in_quotes(names[index]))));
-    constexpr std::size_t most_beside = 30;  // only the first sheets are searched for notes
+    constexpr std::size_t most_beside = 30;  // only this many sheets are searched for notes
     for (std::size_t i = 0; i < std::min(names.size(), most_beside); ++i)
       if (i != index) append(tests.device_facts, workbook.device_facts(workbook.sheets()[i]));
     return tests;
   }
-  Tests first, named;  // first sheet with rows of numbers; first such sheet that names a channel
+  Tests first, named;  // the first sheet with rows of numbers, and the first of these that names a channel
   std::vector<std::string> found, without_names;
   std::size_t most = 0;
   DeviceFacts device_facts;
-  std::vector<std::pair<std::size_t, std::size_t>> filled;  // sheets with rows of numbers; number of channels they name
+  // For each sheet with rows of numbers: its index and the number of channels that it names.
+  std::vector<std::pair<std::size_t, std::size_t>> filled;
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto tests = workbook.tests(workbook.sheets()[i]);
     if (tests.tables.empty()) {

@@ -1,5 +1,5 @@
-// Reads Excel workbooks, .xlsx (ECMA-376 part 1, chapter 18). The value of a formula is the one that was saved. Dates
-// and times of day, stored as days, become text, since nobody would notice if days were read as seconds.
+// Reads Excel workbooks, .xlsx (ECMA-376 part 1, chapter 18). For a formula, reads the value that was saved. Dates and
+// times of day, which are stored as days, become text, because nobody would notice if days were read as seconds.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Reads XML with expat and passes it on without keeping it in memory. Refuses document types, which could declare
-// entities, and deep nesting.
+// Reads XML with expat and passes its parts to handlers, without keeping the document in memory. Refuses document
+// types, which could declare entities, and deep nesting.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ struct XmlHandlers {
   std::function<void(std::string_view text)> text = {};
 };
 
-// `source` hands over the document piece by piece. Messages call it `place`. Throws Error, or what a handler throws.
+// `source` passes the document to `take` piece by piece. Messages call it `place`. Throws Error, or a handler's
+// exception.
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 

@@ -13,24 +13,24 @@ namespace isolaw::data {
 namespace {
 
 constexpr double least_rise = 0.03;      // at one amplitude, a sound device's force rises by less than this fraction
-constexpr double rise_deviations = 5.0;  // a real rise exceeds this many standard deviations of a rise by noise alone
-// If the channel changes in other cycles by more than this fraction of its change in one cycle, it drifts and no fault
-// began suddenly.
+constexpr double rise_deviations = 5.0;  // a real rise exceeds this many standard deviations of a rise by noise
+// The channel drifts, and no fault began suddenly, if it changes in the other cycles by more than this fraction of its
+// largest change in one cycle.
 constexpr double most_outside = 0.35;
 constexpr double least_step = 0.02;   // times the amplitude; a smaller step of the zero is not reported
-constexpr double least_ratio = 0.05;  // fraction by which the forces of the two directions must differ at least
-constexpr double better_by = 3.0;     // a factor is the cause if its fit leaves less than 1/3 of what an offset leaves
+constexpr double least_ratio = 0.05;  // the forces of the two directions must differ by at least this fraction
+constexpr double better_by = 3.0;     // a factor is the cause if its rms residual is below 1/3 of an offset's residual
 constexpr double same_at_peaks = 0.3;
-constexpr double same_in_disp = 0.3;     // times the asymmetry of force; if displacement has more, the motion causes it
-constexpr double line_contrast = 4.0;    // a line of the spectrum must be this many times as high as its neighbours
-constexpr double lowest_line = 10.0;     // times the test's frequency; lines are sought above it
-constexpr double line_neighbours = 9.0;  // times the test's frequency; lines that are closer are neighbours
-constexpr double least_line = 0.001;     // times the amplitude; a smaller line is not reported
-constexpr double most_uneven_step = 0.1;  // times the sampling interval; each interval may differ from the mean by this
+constexpr double same_in_disp = 0.3;      // times the force's asymmetry; displacement with more asymmetry is the cause
+constexpr double line_contrast = 4.0;     // a line of the spectrum must be this many times higher than its neighbours
+constexpr double lowest_line = 10.0;      // lines are sought above this many times the test's frequency
+constexpr double line_neighbours = 9.0;   // lines closer than this many times the test's frequency are neighbours
+constexpr double least_line = 0.001;      // times the amplitude; a smaller line is not reported
+constexpr double most_uneven_step = 0.1;  // each interval may differ by at most this fraction from the mean interval
 constexpr std::size_t most_transformed = 65536;
 
-// The counted cycles of a block, if they follow one another. Empty if there are fewer than `fewest`, or if a rest or a
-// gap separates two of them. There may be a rest before the first.
+// The counted cycles of a block, if they follow one another. Empty if there are fewer than `fewest`, or if a rest, a
+// gap in time or another cycle separates two of them. A rest may precede the first.
 std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   auto cycles = block.counted();
   bool broken = cycles.size() < fewest;
@@ -40,11 +40,11 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
   return cycles;
 }
 
-// Standard deviation of the force in a cycle over that of displacement. A change of the force channel's gain changes
-// this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb the stiffness, but hardly
-// this ratio.
+// Standard deviation of the force in a cycle, divided by the standard deviation of displacement. A change of the force
+// channel's gain changes this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb
+// the stiffness, but hardly this ratio.
 struct Size {
-  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: standard deviation that noise causes, over kN_per_mm
+  double kN_per_mm = 0.0, deviation = 0.0;  // deviation: caused by noise; relative to kN_per_mm
 };
 Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
@@ -59,7 +59,7 @@ Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   return {.kN_per_mm = std::sqrt(FF / xx), .deviation = noise_kN / std::sqrt(FF)};
 }
 
-// The values of a channel over a block, each with the value one cycle before.
+// The values of a channel in a block (`now`), each with the value one cycle before (`before`).
 struct Repeats {
   std::size_t begin = 0;   // first sample
   std::size_t period = 0;  // samples in a cycle
@@ -67,8 +67,8 @@ struct Repeats {
 };
 
 // Pairs each value with the value one cycle before. Leaves out the first counted cycle, in which rubber softens
-// unevenly. Force is compared at the same phase between the cuts of the cycles. A jump of displacement moves these
-// cuts, so displacement is compared after a constant time.
+// unevenly. Values of force are paired by their phase between the cuts of the cycles. A jump of displacement moves
+// these cuts, so values of displacement are paired one mean period apart.
 Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, Along channel) {
   double const period = (cycles.back()->last - cycles[1]->first) / static_cast<double>(cycles.size() - 1);
   Repeats repeats{.begin = static_cast<std::size_t>(std::ceil(cycles[2]->first)),
@@ -112,8 +112,8 @@ struct Sums {
 };
 
 // Finds the cycle in which a channel differs most from the cycle before. If a fault begins suddenly, only the cycle in
-// which it begins differs: of any two later cycles, both have the fault. nullopt if the channel changes in other cycles
-// too.
+// which it begins differs from the cycle before, because all later cycles have the fault. Returns nullopt if the
+// channel changes in other cycles too.
 struct SuddenChange {
   Change change;
   double at = 0.0;
@@ -173,7 +173,7 @@ bool is_uniform(std::span<double const> time, std::size_t begin, std::size_t end
   return true;
 }
 
-// The frequency of the mains, or its double, if sampling at `rate_Hz` makes it appear at `seen_Hz` (aliasing).
+// The frequency of the mains, or twice this frequency, if sampling at `rate_Hz` shows it at `seen_Hz` (aliasing).
 std::optional<double> mains_seen_at(double seen_Hz, double rate_Hz, double tolerance_Hz) {
   for (double const mains : {50.0, 60.0, 100.0, 120.0})
     if (std::abs(std::abs(mains - rate_Hz * std::round(mains / rate_Hz)) - seen_Hz) <= tolerance_Hz) return mains;
@@ -195,9 +195,9 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       continue;
     }
     auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
-    // The allowed rise has two more parts. First, a device that softens with its displacement is stiffer in a smaller
-    // cycle. Second, one sample more or less at a steep reversal changes kN_per_mm by a share of about 1 / (number of
-    // samples in the cycle).
+    // Besides noise, the allowed rise covers two effects. First, a device that softens with its displacement is stiffer
+    // in a smaller cycle. Second, one sample more or less at a steep reversal changes kN_per_mm by a share of about 1 /
+    // (number of samples in the cycle).
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
                            rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
@@ -219,8 +219,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   auto const cycles = unbroken(block, 3);
   if (cycles.empty() || !cycles.back()->K_plus() || !cycles.back()->K_minus()) return std::nullopt;
   // In a symmetric loop, each value is the negative of the value half a cycle away (`opposite`, the mean of the values
-  // half a cycle before and after). Half the sum of the two is the asymmetry of the loop, half their difference its
-  // size. The sums serve to fit asymmetry = gain * size.
+  // half a cycle before and after). Half the sum of the two values is the asymmetry of the loop, and half their
+  // difference is its size. The sums serve to fit asymmetry = gain * size.
   auto const sums_of = [&](std::span<double const> values) {
     Sums sums;
     for (std::size_t k = 1; k < cycles.size(); ++k) {
@@ -237,8 +237,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   };
   auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
   double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
-  // The mean squared asymmetry that is left after a fit in proportion to the size (the gains of the directions differ),
-  // and after the fit of a constant (the zero is off).
+  // The mean squared asymmetry that two fits leave: by_gain with an asymmetry in proportion to the size (the gains of
+  // the directions differ), by_offset with a constant asymmetry (the zero is off).
   double const by_gain = (force.dd - gain * force.bd) / force.n,
                by_offset = (force.dd - force.d * force.d / force.n) / force.n;
   double peaks = 0.0, difference_of_peaks = 0.0;

@@ -10,7 +10,7 @@
 
 namespace isolaw::data {
 
-// A rise of the force, and with it of the stiffness, between two cycles of one amplitude that no rest separates.
+// A rise of the force, and so of the stiffness, between two cycles of the same amplitude without a rest between them.
 struct StiffnessRise {
   int from_cycle = 0, cycle = 0;
   double share = 0.0;        // the rise divided by the force before it
@@ -18,9 +18,9 @@ struct StiffnessRise {
 };
 std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& block);
 
-// A difference by a factor between the forces of the two directions, while displacement is symmetric.
+// A difference between the forces of the two directions, while displacement is symmetric.
 struct Asymmetry {
-  double ratio = 1.0;       // forces for positive displacement over those for negative displacement
+  double ratio = 1.0;       // forces for positive displacement / forces for negative displacement
   bool is_of_gain = false;  // the factor explains the difference three times as well as an offset does
 };
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block);
@@ -33,10 +33,10 @@ struct OffsetStep {
 enum class Along { displacement, force };
 std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, Along channel);
 
-// An oscillation of one frequency besides the motion. It is found as a line in the spectrum of `values` over the block,
-// at a frequency of ten times that of the test or more. The line must be over four times as high as every other line
-// within nine times the test's frequency, where lines of lower frequency count less. nullopt without time, or if
-// sampling is not uniform.
+// An oscillation of one frequency besides the motion. It is a line in the spectrum of `values` over the block, at ten
+// times the test's frequency or more. This line must be over four times as high as every line that is less than nine
+// times the test's frequency away; lines of lower frequency count less. nullopt without time, or if sampling is not
+// uniform.
 struct Hum {
   double amplitude = 0.0, frequency_Hz = 0.0;
   double rate_Hz = 0.0;            // samples a second

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double least_speed = 0.05;  // times the largest speed; slower samples are left out of the fit
 constexpr double least_exponent = 0.05, largest_exponent = 3.0;
-constexpr double most_left = 0.15;    // largest rms of log(measured / fitted force) with which a fit is accepted
-constexpr double hardly_stiff = 0.1;  // times the loop's mean half height; a smaller elastic force counts as none
-constexpr double opposed = 0.05;      // largest fraction of the samples in which the force may act with the motion
+constexpr double most_left = 0.15;    // a fit is accepted if the rms of log(measured / fitted force) is below this
+constexpr double hardly_stiff = 0.1;  // times the loop's mean half height; a smaller elastic force counts as zero
+constexpr double opposed = 0.05;      // in at most this fraction of the samples, the force may act along the motion
 constexpr double at_once = 0.97;      // least energy / (4 Q_d D) of a slider; it is 1 for a device that yields at once
 constexpr double least_friction = 0.002, largest_friction = 0.25;
 
 std::optional<ViscousSide> fitted_side(
-    std::vector<std::pair<double, double>> const& samples) {  // speed, force along it
+    std::vector<std::pair<double, double>> const& samples) {  // speed; force against the motion
   constexpr std::size_t fewest = 8;
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, count = 0.0, against = 0.0;
   for (auto const& [speed, force] : samples) {

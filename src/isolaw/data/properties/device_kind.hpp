@@ -16,9 +16,9 @@ namespace isolaw::data {
 // - The record has no time.
 std::optional<ViscousLaw> viscous_law(CycleView const& view, Cycle const& cycle);
 
-// The friction coefficient mu = Q_d / N and the radius R = N / K_d, if the loop is a slider's: its energy is 97 % or
-// more of that of a loop that yields at once, and its Q_d is friction of 0.2 to 25 % of the vertical load. nullopt
-// without the load. A slider without restoring stiffness has no R.
+// The friction coefficient mu = Q_d / N and the radius R = N / K_d of a slider; no R without restoring stiffness. A
+// loop is a slider's if its energy is at least 97 % of 4 Q_d D (the energy of a device that yields at once) and Q_d is
+// 0.2 to 25 % of the vertical load N. Returns nullopt for other loops and for records without the load.
 std::optional<Slider> slider(Cycle const& cycle);
 
 }  // namespace isolaw::data

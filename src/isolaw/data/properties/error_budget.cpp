@@ -19,20 +19,20 @@ namespace {
 constexpr double wanted_samples = 100.0;
 constexpr double most_jitter = 1.0;         // percent of the mean interval
 constexpr double most_disp_offset = 5.0;    // percent of the amplitude
-constexpr double most_force_offset = 10.0;  // percent of the amplitude; true loops of elastomers are a little uneven
+constexpr double most_force_offset = 10.0;  // percent of the amplitude; sound elastomers have slightly asymmetric loops
 constexpr double most_closure = 1.0;        // percent of twice the amplitude
 constexpr double most_drift = 1.0;          // percent of twice the amplitude
 constexpr double most_v_max_error = 5.0;    // percent
 constexpr double assumed_friction = 0.005;  // times the vertical load; typical of well kept sliding or rolling guides
-constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump may be the shape of a loop
+constexpr double least_jump = 0.04;         // times the force's amplitude; a smaller jump may be part of a loop's shape
 constexpr double most_friction_points = 1.0;
 constexpr double most_average_loss = 1.0;  // percent of the amplitude, at the test's frequency
 
 constexpr double most_hum = 1.0;         // percent of the amplitude
 constexpr double most_noise_bias = 1.0;  // percent of the amplitude
-// A peak force that differs by more than this fraction from the mean of its two neighbours is unlike them.
+// Limit for the difference between a peak force and the mean of the peaks in the two neighbouring cycles (a fraction).
 constexpr double unlike_between = 0.15;
-// The limit for the first and the last cycle compared, which have only one neighbour.
+// As unlike_between, for the first and the last cycle, which have only one neighbour.
 constexpr double unlike_beside = 0.2;
 constexpr double most_noise_scatter = 2.0;  // percent of the effective stiffness
 
@@ -147,14 +147,14 @@ class Assessment {
     locate(budget_.warnings, cycle());
   }
 
-  // Warns if the force of one cycle differs from that of its neighbours with the same amplitude: the force channel may
-  // have dropped out, or the device may have slipped.
+  // Warns if the force of one cycle differs from the force of its neighbours with the same amplitude: the force channel
+  // may have dropped out, or the device may have slipped.
   void unlike_their_neighbours() {
     for (auto const& block : properties_.blocks) {
       auto cycles = block.counted();
       bool const fails = properties_.failure && properties_.failure->blocks.front() == block.number;
-      // A loss of force has a warning of its own. In a one-sided loop, one of the two peak forces is near zero, so its
-      // ratio to that of another cycle means nothing.
+      // A loss of force has a warning of its own. In a one-sided loop, one of the two peak forces is near zero, so the
+      // ratio of two such forces means nothing.
       if (cycles.size() < 3 || fails || cycles.front()->one_sided) continue;
       cycles.erase(cycles.begin());  // leaves out the first cycle, in which rubber softens (scragging)
       Cycle const* oddest = nullptr;
@@ -205,8 +205,8 @@ class Assessment {
     if (!view_.time_s.empty()) budget_.warnings.back().numbers.push_back({"time_s", value_at(view_.time_s, index)});
   }
 
-  // Adds the effects of an oscillation. It may move the forces at both peaks, or the peaks themselves, by its
-  // amplitude. Over a cycle it neither adds energy nor takes any.
+  // Adds the effects of an oscillation of a channel. The oscillation may move the forces at both peaks, or the peaks of
+  // displacement, by its amplitude. Over a cycle it does not change the energy.
   void hum_of(std::span<double const> values, std::string const& what, std::string const& unit) {
     auto const found = hum(values, view_, *block_);
     if (!found) return;
@@ -236,7 +236,7 @@ class Assessment {
 
   void sampling() {
     double const samples = *properties_.samples_per_cycle;
-    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // rounded as it is printed
+    bool const few = std::round(10.0 * samples) / 10.0 < wanted_samples;  // rounded as in the report
     budget_.effects.push_back({"samples per cycle", samples, "", wanted_samples, few});
     bool const corners = block_->waveform == "triangle";
     double const energy = corners ? corner_loss_percent(samples) : energy_loss_percent(samples);
@@ -348,7 +348,7 @@ class Assessment {
          {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
   }
 
-  // The drop of force within 0.2 % of the amplitude around a reversal, less what the slope after the reversal explains.
+  // The drop of force within 0.2 % of the amplitude around a reversal, minus the drop that the slope after it explains.
   std::optional<double> jump(Cycle const& at, bool upper) const {
     auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
     double const sign = upper ? 1.0 : -1.0;
@@ -386,10 +386,10 @@ class Assessment {
     double const typical = jumps[jumps.size() / 2];
     double const force = (cycle().F_plus_kN - cycle().F_minus_kN) / 2.0;
     add("jump of force at reversals", typical, "kN");
-    // The jump must reach half its typical value at three quarters of the reversals. Noise alone does not do this.
+    // The jump must reach half its median at three quarters of the reversals, which noise alone does not achieve.
     Jump const found{.force_kN = typical,
                      .said = typical > least_jump * std::abs(force) && jumps[jumps.size() / 4] >= 0.5 * typical};
-    // in a slider, the friction of the device itself makes the force jump
+    // In a slider, the friction of the device itself makes the force jump.
     if (!found.said || properties_.slider) return found;
     double const points = friction_damping_points(typical / 2.0, cycle().K_eff_kN_per_mm, cycle().amplitude_mm);
     bool const exceeds = add(damping_by_jump, points, "points", most_friction_points);
@@ -409,8 +409,8 @@ class Assessment {
                                     {"percent", std::abs(percent(stiffness, cycle().K_eff_kN_per_mm))}});
   }
 
-  // Adds the drift of a channel's zero, from the middles of the block's cycles. Leaves out the first cycle, because in
-  // it the force of a device that softens is not symmetric.
+  // Adds the drift of a channel's zero, from the midpoints between the extremes of the block's cycles. Leaves out the
+  // first cycle, because the force of a device that softens is not symmetric there.
   void drift_of(std::string const& what, std::string const& unit, double amplitude, Along channel, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
@@ -532,8 +532,8 @@ double peak_loss_percent(double samples_per_cycle) {
   return 100.0 * (1.0 - std::cos(std::numbers::pi / samples_per_cycle));
 }
 
-// The mean of the largest noisy sample near a peak, less the peak. The largest of independent samples x_k + noise
-// exceeds v with probability 1 - product of Phi((v - x_k) / s), where s is the standard deviation of the noise.
+// Returns the mean of the largest noisy sample near a peak, minus the true peak. The largest of independent samples x_k
+// + noise exceeds v with probability 1 - product of Phi((v - x_k) / s), where s is the standard deviation of the noise.
 // Integration over v gives the mean. If samples are many, only every `weight`-th one is computed and counts `weight`
 // times.
 double peak_gain_mm(double noise_mm, double amplitude_mm, double samples_per_cycle) {

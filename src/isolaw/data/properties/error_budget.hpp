@@ -33,14 +33,14 @@ inline constexpr char const *damping_by_skew = "damping by skew", *damping_by_ju
 Budget error_budget(CycleView const& view, Properties const& properties, int smooth = 1);
 Budget error_budget(TestRecord const& record, Properties const& properties, int smooth = 1);
 
-// How much smaller, in percent, a value comes out because N samples are taken per cycle: the energy of a sinusoidal
-// loop, and the peak of a sine halfway between two samples.
+// How much too small, in percent, a value is if a cycle has N samples: the energy of a sinusoidal loop, and the peak of
+// a sine that lies halfway between two samples.
 double energy_loss_percent(double samples_per_cycle);  // 1 - N / (2 pi) sin(2 pi / N)
 double peak_loss_percent(double samples_per_cycle);    // 1 - cos(pi / N)
-// For a triangle, whose corner may lie between two samples, at most 2 / N of the peak is lost. A device whose force
-// changes at once when the motion turns loses the same part of its energy.
+// The corner of a triangle may lie between two samples; at most 2 / N of its peak is then lost. If a device's force
+// jumps when the motion turns, the same part of its energy is lost.
 double corner_loss_percent(double samples_per_cycle);
-// How much smaller, in percent, a moving average over `window` samples makes a sine.
+// By how much, in percent, a moving average over `window` samples reduces the amplitude of a sine.
 double average_loss_percent(int window, double samples_per_cycle);
 // How far the largest sample of a noisy sine lies beyond the true peak on average, for white noise of standard
 // deviation noise_mm.

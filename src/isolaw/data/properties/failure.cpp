@@ -14,22 +14,22 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double nearly_gone = 0.1;  // times the force of an earlier cycle; a cycle with less is dead
+constexpr double nearly_gone = 0.1;  // a cycle is dead if its force is below this fraction of an earlier cycle's
 constexpr double most_lost = 0.35;   // fraction of a peak force that no sound device loses from one cycle to the next
-constexpr double most_lost_first = 0.5;  // in place of most_lost after the first cycle: virgin rubber is stiffer there
-constexpr double clear_force = 0.3;      // times size_of(); a smaller peak force may change by any amount
-constexpr double same_amplitude = 1.05;  // ratio; a cycle is not compared with earlier cycles of larger amplitude
-constexpr double same_pace = 2.0;        // ratio of periods; the force of a viscous device depends on its pace
+constexpr double most_lost_first = 0.5;  // as most_lost, from the first cycle to the second: virgin rubber softens more
+constexpr double clear_force = 0.3;      // a peak force below this fraction of size_of() may change by any amount
+constexpr double same_amplitude = 1.05;  // a comparable earlier cycle has at most this many times the cycle's amplitude
+constexpr double same_pace = 2.0;        // periods of comparable cycles differ by at most this factor (viscous devices)
 
-// The size of a cycle's force: the larger of half the difference of its peak forces and half the mean height of its
-// loop. A device without stiffness has only the latter.
+// The size of a cycle's force: half the difference of its peak forces or, if that is larger, half the mean height of
+// its loop. Without stiffness, a device's peak forces do not differ.
 double size_of(Cycle const& cycle) {
   return std::max(std::abs(cycle.F_plus_kN - cycle.F_minus_kN) / 2.0,
                   std::abs(cycle.energy_kN_mm) / (4.0 * cycle.amplitude_mm));
 }
 
-// Whether two cycles have the same vertical load. A difference of up to half the range that the load has within a cycle
-// may be noise.
+// Whether two cycles have the same vertical load. A difference of up to half the load's range within a cycle may be
+// noise.
 bool alike_loaded(Cycle const& one, Cycle const& other) {
   if (!one.N_mean_kN) return true;
   double const a = *one.N_mean_kN, b = *other.N_mean_kN;
@@ -50,7 +50,7 @@ std::string name_of(Cycle const& cycle, std::span<double const> time_s) {
   return fmt::format("the uncounted cycle from {} on in block {}", from, cycle.block);
 }
 
-// The share of a peak force that is left from the cycle before: the smaller share of the two peaks.
+// Returns a cycle's peak force divided by the same peak force in the cycle before; the smaller ratio of the two peaks.
 double share_kept(Cycle const& before, Cycle const& cycle) {
   double least = 1.0;
   for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})
@@ -61,7 +61,7 @@ double share_kept(Cycle const& before, Cycle const& cycle) {
 // Whether the loop keeps its energy, so that only samples at a peak have dropped out. False for a nearly elastic
 // device, whose energy is too small to show this.
 bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
-  constexpr double elastic = 0.05;  // half the loop's mean height / size_of(); nearly elastic devices have less
+  constexpr double elastic = 0.05;  // half the loop's mean height / size_of(); it is smaller for nearly elastic devices
   bool const dissipates = std::abs(before.energy_kN_mm) > elastic * 4.0 * before.amplitude_mm * size_of(before);
   return dissipates && cycle.energy_kN_mm >= share * before.energy_kN_mm;
 }
@@ -69,7 +69,7 @@ bool keeps_energy(Cycle const& before, Cycle const& cycle, double share) {
 }  // namespace
 
 void find_failure(Properties& properties, std::span<double const> time_s) {
-  std::vector<Cycle*> cycles;  // the complete ones in order
+  std::vector<Cycle*> cycles;  // the complete cycles in order
   for (auto& block : properties.blocks)
     for (auto& cycle : block.cycles)
       if (!cycle.partial && !cycle.half && cycle.amplitude_mm > 0.0) cycles.push_back(&cycle);
@@ -81,11 +81,11 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   Cycle* dying = nullptr;  // the last counted cycle, if it lost a peak force but kept its energy
   double kept_of_dying = 1.0;
   constexpr std::size_t most_blocks = 100;  // a cycle is compared with at most this many earlier blocks
-  std::vector<Cycle const*> strongest;      // the cycle of largest force of each block so far
+  std::vector<Cycle const*> strongest;      // for each block so far, the cycle with the largest force
   for (auto* each : cycles) {
     auto& cycle = *each;
     auto const earlier = std::span(strongest).last(std::min(most_blocks, strongest.size()));
-    double left = 1.0;  // the cycle's force divided by that of an earlier cycle; the smallest of these ratios
+    double left = 1.0;  // smallest ratio of the cycle's force to the force of an earlier cycle
     Cycle const* stronger = nullptr;
     for (auto const* other : earlier)
       if (double const share = size_of(cycle) / size_of(*other); share < left && comparable(*other, cycle))
@@ -99,8 +99,8 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     double const share = follows ? share_kept(*before, cycle) : 1.0;
     double const least = 1.0 - (follows && before->number == 1 ? most_lost_first : most_lost);
     bool const drops = share < least, loses = drops && !keeps_energy(*before, cycle, least);
-    // The force may be lost just after a peak. This cycle then keeps most of its energy, and only the next cycle, which
-    // is dead, shows the loss.
+    // The force may be lost just after a peak. The cycle of this peak then keeps most of its energy, and only the next
+    // cycle, which is dead, shows the loss.
     if (fails == nullptr && is_dead && dying != nullptr && dying->block == cycle.block) {
       fails = dying;
       kept = kept_of_dying;
@@ -121,8 +121,8 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
     }
   }
   if (fails == nullptr) return;
-  // If the last cycle is dead, or if no cycle is, the force is lost from the failing cycle to the end of the record.
-  // Otherwise the force came back, and it is lost only in the dead cycles.
+  // If the last cycle is dead, or if no cycle is dead, the force is lost from the failing cycle to the end of the
+  // record. Otherwise the force came back, and it is lost only in the dead cycles.
   bool const for_good = dead.empty() || dead.back() == cycles.back();
   auto const where = name_of(*fails, time_s);
   auto& failure = properties.failure.emplace(

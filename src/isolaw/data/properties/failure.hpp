@@ -1,6 +1,6 @@
-// Finds the cycle in which a specimen, or the channel of its force, fails. A cycle fails if its force is much smaller
-// than in the cycle before it, or nearly gone compared with an earlier cycle under the same load, at a similar pace and
-// of no larger amplitude. A slow fall of the force over many cycles is heating or scragging, not a failure.
+// Finds the cycle in which a specimen, or its force channel, fails. A cycle fails if its force is much smaller than in
+// the cycle before it, or nearly gone compared with an earlier cycle under the same load, at a similar pace and of no
+// larger amplitude. A slow fall of the force over many cycles is heating or scragging, not a failure.
 #pragma once
 
 #include "isolaw/data/properties/properties.hpp"

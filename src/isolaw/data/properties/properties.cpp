@@ -23,11 +23,11 @@ namespace {
 // the peak.
 constexpr double least_samples_per_cycle = 20.0;
 constexpr std::size_t reported_cycle = 3;
-constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; energy below it may be rounding
-constexpr double noise_of_energy = 5.0;      // standard deviations of noise; energy below it may be noise
-constexpr double least_sweep = 1.2;          // largest over smallest period
-constexpr double most_steps = 0.8;           // in a sweep, this fraction of the changes of period have the same sign
-constexpr double same_shape = 0.05;          // rms difference over the amplitude; sine and triangle differ by 0.15
+constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; a negative energy no larger than this may be rounding
+constexpr double noise_of_energy = 5.0;      // standard deviations; a negative energy within them may be noise
+constexpr double least_sweep = 1.2;          // in a sweep, first and last period differ by more than this factor
+constexpr double most_steps = 0.8;           // at least this fraction of a sweep's periods change in its direction
+constexpr double same_shape = 0.05;          // largest rms difference / amplitude; sine and triangle differ by 0.15
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.
 struct Inside {
@@ -85,8 +85,8 @@ std::optional<double> at_level(std::span<double const> x, std::span<double const
   return std::nullopt;
 }
 
-// Half the loop's height at the displacement where the cycle starts and ends. Leaves out a start or end at which the
-// device rests or turns, because the force there is not on the loop.
+// Returns half the loop's height at the displacement where the cycle starts and ends. Does not use a start or end at
+// which the device rests or turns, because the force there is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
   if (cycle.half) {  // halfway between the turns, the distance of the force from the chord that joins them
     auto const halfway = at_level(x, F, cycle.first, cycle.last, (peaks.largest + peaks.least) / 2.0);
@@ -112,7 +112,7 @@ double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> 
       at_level(x, F, std::min(peaks.at_largest, peaks.at_least), std::max(peaks.at_largest, peaks.at_least), level);
   if (!inner) return 0.0;
   double const height = rises ? outer - *inner : *inner - outer;
-  constexpr double rounding = 1e-12;  // times the sum of the forces: rounding error of their difference
+  constexpr double rounding = 1e-12;  // times the sum of the two forces: the rounding error of their difference
   return std::abs(height) <= rounding * (std::abs(outer) + std::abs(*inner)) ? 0.0 : height / 2.0;
 }
 
@@ -151,7 +151,7 @@ void idealise(Cycle& cycle) {
   cycle.K_1_kN_per_mm = cycle.K_d_kN_per_mm + cycle.Q_d_kN / yield;
 }
 
-// Takes velocity over 1/25 of a cycle, which makes it 0.3 % too low for a sine. Velocity from one sample to the next
+// Computes velocities over 1/25 of a cycle, which are 0.3 % too low for a sine. Velocities from one sample to the next
 // would be worse: at 1 kHz, noise of 0.02 mm adds 30 mm/s.
 double largest_slope(Cycle const& cycle, CycleView const& view) {
   auto const peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
@@ -190,7 +190,7 @@ void add_load(Cycle& cycle, CycleView const& view) {
   cycle.N_max_kN = largest;
 }
 
-// The work of the force from the first sample to each sample. Between two tests of a device no work is done.
+// For each sample, the work of the force since the first sample. It does not change between two tests of a device.
 std::vector<double> work(CycleView const& view) {
   std::vector<double> sums(view.disp_mm.size());
   for (auto const& test : test_ranges(view.starts, view.disp_mm.size())) {
@@ -215,8 +215,8 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
   return cycle;
 }
 
-// Compares the displacement from one peak to the next with half a cosine (sine) and with a straight line (triangle). A
-// cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
+// Compares the displacement from one peak to the other with half a cosine ("sine") and with a straight line
+// ("triangle"). A cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
   if (cycle.half)  // the whole swing
@@ -259,15 +259,16 @@ void summarise(Block& block, CycleView const& view) {
   double const period = num::median_over(counted, [](Cycle const* c) { return *c->period_s; });
   if (period > 0.0) block.frequency_Hz = 1.0 / period;
   block.v_max_mm_s = num::median_over(counted, [](Cycle const* c) { return *c->v_max_mm_s; });
-  // The waveform is that of the middle cycle among the counted cycles without a hold, or among all if each has a hold.
+  // The waveform is that of the middle counted cycle without a hold or, if all have a hold, of the middle counted
+  // cycle.
   std::vector<Cycle const*> unheld;
   std::ranges::copy_if(counted, std::back_inserter(unheld), [](Cycle const* c) { return c->still_samples == 0.0; });
   auto const& shown = unheld.empty() ? counted : unheld;
   block.waveform = waveform(*shown[shown.size() / 2], view);
 }
 
-// Whether the period changes in one direction from cycle to cycle. In a test with steps of frequency it does not, since
-// most cycles have the period of the one before.
+// Whether the period changes in one direction from cycle to cycle. A test with steps of frequency is no sweep: most of
+// its cycles have the same period as the cycle before.
 bool is_sweep(std::span<Cycle const* const> cycles) {
   if (cycles.size() < 4 || !cycles.front()->period_s) return false;
   std::vector<double> steps;
@@ -302,8 +303,8 @@ struct Noise {
   double disp_mm = 0.0, force_kN = 0.0;
 };
 
-// Standard deviation that noise gives to a cycle's energy. An error of a force is multiplied by half the displacement
-// between the neighbouring samples, an error of a displacement by half the difference of their forces.
+// Standard deviation that noise gives to a cycle's energy. An error of a sample's force is multiplied by half the
+// displacement between its two neighbours, and an error of its displacement by half the difference of their forces.
 double noise_of_area(Cycle const& cycle, CycleView const& view, Noise const& noise) {
   double ways = 0.0, forces = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());
@@ -348,14 +349,13 @@ void discount(Block& block, std::string const& why) {
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
-  std::vector<std::pair<Block*, int>> taken;  // blocks and the numbers of their cycles
+  std::vector<std::pair<Block*, int>> taken;  // each block with the number of its impossible cycle
   bool any_sound = false;
   for (auto& block : properties.blocks) {
     auto const counted = block.counted();
     std::vector<Finding> why;
     for (auto at = counted.begin(); at != counted.end() && why.empty(); ++at) {
-      // the area of a true half cycle may be negative: if its force bends upwards, it lies below the chord on the way
-      // out
+      // A half cycle may truly have a negative area: a force that bends upwards lies below its chord on the way out.
       if ((*at)->half) continue;
       why = impossible(**at, view, noise, properties.viscous.has_value());
       if (why.empty()) continue;
@@ -411,8 +411,8 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     properties.reported = *reported;
 }
 
-// The blocks that a fault makes unusable: usually those in which it lies. But a channel without its sign is wrong in
-// the whole test, and wrong displacements may have cut the whole test into wrong blocks.
+// Returns the blocks that a fault makes unusable, usually those in which it lies. All blocks of the test are unusable
+// if a channel has lost its sign, or if a faulty displacement may have led to wrong blocks.
 std::vector<int> blocks_of(SignalFault const& fault, Properties const& properties, TestRange const& test) {
   std::vector<int> blocks;
   auto const longest = fault.longest();
@@ -433,7 +433,7 @@ std::vector<int> blocks_of(SignalFault const& fault, Properties const& propertie
   return blocks;
 }
 
-// Whether the loss of force also left a later block without counted cycles, although that block has no faulty signal.
+// Whether no cycle of a later block counts because the force is lost there, and not because a signal is faulty.
 bool fails_in_a_later_block(Properties const& properties) {
   auto const is_lost = [&](Cycle const& cycle) {
     return std::ranges::any_of(properties.lost, [&](auto const& samples) {
@@ -446,7 +446,7 @@ bool fails_in_a_later_block(Properties const& properties) {
   });
 }
 
-// Makes the cycles no longer count in the blocks in which a signal is faulty.
+// Stops counting the cycles of the blocks in which a signal is faulty.
 void take_out_faulty(Properties& properties, CycleView const& view) {
   if (properties.faults.empty()) return;
   auto const tests = test_ranges(view.starts, view.disp_mm.size());

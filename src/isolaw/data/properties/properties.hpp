@@ -14,9 +14,9 @@
 
 namespace isolaw::data {
 
-// A cycle with its properties. A partial cycle has the values that its samples give, and never counts. The loop of a
-// half cycle is closed by the chord between its ends; its energy is twice the area of this loop, and its period twice
-// its duration.
+// A cycle with its properties. A partial cycle has the values that follow from its samples, and never counts. The loop
+// of a half cycle is closed by the chord between its ends; its energy is twice the area of this loop, and its period
+// twice its duration.
 struct Cycle : CycleCut {
   double amplitude_mm = 0.0;  // D = (largest - smallest displacement) / 2
   double d_plus_mm = 0.0;     // largest and smallest displacement of a sample, and the forces there
@@ -28,14 +28,14 @@ struct Cycle : CycleCut {
   double K_minus_kN_per_mm = 0.0;
   double energy_kN_mm = 0.0;     // integral of F over d (trapezoidal rule), closed by a straight line
   double damping_percent = 0.0;  // energy / (2 pi K_eff D^2)
-  double closure_mm = 0.0;       // displacement at the end less that at the start of the cycle
+  double closure_mm = 0.0;       // displacement at the end minus displacement at the start of the cycle
   double closure_kN = 0.0;
   double Q_d_kN = 0.0;                  // half the loop's height where cycles are cut: (F rising - F falling) / 2
   double K_d_kN_per_mm = 0.0;           // K_eff - Q_d / D
-  std::optional<double> D_y_mm;         // yield displacement of the bilinear loop: D - energy / (4 Q_d), if in (0, D)
+  std::optional<double> D_y_mm;         // yield displacement of the bilinear loop: D - energy / (4 Q_d) if in (0, D)
   std::optional<double> K_1_kN_per_mm;  // first stiffness of the bilinear loop: K_d + Q_d / D_y
   // Displacement at which the force first comes to zero after the largest and after the smallest displacement; nullopt
-  // if it does not before the next peak or the end of the cycle.
+  // if it does not come to zero before the next peak or the end of the cycle.
   std::optional<double> residual_plus_mm, residual_minus_mm;
   // The values from here on depend on the record and not on the force of a law, so properties_on() leaves them as they
   // are.
@@ -63,23 +63,23 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
-// Two amplitudes count as equal if they differ by at most this fraction of the amplitude. When the block nearest to the
-// design is chosen, it is a fraction of the design displacement.
+// Two amplitudes count as equal if they differ by at most this fraction of the amplitude, or of the design displacement
+// when the block nearest to the design displacement is chosen.
 inline constexpr double same_nominal = 0.02;
 
 struct Block {
   int number = 0;                      // from 1
   double amplitude_mm = 0.0;           // amplitude, frequency and v_max are medians over the counted cycles
   std::optional<double> frequency_Hz;  // 1 / period, without rests and holds; nullopt in a sweep
-  // First and last frequency of the sweep to which the block belongs: its frequency changes from cycle to cycle.
+  // First and last frequency, if the block belongs to a sweep, in which the frequency changes from cycle to cycle.
   std::optional<std::pair<double, double>> sweep_Hz;
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
-  std::string fault;          // why none of its cycles counts, if a signal or loop in it cannot be true
+  std::string fault;          // why no cycle of the block counts, if a signal or loop in it cannot be true
   std::vector<Cycle> cycles;  // in order, with the cycles that do not count
 
   std::vector<Cycle const*> counted() const;
-  std::vector<Cycle const*> whole() const;  // the counted ones or, if none counts, all except partial ones
+  std::vector<Cycle const*> whole() const;  // the counted cycles or, if none counts, all complete ones
 };
 
 // F = F_0 + C |v|^alpha in one direction of motion, F = F_0 - C |v|^alpha in the other, with C in kN (s/mm)^alpha. F_0
@@ -88,7 +88,7 @@ struct ViscousSide {
   double C = 0.0, alpha = 0.0;
 };
 struct ViscousLaw {       // data/properties/device_kind.hpp
-  ViscousSide out, back;  // while displacement rises, and while it falls
+  ViscousSide out, back;  // for rising and for falling displacement
   double F_0_kN = 0.0, v_max_mm_s = 0.0;
 };
 struct Slider {  // data/properties/device_kind.hpp
@@ -98,29 +98,29 @@ struct Slider {  // data/properties/device_kind.hpp
 
 struct Properties {
   std::vector<Block> blocks = {};
-  // The third counted cycle of the block of largest amplitude, or the last if it counts fewer. If the amplitudes of two
-  // blocks differ by at most 2 %, the earlier block is taken. Empty if there is a refusal.
+  // The third counted cycle of the block of largest amplitude, or its last counted cycle if there are fewer. If the
+  // amplitudes of two blocks differ by at most 2 %, the earlier block is taken. Empty if there is a refusal.
   std::optional<Cycle> reported = {};
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal = {};
   bool is_false = false;  // the refusal is about a signal or a cycle that cannot be true
   // Set only for a TestRecord. A fault that lies outside all blocks has the word "outside" in its finding.
   std::vector<SignalFault> faults = {};
-  // Faults that make the cycles of some blocks not count, while the cycles of other blocks count. Empty if there is a
+  // Faults because of which no cycle of some blocks counts, while cycles of other blocks count. Empty if there is a
   // refusal.
   std::vector<Finding> faulty = {};
   std::optional<ViscousLaw> viscous = {};  // set for a device without stiffness: its K_eff and damping mean nothing
   std::optional<Slider> slider = {};
   std::optional<Finding> failure = {};  // force_lost: the cycle in which the force is suddenly lost
-  // Samples, first and last, in which the device has lost its force. The last is infinite if the force does not come
-  // back.
+  // Ranges of samples (first, last) in which the device has lost its force. The last sample is infinity if the force
+  // does not come back.
   std::vector<std::pair<double, double>> lost = {};
   std::optional<double> samples_per_cycle = {};  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                        // displacement at which cycles are cut
 
   Cycle const* find(int block, int number) const;  // nullptr if there is none
   std::vector<Cycle const*> counted() const;       // counted cycles of all blocks, in order
-  std::vector<Cycle const*> complete() const;      // all except partial ones, also if the record is not cyclic
+  std::vector<Cycle const*> complete() const;      // all cycles except partial ones, also if the record is not cyclic
   bool is_reported(Cycle const& cycle) const;
 };
 

@@ -15,7 +15,8 @@ namespace {
 constexpr std::array drawn{FindingKind::signal_spike, FindingKind::stiffness_rises, FindingKind::offset_steps,
                            FindingKind::hum, FindingKind::lag_grows};
 
-// A finding on one of several tests of a device has the times and blocks of that test alone, so it is not drawn.
+// Whether the finding is drawn. A finding with the word "part" is not, because it concerns one of several tests of a
+// device, and its times and blocks refer to that test alone.
 bool is_drawn(Finding const& finding) {
   return std::ranges::find(drawn, finding.kind) != drawn.end() && finding.word("part").empty();
 }
@@ -28,7 +29,7 @@ int block_of(Finding const& finding, Properties const& properties) {
   return !finding.blocks.empty() ? finding.blocks.front() : properties.reported ? properties.reported->block : 1;
 }
 
-// The channel with each spike replaced by the mean of its neighbours, so that no spike is in the mean loop.
+// The channel with each spike replaced by the mean of its neighbours, because a spike would distort the mean cycle.
 std::vector<double> without_spikes(std::span<double const> values, std::span<SignalFault const* const> spikes) {
   std::vector<double> result(values.begin(), values.end());
   for (auto const* fault : spikes)
@@ -37,7 +38,7 @@ std::vector<double> without_spikes(std::span<double const> values, std::span<Sig
   return result;
 }
 
-// The mean of the cycles at `size` + 1 phases, which divide a cycle into equal parts.
+// Returns the mean of the cycles at `size` + 1 phases that divide a cycle into equal parts.
 std::vector<double> mean_cycle(std::span<double const> values, std::span<Cycle const* const> cycles, std::size_t size) {
   std::vector<double> mean(size + 1);
   for (auto const* cycle : cycles)
@@ -49,8 +50,8 @@ std::vector<double> mean_cycle(std::span<double const> values, std::span<Cycle c
   return mean;
 }
 
-// A centred moving average over `width` parts of a mean cycle. Past its end it goes on at its start, because cycles
-// repeat.
+// A centred moving average over `width` parts of a mean cycle. Past the end of the cycle it goes on at the start,
+// because cycles repeat.
 std::vector<double> averaged(std::vector<double> const& cycle, std::size_t width) {
   auto const size = cycle.size() - 1;
   std::vector<double> result(size + 1);

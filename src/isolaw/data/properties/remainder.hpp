@@ -11,7 +11,7 @@
 namespace isolaw::data {
 
 struct Remainder {
-  bool of_force = true;  // else of displacement
+  bool of_force = true;  // whether the channel is the force; if not, it is displacement
   int block = 0;
   std::size_t first = 0;            // index of the sample to which values[0] belongs
   std::vector<double> values = {};  // kN or mm; NaN between cycles that do not follow one another

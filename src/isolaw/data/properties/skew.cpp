@@ -22,20 +22,20 @@ constexpr double wide = 0.08;            // fraction of a cycle on each side of 
 constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp loop is smooth in so short a part
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian; larger shifts are not tried
 constexpr int shifts = 41;
-constexpr std::size_t least_in_window = 12;  // samples in a window; twice the unknowns
-constexpr std::size_t most_samples = 400;    // samples in a window; a longer window is thinned
+constexpr std::size_t least_in_window = 12;  // fewest samples in a window: twice the number of unknowns
+constexpr std::size_t most_samples = 400;    // most samples in a window; a window with more is thinned
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;    // rms residual over the force's amplitude; a worse fit gives no skew
-constexpr double good_fit = 0.0012;   // as poor_fit, beyond the noise; in a worse fit the loop's shape may seem a delay
+constexpr double good_fit = 0.0012;   // as poor_fit, without noise; else the shape of the loop may look like a delay
 constexpr double least_late = 0.015;  // rad; a smaller delay is no skew
-constexpr double least_late_by_shape = 0.045;  // rad; limit for a loop that is too sharp to fit
+constexpr double least_late_by_shape = 0.045;  // rad; as least_late, for a loop that is too sharp to be fitted
 constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;  // a skew must exceed this many standard errors
-constexpr double by_chance = 0.001;      // fraction of records without skew that may seem late by chance
+constexpr double by_chance = 0.001;      // at most this fraction of records without skew may seem late by chance
 constexpr double most_agree = 0.75;      // fraction of the reversals that must agree
 constexpr double least_growth = 0.03;    // rad; a delay that changes by less within the test does not grow
-constexpr double most_apart = 0.004;     // rad; if the wide and narrow window's skews differ by less, they agree
+constexpr double most_apart = 0.004;     // rad; the wide and the narrow window agree if their skews differ by less
 constexpr double quiet = 0.0005;         // fraction of the amplitude; less noise needs no smoothing
 constexpr double too_noisy = 0.01;       // fraction of the amplitude; noisier records give no skew
 constexpr double smoothed_over = 0.06;   // fraction of a cycle on each side; smoothing over it takes 0.02 % off a sine
@@ -82,8 +82,8 @@ double residual(std::vector<Row>& rows, std::vector<double>& values) {
   return sum;
 }
 
-// Mean squared residual of the fit for one shift. Shifts displacement and not force, because interpolation would lower
-// the noise of the force.
+// Returns the mean squared residual of the fit for one shift. Shifts displacement and not force, because interpolation
+// would lower the noise of the force and so favour some shifts.
 double left_at(double shift, double window, Reversal const& reversal, CycleView const& view) {
   double const half = window * reversal.cycle;
   auto const begin = static_cast<std::size_t>(std::ceil(reversal.at - half));
@@ -106,7 +106,7 @@ struct Shift {
   double left = 0.0;  // rms residual over the force's amplitude
 };
 
-// The shift of least residual. nullopt if this shift is at the edge of the search, or if the fit is poor.
+// The shift with the smallest residual. nullopt if this shift is at the edge of the search, or if the fit is poor.
 std::optional<Shift> best_shift(double window, Reversal const& reversal, CycleView const& view,
                                 double force_amplitude) {
   double const farthest = farthest_shift * reversal.cycle;
@@ -158,7 +158,8 @@ double samples_of(Cycle const* cycle) {
   return cycle->last - cycle->first;
 }
 
-// Replaces each sample by the least-squares parabola through its neighbours. Leaves both ends as they are.
+// Replaces each sample by the value of a least-squares parabola through its neighbourhood. Leaves both ends as they
+// are.
 std::vector<double> smoothed(std::span<double const> x, std::size_t half) {
   std::vector<double> smooth(x.begin(), x.end());
   auto const h = static_cast<double>(half);
@@ -182,7 +183,7 @@ struct Sample {
   int block = 0, cycle = 0;
   double phase = 0.0;              // rad
   double late = 0.0;               // in s, or in samples without time
-  double left = 0.0, noise = 0.0;  // rms over the force's amplitude
+  double left = 0.0, noise = 0.0;  // rms residual of the fit and rms noise, both over the force's amplitude
   double samples = 0.0;            // number of samples in the window
 };
 

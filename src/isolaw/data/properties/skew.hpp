@@ -23,8 +23,8 @@ struct Skew {
   int reversals = 0;       // reversals that gave a value
   double interval = 0.0;   // longest mean sampling interval of a test, in the unit of force_late
   // The delay of each cycle in the block that contains the reported cycle; a cycle's delay is the median over its
-  // reversals. `growth` is how much the delay grows from the first of these cycles to the last, by a line fitted to the
-  // delays at all their reversals.
+  // reversals. `growth` is how much the delay grows from the first of these cycles to the last, according to a line
+  // through the delays at all their reversals.
   struct OfCycle {
     int number = 0;
     double late = 0.0;
@@ -33,14 +33,14 @@ struct Skew {
   double growth = 0.0, growth_uncertainty = 0.0;  // in the unit of force_late; uncertainty is two standard errors
   double growth_phase = 0.0;                      // the angle of `growth` in a cycle, rad
   int growth_reversals = 0;
-  bool is_followed = true;  // the fit misses only noise; if it misses more, a loop with sharp corners may seem late
+  bool is_followed = true;  // the residual is noise only; if it is larger, a loop with sharp corners may seem late
 
   // Whether the skew is real: most reversals agree, and it exceeds four standard errors (more if reversals are few) and
   // a limit. The shape of a loop alone can imitate a skew a little below this limit, which is 0.04 rad for an early
   // force and 0.015 rad for a late one. If is_followed is false, a late force must exceed both 0.045 rad and a sampling
   // interval, because the corners of a steep loop lie between samples.
   bool significant() const;
-  // Whether the delay changes by more than 0.03 rad and by more than chance brings about.
+  // Whether the delay changes by more than 0.03 rad and by more than it would by chance.
   bool grows() const;
 };
 

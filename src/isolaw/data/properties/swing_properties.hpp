@@ -11,13 +11,13 @@
 
 namespace isolaw::data {
 
-// Two neighbouring swings stand for a cycle. A pair is used if the mean of its half ranges is at least 0.8 times that
-// of the largest pair. The sums below are over both swings of every pair used, so a swing that belongs to two pairs
-// enters twice.
+// Two neighbouring swings stand for a cycle. A pair is used if the mean of its half ranges is at least 0.8 times the
+// mean of the largest pair. The sums below are over both swings of every pair used, so a swing that belongs to two
+// pairs enters twice.
 struct SwingProperties {
   std::size_t pairs = 0;
   double amplitude_mm = 0.0;     // mean of the half ranges
-  double force_kN = 0.0;         // sum of the change of force from turn to turn, positive along the motion
+  double force_kN = 0.0;         // sum of the changes of force from turn to turn, positive along the motion
   double energy_kN_mm = 0.0;     // sum of the area between force and chord, the straight line between the turns
   double K_kN_per_mm = 0.0;      // force_kN / sum of the ranges
   double damping_percent = 0.0;  // 100 energy / (pi K sum of the squared half ranges)

@@ -19,11 +19,11 @@ namespace isolaw::data {
 namespace {
 
 constexpr double usual_low = 0.3;        // fraction of the largest load: lower end of the usual range
-constexpr int usual_loading = 3;         // the loading that is used, or the last if there are fewer
+constexpr int usual_loading = 3;         // number of the loading that is used; the last if there are fewer
 constexpr double same_peak = 0.9;        // fraction of the largest load; a loading with a lower peak is ignored
 constexpr double reversal = 0.1;         // fraction of the load's range; a smaller reversal is noise or a hold
-constexpr double reached = 0.998;        // fraction of its peak at which a loading ends, before the held load creeps
-constexpr double near_range_end = 0.02;  // fraction of the upper load by which a machine may miss the range
+constexpr double reached = 0.998;        // a loading ends at this fraction of its peak, because the device creeps there
+constexpr double near_range_end = 0.02;  // a loading may miss the ends of the range by this fraction of the upper load
 struct Loading {
   std::size_t first = 0, last = 0;
 };
@@ -73,7 +73,7 @@ std::vector<double> running_mean(std::vector<double> const& x, std::size_t half)
   return averages;
 }
 
-// All loadings that nearly reach the largest load, also one in which the record ends. Ignores small reversals.
+// All loadings that nearly reach the largest load, also one that the record's end cuts off. Ignores small reversals.
 std::vector<Loading> all_loadings(std::vector<double> const& load) {
   auto const [least, largest] = std::ranges::minmax(load);
   double const step = reversal * (largest - least);
@@ -100,8 +100,8 @@ std::size_t counting_among(std::vector<Loading> const& loadings) {
   return std::min(static_cast<std::size_t>(usual_loading), loadings.size()) - 1;
 }
 
-// Averages both channels alike, which keeps the slope. Noise of 1 % would make the device look 2 to 7 % stiffer,
-// because the largest noisy load exceeds the true one and noisy samples cross a limit early.
+// Reduces noise by averaging both channels alike, which keeps the slope. Noise of 1 % would make a device look 2 to 7 %
+// stiffer, because the largest noisy load exceeds the true one and noisy samples cross a limit early.
 Compression without_noise(Compression compression) {
   auto const loadings = all_loadings(compression.load_kN);
   if (loadings.empty()) return compression;
@@ -133,7 +133,7 @@ struct Secant {
   double K_v() const { return (high.load_kN - low.load_kN) / (high.disp_mm - low.disp_mm); }
 };
 
-// The secant from the last time at the lower load to the first time at the upper load. So the creep of displacement
+// Returns the secant from the last instant at the lower load to the first instant at the upper load, so that creep
 // while a load is held has no effect.
 Secant secant_of(Compression const& c, Loading const& loading, LoadRange const& range) {
   auto const& load = c.load_kN;

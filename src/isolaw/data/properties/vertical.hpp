@@ -1,8 +1,8 @@
 // The vertical stiffness of a device from its compression test: K_v = F_v/d_v (NTC 2018, 11.9.7). It is the slope of
 // the secant between two loads of one loading, so the settling of joints below the lower load and the zero of
 // displacement have no effect. A test loads three times. The third loading is used, from 30 % to 100 % of its largest
-// load, as EN 15129 and ISO 22762-1 are commonly applied (neither text was at hand). `loads` gives another range, such
-// as 0.7 to 1.3 times the design load.
+// load, as EN 15129 and ISO 22762-1 are commonly applied (neither text was at hand). VerticalTest::loads can give
+// another range, such as 0.7 to 1.3 times the design load.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ std::string loads_text(LoadRange const& range);
 // A compression test: its record, or only its stiffness as stated by the user.
 struct VerticalTest {
   std::string file, sha256;
-  std::vector<double> disp_mm = {}, load_kN = {};  // as recorded, with any sign
+  std::vector<double> disp_mm = {}, load_kN = {};  // as recorded; the sign is arbitrary
   std::optional<LoadRange> loads = {};             // range for the stiffness; nullopt: the usual one
   std::optional<double> stated_kN_per_mm = {};     // stiffness stated by the user, without a record
   std::vector<Finding> recognised = {};            // choices made in reading

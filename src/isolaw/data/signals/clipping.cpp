@@ -17,20 +17,20 @@ namespace isolaw::data {
 namespace {
 
 // A plateau is a run of samples at the top (or bottom) of a channel that keep one level. The depth of a plateau is the
-// height of the peak that clipping would have cut off it. The half range of a channel is half the difference between
-// its largest and smallest value. The limits below say what a clipped channel looks like, and so which plateaus count.
+// height that clipping would have cut off the peak. The half range of a channel is half the difference between its
+// largest and smallest value. The limits below say which plateaus count as clipping.
 
-// Clipped displacement.
-constexpr std::size_t least_plateau = 3;   // fewest samples of a plateau of displacement; one of force has more
-constexpr std::size_t least_evidence = 9;  // fewest samples of all plateaus at one end of the channel together
+// Limits for clipped displacement:
+constexpr std::size_t least_plateau = 3;   // fewest samples of a plateau of displacement; a plateau of force has more
+constexpr std::size_t least_evidence = 9;  // fewest samples, in all plateaus together at one end of the range
 // The depth of a plateau exceeds this fraction of the half range of displacement.
 constexpr double least_depth = 0.001;
 // The depth exceeds this many steps of the digitiser, because rounding to these steps makes a plateau of a smooth peak.
 constexpr double depth_quanta = 2.5;
-// The samples of a plateau lie at most this many standard deviations of the channel's noise below its highest sample.
+// The samples of a plateau lie at most this many standard deviations of the noise below the channel's highest sample.
 constexpr double noise_width = 7.0;
-// The hump (see Plateau) of a noisy plateau is below this fraction of the hump of a smooth peak, which is
-// flat_thirds times the depth.
+// The hump (see Plateau) of a noisy plateau is below least_flatness times the hump of a smooth peak. The hump of a
+// smooth peak is flat_thirds times the depth.
 constexpr double least_flatness = 0.5;
 constexpr double flat_thirds = 0.197;
 // The device moves on beyond the plateau's level, so its force turns: Plateau::turn exceeds this fraction of the
@@ -42,19 +42,19 @@ constexpr double slower = 0.85;
 // The plateau lasts less than this fraction of half a cycle. A longer one may be a hold of the rig.
 constexpr double short_plateau = 0.24;
 
-// Clipped force.
+// Limit for clipped force:
 // The force stays level although displacement comes back from its peak by more than this fraction of the half range of
 // displacement.
 constexpr double past_the_tip = 0.006;
 
-// Clipped force in noise. All plateaus have one level in common, at which the force was clipped.
+// Limits for clipped force in noise. All plateaus have one level in common, at which the force was clipped.
 // A sample of a plateau lies at most this many standard deviations of the noise off the level.
 constexpr double top_deviations = 4.0;
-// Cut the way of displacement from a plateau's start to its peak into thirds: all plateaus together have at least so
-// many samples in each third.
+// The way of displacement from a plateau's start to its peak is cut into thirds. All plateaus together have at least
+// this many samples in each third.
 constexpr double least_third = 4.0;
-// The slope of force over displacement before a plateau is taken over a window of displacement. The window's length is
-// at most the first of these fractions of the half range of displacement, and more than the second.
+// The slope of force over displacement is taken in two adjacent windows of displacement before a plateau. A window's
+// length is at most most_window, and more than least_window, times the half range of displacement.
 constexpr double most_window = 0.2;
 constexpr double least_window = 0.01;
 // The depth exceeds this fraction of the half range of force.
@@ -64,14 +64,14 @@ constexpr double most_uneven = 0.15;
 // The mean force of a plateau is off the level by at most this fraction of the level, beyond what noise explains.
 constexpr double same_level = 0.002;
 // A clipped force stays level until displacement has come back from its peak by the depth divided by the slope after
-// the plateau. While on the plateaus, displacement comes back, on average, by more than this fraction of that distance.
+// the plateau. During the plateaus, displacement comes back, on average, by more than this fraction of that distance.
 constexpr double least_return = 0.12;
-// The force rises evenly up to a plateau: the slope in the second window before it is at most this many times the slope
-// in the window next to it. While a device yields, the slope falls.
+// The force rises evenly up to a plateau: the slope in the far window is at most this many times the slope in the
+// window next to the plateau. While a device yields, the slope falls.
 constexpr double most_bend = 1.5;
-// A plateau begins at a corner. Take three slopes: `before` in the second window, `near` in the window next to the
-// plateau and `flat` on it. At a corner near^2 / (before * flat) exceeds this number. Without a corner the slopes fall
-// by equal factors, and it is 1.
+// A plateau begins at a corner. There are three slopes: `before` in the far window, `near` in the window next to the
+// plateau and `flat` on the plateau. At a corner, near^2 / (before * flat) exceeds this number. Without a corner the
+// slopes fall by equal factors, and this ratio is 1.
 constexpr double least_corner = 5.0;
 
 // For clipped_force(): while the force stays level, displacement comes back by more than this fraction of its way from
@@ -132,8 +132,8 @@ class Clipping {
   }
 
   // A plateau of displacement, measured without its first and last sixth, in which the device may still move. `hump` is
-  // the mean displacement of the middle third less that of the outer thirds, and `turn` is this difference for the
-  // force. White noise of variance 1 gives each of them the variance `variance`.
+  // the mean displacement of the middle third minus the mean of the outer thirds, and `turn` is this difference for the
+  // force. White noise of variance 1 in a channel gives the difference the variance `variance`.
   struct Plateau {
     SampleRange run;
     double depth = 0.0, hump = 0.0, turn = 0.0, range = 0.0, variance = 0.0;
@@ -166,7 +166,7 @@ class Clipping {
       double fastest = 0.0;
       for (auto i = std::max(lag, first - std::min(first, pair_.half_cycle)); i < first; ++i)
         fastest = std::max(fastest, way(i));
-      // Ends one sample before the plateau: the step to its first sample may be cut short by the clipping.
+      // Uses only samples before the plateau, because clipping may shorten the step to the plateau's first sample.
       ratios.push_back(way(first - 1) / fastest);
     }
     return !ratios.empty() && num::median(std::move(ratios)) < slower;
@@ -180,7 +180,7 @@ class Clipping {
       auto const depth = depth_of(pair_.disp, sign, run);
       if (!depth || !(*depth > deep) || (!runs.empty() && runs.back().run.last >= run.last)) continue;
       auto const found = measure(sign, whole(sign, run), *depth);
-      // At an end of the record the device may rest.
+      // A plateau at an end of the record is left out, because the device may rest there.
       if (found.run.first == 0 || found.run.last + 1 == pair_.size()) continue;
       double const humped = least_flatness / 2.0 * flat_thirds * *depth;
       if (!exact && found.hump - 2.0 * pair_.disp.noise * std::sqrt(found.variance) > humped) continue;
@@ -204,8 +204,9 @@ class Clipping {
     double const length = mean([](Plateau const& plateau) { return static_cast<double>(plateau.run.size()); });
     bool const no_hold = length + 1.0 < short_plateau * static_cast<double>(pair_.half_cycle);
     bool const reversed = num::median_over(runs, &Plateau::range) > most_of_force * 2.0 * pair_.force.half_range;
-    // If noise hides a turn of the force, a short plateau still counts as clipped if the motion slows down before it,
-    // as in a sine, or if a noisy displacement becomes exactly constant. After a straight ramp it may be a hold.
+    // If noise hides a turn of the force, a short plateau still counts as clipped in two cases: if the motion slows
+    // down before it, as in a sine, or if a noisy displacement becomes exactly constant. After a straight ramp, the
+    // plateau may be a hold.
     bool const cut = no_hold && (slows_before(runs) || (exact && pair_.has_noise(pair_.disp)));
     if (!(reversed || (clear ? turn > wanted : cut))) return false;
     std::vector<std::size_t> first;
@@ -228,8 +229,8 @@ class Clipping {
     double const expected = into * (x(tip) - x(run.first)) / leaves;
     bool const told = expected > std::max(32.0 * pair_.disp.noise, 3.0 * pair_.disp.quantum);
     auto const later = std::min(tip + 6, pair_.size() - 1);
-    // False if displacement goes on rising after the plateau: the motion has not turned yet. Such a force may be that
-    // of a viscous device, which falls before the motion turns.
+    // False if displacement goes on rising after the plateau: the motion has not turned yet. This may be the force of a
+    // viscous device, which falls before the motion turns.
     bool const is_turn = x(run.last + 1) <= x(tip);
     return told && is_turn && run.last <= tip + 1 && x(tip) - x(later) < expected;
   }
@@ -246,8 +247,9 @@ class Clipping {
         return std::abs(pair_.force.x[to] - pair_.force.x[from]) /
                std::max(std::abs(pair_.disp.x[to] - pair_.disp.x[from]), 1e-6 * pair_.disp.half_range);
       };
-      // Two slopes before the plateau are compared, and the steeper one counts. The second one is that of the last
-      // step, in which a yielding device may rise to its plateau. Clipping never makes this step steeper.
+      // The steeper of two slopes before the plateau counts. One ends at the last sample before the plateau. The other
+      // is the step from there to the plateau: a yielding device may rise to its plateau in this step, and clipping
+      // never makes the step steeper.
       into.push_back(std::max(slope(run.first - reach, run.first - 1), slope(run.first - 1, run.first)));
       double const leaves = std::max(slope(run.last, run.last + reach), 1e-12);
       ratios.push_back(into.back() / leaves);
@@ -290,9 +292,9 @@ class Clipping {
     std::vector<std::size_t> first;
     std::size_t longest = 0;
     // All numbers below are sums over the plateaus. Displacement is in mm and force in kN, both positive towards the
-    // plateaus. The way of displacement from a plateau's start to its peak, and from there back to the plateau's end:
+    // plateaus. Way of displacement from a plateau's start to its peak, and from there back to the plateau's end.
     double way = 0.0, returned = 0.0;
-    // The rise of force over a way of `window` in displacement: with the slope in the second window before a plateau
+    // The rise of force over a way of `window` in displacement: with the slope in the far window before a plateau
     // (`rise_before`), and with the slope in the window next to the plateau (`rise`).
     double rise_before = 0.0, rise = 0.0, window = 0.0;
     // Rise of force, and way of displacement, over the step to a plateau's first sample.
@@ -319,8 +321,8 @@ class Clipping {
     return level;
   }
 
-  // The plateaus in which the force is above `low`. Noise may move one or two samples below it, so these do not end a
-  // plateau.
+  // Returns the plateaus in which the force is above `low`. One or two samples below `low` may be noise and do not end
+  // a plateau.
   std::vector<SampleRange> tops_of(double sign, double low) const {
     constexpr std::size_t bridged = 2;
     std::vector<SampleRange> runs;
@@ -353,7 +355,7 @@ class Clipping {
     tops.longest = std::max(tops.longest, run.size());
     tops.way += way;
     tops.returned += std::max(0.0, x(tip) - x(run.last));
-    // Takes the corner halfway between two samples, so that coarse sampling does not change the slope before a plateau.
+    // Assumes the corner halfway between two samples, so that coarse sampling does not bias the slope before a plateau.
     double const corner = (x(run.first) + x(run.first - 1)) / 2.0;
     tops.rise += (level - top_deviations * noise - y(near)) / std::max(corner - x(near), window / 4.0) * window;
     tops.rise_before += (y(near) - y(far)) / (x(near) - x(far)) * window;
@@ -377,8 +379,8 @@ class Clipping {
     if (std::abs(sum) > top_deviations * noise * std::sqrt(count) + same_level * level * count) tops.off_level += 1.0;
   }
 
-  // Finds a clipped force whose noise hides that its level is exact. Such a force reaches its level at a corner, keeps
-  // that level beyond the reversal of motion and then drops more steeply than the force of a yielding device.
+  // Finds a clipped force if noise hides that its level is constant. A clipped force reaches its level at a corner,
+  // keeps this level beyond the reversal of motion and then drops more steeply than the force of a yielding device.
   void clipped_force_in_noise(double sign) {
     for (double const wider : {1.0, 3.0}) {
       double const noise = wider * std::hypot(pair_.force.noise, 0.3 * pair_.force.quantum);

@@ -1,5 +1,5 @@
 // Finds channels that an amplifier or converter cuts off at its limit. Such a channel keeps one level while the other
-// channel goes on. The level is exact, or noisy if noise is added after the clipping.
+// channel goes on. The level is exactly constant, or noisy if the noise enters the channel after the clipping.
 #pragma once
 
 #include <vector>

@@ -14,15 +14,15 @@ namespace {
 
 // The outline of a record (see Trace) has this many values of force from one pass to the next.
 constexpr std::size_t outline_points = 16;
-// A record with fewer passes is not compared; passes after the most are not looked at.
+// A record with fewer than fewest_passes is not compared. Only the first most_passes of a record are used.
 constexpr std::size_t fewest_passes = 4, most_passes = 64;
-// The noises of two records are compared at this number of samples.
+// The noises of two records are compared at this many samples: at least the first number, at most the second.
 constexpr std::size_t fewest_compared_samples = 64, most_compared_samples = 4096;
 // One outline is fitted as a factor times the other plus an offset. The two are alike if the rms error of this fit is
 // below this fraction of the standard deviation of force along the outline.
 constexpr double outlines_alike = 0.03;
-// All forces of one record are fitted to those of the other in the same way. If the rms error of this fit is below this
-// fraction of the standard deviation of force, the records differ by rounding only.
+// In the same way, all forces of one record are fitted to the forces of the other. If the rms error of this fit is
+// below this fraction of the standard deviation of force, the records differ by rounding only.
 constexpr double rounding_apart = 1e-4;
 // Two records have the same noise if their noises correlate in step more than this many times as strongly as out of
 // step.
@@ -82,8 +82,8 @@ Line fit_line(std::span<double const> x, std::span<double const> y) {
   return {factor, mean_y - factor * mean_x, std::sqrt(std::max(0.0, 1.0 - factor * xy / yy))};
 }
 
-// By how many passes `other` must be moved along `one` so that their outlines agree best; nullopt if they agree
-// nowhere.
+// Returns by how many passes `other` must be moved along `one` for the best agreement of their outlines; nullopt if the
+// outlines agree nowhere.
 std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   auto const n = static_cast<std::ptrdiff_t>(one.passes.size()), m = static_cast<std::ptrdiff_t>(other.passes.size());
   std::optional<std::ptrdiff_t> best;
@@ -120,8 +120,8 @@ std::vector<double> noise_of(std::span<double const> y, std::size_t stride) {
   return noise;
 }
 
-// Subtracts the part of the force's noise that follows from the noise of the displacement. Tests with the same motion
-// share that part.
+// Subtracts the part of the force's noise that follows from the noise of the displacement, because different tests with
+// the same motion may share this part.
 void take_off(std::vector<double>& noise, std::span<double const> of_disp) {
   double xx = 0.0, xy = 0.0;
   for (std::size_t i = 0; i < noise.size(); ++i) xx += of_disp[i] * of_disp[i], xy += noise[i] * of_disp[i];
@@ -171,7 +171,7 @@ std::vector<double> left_of(std::span<double const> y, std::span<double const> x
   return left;
 }
 
-// The number of samples by which `one` must be moved on to agree best with `other`, by one Gauss-Newton step.
+// Estimates, by one Gauss-Newton step, by how many samples `one` must be moved on to agree best with `other`.
 double shift_between(std::span<double const> one, std::span<double const> other) {
   std::vector<double> slope(one.size());
   for (std::size_t i = 1; i + 1 < one.size(); ++i) slope[i] = 0.5 * (one[i + 1] - one[i - 1]);
@@ -201,8 +201,8 @@ Trace trace_of(TestRecord const& record) {
   if (record.size() < fewest_compared_samples) return trace;
   find_passes(trace);
   if (trace.passes.empty()) return trace;
-  // A test usually has this many samples from one pass to the next. In a record with more, neighbouring samples share
-  // noise, so only every `stride`th sample is compared.
+  // A test usually has this many samples from one pass to the next. In a record with more samples, neighbouring samples
+  // share noise, so only every `stride`th sample is compared.
   constexpr double usual_samples = 64.0;
   trace.stride = std::max<std::size_t>(1, static_cast<std::size_t>(trace.samples_per_pass() / usual_samples));
   trace.noise = noise_of(trace.force, trace.stride);
@@ -231,7 +231,7 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const passes = std::span(other.passes).subspan(first, count);
   auto const own_passes = std::span(one.passes).subspan(from, count);
   auto scale = fit_line(passes, own_passes);
-  // A factor so close to 1 differs from 1 only by noise at the passes: both records have the same time scale.
+  // A factor this close to 1 differs from 1 only because noise moves the passes: both records have the same time scale.
   if (std::abs(scale.factor - 1.0) < 0.005)
     scale = {.offset = num::moments(own_passes).mean - num::moments(passes).mean};
   auto const index = [&](double instant) { return std::ranges::lower_bound(other.time, instant) - other.time.begin(); };
@@ -244,7 +244,7 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   auto const time = picked(other.time), force = picked(other.force), noise = picked(other.noise);
   if (time.size() < fewest_compared_samples) return false;
   double const interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  // The values of a signal of `one` at the times of `other`, which are first moved on by `shift` sampling intervals.
+  // Returns the values of a signal of `one` at the times of `other` plus `shift` sampling intervals.
   auto const laid = [&](std::vector<double> const& signal, double shift) {
     std::vector<double> values;
     std::size_t hint = 0;
@@ -259,17 +259,17 @@ bool is_altered_copy(Trace const& one, Trace const& other) {
   if (!(std::abs(shift) < 2.0)) return false;
   auto const own_force = laid(one.force, shift);
   auto const line = fit_line(own_force, force);
-  // Two devices may have forces that differ by a factor. So in records without noise, such as computed ones, only an
-  // equal force shows a copy.
+  // The forces of two devices may differ by a mere factor. In records without noise, such as computed ones, only equal
+  // forces therefore show a copy.
   if (line.error < rounding_apart && std::abs(line.factor - 1.0) < rounding_apart) return true;
   auto const left = left_of(force, own_force, line);
   if (root_mean_square(left) > root_mean_square(noise) && !is_white(left)) return false;
-  // If the records have different sampling, the noise of both is computed from values at the same instants.
+  // If the records have different sampling, the noise of `one` is computed from its values at the instants of `other`.
   bool const same_sampling = finer < 1.1;
   double const cycle = 2.0 * (passes.back() - passes.front()) / static_cast<double>(count - 1) / interval;
   auto const own = same_sampling ? laid(one.noise, shift) : noise_of(own_force, 1);
   if (is_same_noise(own, noise, cycle)) return true;
-  // If one force is so noisy that the noise of the other cannot show in it, the displacement decides.
+  // If one force is so noisy that the noise of the other cannot be seen in it, the noise of the displacements decides.
   double const quieter = line.factor * root_mean_square(own) / root_mean_square(noise);
   if (std::min(quieter, 1.0 / quieter) * std::sqrt(static_cast<double>(noise.size())) > 2.0 * noise_stands_out)
     return false;

@@ -1,6 +1,6 @@
 // Finds a record that was made from another one: scaled, with noise added, thinned, resampled or shifted in time.
 // Method: a pass is an instant at which the displacement passes through the middle of its range. The passes bring both
-// records to one time scale. If the forces then agree but for a factor and an offset, the noise decides. A copy
+// records to one time scale. If the forces then agree except for a factor and an offset, the noise decides. A copy
 // contains the noise of the original, so the noises of the two correlate in step and not out of step; the noises of two
 // tests do not correlate. If much noise was added to the force alone, the noise of the displacement decides in the same
 // way. docs/records.md says how many copies are found.
@@ -31,7 +31,7 @@ struct Trace {
 };
 Trace trace_of(TestRecord const& record);
 
-// Whether one of the two was made from the other. False if there is too little to compare: fewer than four passes.
+// Whether one of the two records was made from the other. False if one has fewer than four passes, too few to compare.
 bool is_altered_copy(Trace const& one, Trace const& other);
 
 // Whether two records have the same samples or, if neither has any, the same file.
@@ -39,7 +39,8 @@ bool is_same_record(TestRecord const& one, TestRecord const& other);
 // If there are more records than this, only identical ones are looked for, because the time to find altered copies
 // grows with the square of the number of records.
 inline constexpr std::size_t most_compared = 1000;
-// Groups of two or more records, as rising indices, that are the same as the first of the group or were made from it.
+// Returns groups of two or more records, as rising indices. Each other record of a group equals its first record, or
+// one of these two was made from the other.
 std::vector<std::vector<std::size_t>> groups_of_copies(std::span<TestRecord const* const> records);
 
 }  // namespace isolaw::data

@@ -76,15 +76,15 @@ void remove_skew(TestRecord& record, double skew_s) {
        {{"skew_ms", 1000.0 * skew_s}, {"dropped_samples", static_cast<double>(dropped)}});
 }
 
-// Friction changes its sign at sample `at`, near a peak of displacement. Exactly at this sample, friction keeps the
-// sign that it had before if `there` is 1, and is zero if `there` is 0.
+// Friction changes its sign at sample `at`, near a peak of displacement. `there` is 1 if friction still has its old
+// sign at this sample, and 0 if it is zero there.
 struct Turn {
   std::size_t at;
   double there;
 };
 
-// The sample of the peak is uncertain, since displacement hardly changes near it. Friction is assumed to turn at the
-// sample at which the force without friction is clearly smoothest.
+// The sample of the peak is uncertain, because displacement hardly changes near it. Friction is assumed to change its
+// sign where the force without friction is then smoothest, or at the peak if no other sample is clearly better.
 Turn turn_about(std::size_t peak, double approach, std::vector<double> const& force,
                 std::vector<double> const& friction) {
   constexpr std::size_t reach = 2;

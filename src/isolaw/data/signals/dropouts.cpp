@@ -11,18 +11,18 @@ namespace {
 
 // A dropout has at least this many samples. A shorter one is left to the search for spikes.
 constexpr std::size_t fewest_gone = 3;
-// The channel jumps into a dropout and out of it. Each of the two jumps is larger than all of the next four limits. The
-// half range of a channel is half the difference between its largest and smallest value.
+// The channel jumps into a dropout and out of it. Each of the two jumps exceeds all of the next four limits. The half
+// range of a channel is half the difference between its largest and smallest value.
 constexpr double least_gone = 0.1;        // this fraction of the channel's half range
 constexpr double gone_deviations = 10.0;  // this many standard deviations of the channel's noise
 constexpr double gone_quanta = 4.0;       // this many steps of the channel's digitiser
 constexpr double gone_steps = 4.0;        // this many times the largest step between samples just before or after it
 // During a dropout the other channel of the device moves by more than this fraction of its own half range.
 constexpr double other_goes_on = 0.002;
-// The other channel does not jump too: its largest jump, divided by its half range, is at most this fraction of the
-// jump of the first channel, divided by that channel's half range. If both channels jump, the device itself has moved.
+// If both channels jump, the device itself has moved. So at a dropout, the other channel's jump / its half range is at
+// most this fraction of the jump / half range of the channel with the dropout.
 constexpr double other_jumps = 0.3;
-// If more than this fraction of all samples lies in dropouts, none is reported: they then seem to belong to the signal.
+// If more than this fraction of all samples lies in dropouts, none is reported: they seem to belong to the signal.
 constexpr double most_gone = 0.15;
 
 struct Size {
@@ -78,8 +78,7 @@ class DropoutSearch {
     double const step = std::max(largest_step(x_, run.first > reach ? run.first - reach : 0, run.first),
                                  largest_step(x_, run.last + 1, run.last + 1 + reach));
     if (!(jump > gone_steps * step)) return false;
-    // After a dropout, the channel must go on at a value that it can reach at its usual speed in the time of the
-    // dropout.
+    // After a dropout, the channel must have a value that it could reach at its usual speed during the dropout.
     double const way = std::abs(x_[run.last + 1] - x_[run.first - 1]);
     if (way > 2.0 * step * static_cast<double>(count + 1) + gone_deviations * own_.noise) return false;
     for (auto const i : {run.first, run.last + 1})

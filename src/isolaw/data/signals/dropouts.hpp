@@ -12,11 +12,11 @@ namespace isolaw::data {
 struct Dropout {
   SampleRange samples;
   double level = 0.0;                // the channel's value during the dropout, in the channel's unit
-  double before = 0.0, after = 0.0;  // its values at the samples just before and after the dropout
+  double before = 0.0, after = 0.0;  // the channel's values at the samples just before and after the dropout
 };
 
-// Whether the other channel must move during a dropout. It must if the searched channel is a force, because a force may
-// truly vanish while the device rests.
+// Whether the other channel must move during a dropout, or may also stand still. It must move if dropouts of a force
+// are searched, because a force may truly vanish while the device rests.
 enum class Other { moves, may_stand };
 // bridged() draws a straight line across each dropout. docs/properties.md has the rates of missed and false dropouts.
 std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);

@@ -22,7 +22,7 @@ constexpr double one_signed = 0.02;
 // At a peak of displacement, the sign of a force counts only if the force exceeds this fraction of the largest force.
 constexpr double clear_force = 0.3;
 // A stage (a part of the test with one amplitude) is also searched for faults by itself if the half range of its
-// displacement is below this fraction of that of the whole record.
+// displacement is below this fraction of the whole record's half range.
 constexpr double small_stage = 0.5;
 
 SignalFault without_sign(std::string channel, std::string_view unit, std::vector<std::size_t> samples,
@@ -68,17 +68,17 @@ std::vector<SignalFault> rectified_channels(SignalPair const& pair) {
   return {};
 }
 
-// Finds a force that leaves its range at one end and comes in at the other: it jumps by most of its range at least
-// twice while the motion goes on, and back. The force of friction jumps only where the motion turns or starts.
+// Finds a force that leaves its range at one end and comes in at the other. While the motion goes on, it jumps by most
+// of its range, at least twice and both ways. A friction force jumps only where the motion turns or starts.
 std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
-  // A force that wraps jumps by more than the first of these fractions of its range (largest minus smallest force). Its
-  // steps just before and after the jump are below the second.
+  // A force that wraps jumps by more than least_jump times its range (largest minus smallest force). Its steps just
+  // before and after the jump are below most_step times its range.
   constexpr double least_jump = 0.8, most_step = 0.1;
   // The motion goes on: within `lag` samples before the jump, and after it, displacement moves by more than this
   // fraction of its range.
   constexpr double least_way = 0.005;
-  // The force has a trend against which it jumps: within `lag` samples before and after the jump together, it changes
-  // by more than this fraction of its range.
+  // The force has a trend, and jumps against it. The trend is the change of force over `lag` samples before the jump
+  // and `lag` samples after it; it exceeds this fraction of the force's range.
   constexpr double least_trend = 0.005;
   constexpr std::size_t lag = 3;
   auto const &x = pair.disp.x, &F = pair.force.x;
@@ -106,7 +106,7 @@ std::vector<SignalFault> wrapped_force(SignalPair const& pair) {
       {.kind = FaultKind::wrapped, .channel = "force", .samples = std::move(samples), .finding = std::move(finding)}};
 }
 
-// After a stage was searched by itself: makes the sample numbers of its fault count from the start of the record.
+// Converts the sample numbers of a fault that was found in a stage: afterwards they count from the start of the record.
 void shift(SignalFault& fault, std::size_t by) {
   for (auto& sample : fault.samples) sample += by;
   for (auto& number : fault.finding.numbers)

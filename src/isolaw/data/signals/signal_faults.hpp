@@ -1,5 +1,5 @@
-// Finds signals that cannot be true. Whatever is computed from such a signal is wrong, so a block of cycles in which
-// it lies has no properties. A stage that is much smaller than the record is also searched by itself, on its own scale.
+// Finds signals that cannot be true. Results from such a signal are wrong, so a block of cycles with a fault has no
+// properties. A stage that is much smaller than the record is also searched by itself, on its own scale.
 // docs/properties.md has the limits and rates of error. A plateau of displacement is a hold if the force only relaxes
 // during it, faster at first than later. It is clipping if the force goes on rising during it and then turns. A plateau
 // of force is yielding if it ends at the motion's reversal, and clipping if it lasts longer. Steps of a coarse

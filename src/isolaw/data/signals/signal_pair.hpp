@@ -11,8 +11,8 @@ namespace isolaw::data {
 
 // Two values of a channel are equal if they differ by less than this fraction of its range (largest minus smallest).
 inline constexpr double same_value = 1e-9;
-// In a hold of displacement the force may relax, but by less than this fraction of the force's range. If the force
-// changes by more while displacement stands still, the displacement signal is faulty.
+// During a hold of displacement the force may relax, but by less than this fraction of its range. If the force changes
+// by more while displacement stands still, the displacement signal is faulty.
 inline constexpr double most_of_force = 0.6;
 struct SampleRange {
   std::size_t first = 0;
@@ -20,7 +20,7 @@ struct SampleRange {
   std::size_t size() const { return last - first + 1; }
 };
 
-// One channel, with its spikes replaced by what their neighbours suggest. All numbers are in mm, or in kN.
+// One channel. Each spike is replaced by the value that its neighbours suggest. All numbers are in mm, or in kN.
 struct Signal {
   std::vector<double> x;
   double half_range = 0.0;  // half the difference between the largest and the smallest value

@@ -8,7 +8,8 @@
 namespace isolaw::data {
 namespace {
 
-// Stores the rounding error of each sum too, so that the difference of two sums stays exact after a million samples.
+// Sums of the first values. Also stores each sum's rounding error, so that differences stay exact after a million
+// samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {
@@ -55,7 +56,8 @@ std::vector<double> central_difference(std::vector<double> const& time_s, std::v
     double const after = interval(i);
     return (before * slope(i) + after * slope(i - 1)) / (before + after);
   };
-  // The rate at each end follows from the next rate, because a parabola's chord has the mean of the slopes at its ends.
+  // The rate at each end follows from the next rate: the slope of a parabola's chord is the mean of its slopes at the
+  // ends.
   std::vector<double> rate;
   rate.reserve(size);
   rate.push_back(2.0 * slope(0) - central(1));

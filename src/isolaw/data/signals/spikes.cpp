@@ -17,21 +17,21 @@ namespace {
 constexpr double least_spike = 0.04;
 constexpr double spike_deviations = 13.0;
 constexpr double spike_quanta = 2.5;
-// A spike is also farther from the cubic than this times the rms distance of the neighbours from it. Samples at corners
-// of a signal reach 7.4 times, those at steps 5.6 times this rms distance.
+// A spike is also farther from the cubic than this number times the rms distance of its neighbours from the cubic.
+// Samples at corners of a signal reach 7.4 times this rms distance, and samples at steps 5.6 times.
 constexpr double spike_contrast = 10.0;
-// Near an end of the record, where most neighbours lie on one side, spike_contrast is multiplied by this.
+// Near an end of the record, where most neighbours lie on one side, spike_contrast is multiplied by this number.
 constexpr double edge_contrast = 2.0;
 // A sample is no spike if it lies on the line through the two samples before it, or after it: its distance from that
 // line is below this fraction of its distance from the cubic.
 constexpr double on_one_side = 0.5;
-// In a rough signal many samples look like spikes: more than 24, and more than one in 75. The largest 24, or one in 75,
-// are then set aside, and a fault must exceed the largest of the others by a quarter.
+// In a rough signal many samples look like spikes: more than 24, and more than one in 75. The largest 24 of them (or
+// one in 75) are then set aside, and a fault must exceed the largest of the remaining ones by a quarter.
 constexpr double beyond_others = 1.25;
 constexpr std::size_t fewest_others = 24;
 constexpr std::size_t samples_an_other = 75;
-// If more than 6 samples, and more than one in 150, are found to be spikes, they are part of the signal, and none is
-// reported as a fault.
+// If more than 6 samples, and more than one in 150, are found to be spikes, they are taken as part of the signal, and
+// none is reported.
 constexpr std::size_t fewest_texture = 6;
 constexpr std::size_t samples_a_spike = 150;
 
@@ -97,7 +97,7 @@ double ordinary_half_range(std::span<double const> x) {
 double smallest_step(std::span<double const> x, double range) {
   std::vector<double> sorted(x.begin(), x.end());
   std::ranges::sort(sorted);
-  // Values that differ by less than this fraction of `range` are equal: their difference is a rounding error.
+  // Values that differ by less than this fraction of `range` count as equal: such a difference is a rounding error.
   constexpr double no_step = 1e-9;
   double least = range;
   for (std::size_t i = 1; i < sorted.size(); ++i)
@@ -116,7 +116,7 @@ std::vector<Spike> spikes(std::span<double const> values) {
   // For each sample that looks like a spike, even a small one: its distance from the cubic through its neighbours.
   std::vector<double> others;
   for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-    // A cheap test spares the fit for most samples, which lie between their neighbours.
+    // This cheap test avoids the fit for most samples, which are close to the mean of their two neighbours.
     if (std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2.0) <= least / 4.0) continue;
     auto const neighbours = neighbours_of(values, i);
     double const off = std::abs(values[i] - neighbours.expected);
@@ -140,7 +140,8 @@ std::vector<Spike> spikes(std::span<double const> values) {
     auto const alike = std::ranges::count(found, spike.value, &Spike::value);
     auto const all = static_cast<std::ptrdiff_t>(found.size());
     if (alike >= static_cast<std::ptrdiff_t>(fewest_texture) && alike >= all - all / 10) return found;
-    // If there is a fixed value, at most a tenth of the spikes have another one, so one spike more than that is tried.
+    // If there is a fixed value, at most a tenth of the spikes have another one. So trying one spike more than that
+    // suffices.
     if (&spike - found.data() > all / 10) break;
   }
   auto const most = std::max(fewest_texture, values.size() / samples_a_spike);

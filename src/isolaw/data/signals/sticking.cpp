@@ -14,7 +14,7 @@ namespace {
 // A stretch is a run of samples in which a channel keeps one value. The channel may be stuck there, or the device may
 // rest. The half range of a channel is half the difference between its largest and smallest value.
 constexpr std::size_t least_stretch = 4;  // fewest samples of a stretch
-// The missed motion is the way that displacement would have gone during the stretch at its speed before or after it. If
+// The missed motion is the way that displacement would have gone in the stretch at its speed before or after it. If
 // displacement is stuck, this way exceeds least_missed times its half range and missed_quanta steps of its digitiser.
 constexpr double least_missed = 0.02;
 constexpr double missed_quanta = 4.0;
@@ -23,7 +23,7 @@ constexpr double least_jump = 2.0;
 // If displacement is stuck, the force changes during the stretch by more than this fraction of the stiffness times the
 // missed motion.
 constexpr double least_advance = 0.1;
-// If more than this fraction of the samples lies in stretches, the channel is not stuck but slow: it repeats values.
+// If more than this fraction of the samples lies in stretches, the channel is not stuck: it only repeats values.
 constexpr double most_stretches = 0.3;
 // If the force is stuck, displacement moves during the stretch by more than this fraction of its half range.
 constexpr double force_stands = 0.05;
@@ -119,8 +119,8 @@ class Sticking {
     return runs;
   }
 
-  // Finds stretches in which the channel `stands` shows only noise while `other` moves on, and at whose end `stands`
-  // jumps while `other` does not. In a true jump, both move.
+  // Finds stretches in which the channel `stands` shows only noise while `other` moves on. At the end of such a stretch
+  // `stands` jumps and `other` does not. In a true jump both channels move.
   std::vector<SampleRange> stuck_in_noise(Signal const& stands, Signal const& other, double least_part) const {
     double const noise = std::hypot(stands.noise, 0.3 * stands.quantum);
     if (!(noise > same_value * stands.half_range)) return {};
@@ -182,8 +182,8 @@ class Sticking {
     add("displacement", "mm", first, pair_.disp.x[first.front()], longest);
   }
 
-  // Whether the stretch is play (backlash) of the device. Play has no force, and it begins near a reversal or without a
-  // jump.
+  // Whether the stretch is play (backlash) of the device. During play the force is zero, and play begins near a
+  // reversal or without a jump of force.
   bool is_backlash(SampleRange const& run, std::size_t lag) const {
     double const noise = 5.0 * pair_.force.noise + pair_.force.quantum;
     if (std::abs(mean_of(pair_.force.x, run.first, run.last + 1)) > noise) return false;
@@ -214,8 +214,8 @@ class Sticking {
       auto const end = begin + static_cast<std::ptrdiff_t>(run.size());
       auto const [low, high] = std::minmax_element(begin, end);
       if (!(*high - *low > least)) continue;
-      // How far the motion goes out and comes back within the stretch. The force of a yielding device would change at
-      // the turn, and the stretch would end there.
+      // How far the motion goes out and comes back within the stretch. In a yielding device, the force would change
+      // where the motion turns, and the stretch would end there.
       double const there_and_back =
           std::max(std::min(*high - *begin, *high - *(end - 1)), std::min(*begin - *low, *(end - 1) - *low));
       auto const lag = std::max<std::size_t>(2, pair_.half_cycle / 48);

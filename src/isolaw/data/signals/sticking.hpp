@@ -8,7 +8,7 @@
 
 namespace isolaw::data {
 
-// A channel is not searched if its argument says that it is clipped.
+// Does not search a channel that is clipped, as clipped_disp and clipped_force say.
 std::vector<SignalFault> stuck_channels(SignalPair const& pair, bool clipped_disp, bool clipped_force);
 
 }  // namespace isolaw::data

@@ -15,8 +15,8 @@ namespace {
 
 // A plateau is a run of at least this many samples in which a channel (vertical displacement or load) hardly changes.
 constexpr std::size_t fewest_standing = 4;
-// The width, by which the samples of a plateau may differ, is the larger of this many standard deviations of the
-// channel's noise and this many steps of its digitiser.
+// The samples of a plateau may differ by a `width`: standing_noise standard deviations of the channel's noise or, if
+// that is more, standing_quanta steps of its digitiser.
 constexpr double standing_noise = 6.0;
 constexpr double standing_quanta = 1.5;
 // While one channel is clipped, the other rises and falls back by more than this fraction of its own range (largest
@@ -24,7 +24,7 @@ constexpr double standing_quanta = 1.5;
 constexpr double goes_beyond = 0.03;
 // While one channel is stuck, the other moves by more than this fraction of its own range.
 constexpr double goes_on = 0.1;
-// Neither fraction counts as less than this many times width / range of the channel that has the plateau.
+// If the channel with the plateau is noisy, both fractions above are raised to this many times its width / range.
 constexpr double width_of_both = 4.0;
 // The device is loaded if the load exceeds the least load of the record by this fraction of the load's range.
 constexpr double carries = 0.1;
@@ -34,7 +34,7 @@ constexpr double load_jump = 0.05;
 struct VerticalChannel {
   std::string name, unit;
   std::span<double const> x;
-  // In `unit`: the smallest value, the largest minus the smallest, and the most by which samples of a plateau differ.
+  // In `unit`: the smallest value, largest minus smallest value, and the most by which samples of a plateau may differ.
   double least = 0.0, range = 0.0, width = 0.0;
 };
 
@@ -100,8 +100,8 @@ class Plateaus {
   }
 
  private:
-  // How far the other channel must go during a plateau, as a fraction of that channel's range. It is at least `least`,
-  // and more if the plateau is noisy.
+  // Returns how far the other channel must go during a plateau, as a fraction of that channel's range: at least
+  // `least`, and more if the plateau is noisy.
   double threshold(double least) const { return std::max(least, width_of_both * stands_.width / stands_.range); }
 
   bool is_clipped(SampleRange const& run) const {
@@ -148,8 +148,8 @@ void add_standing(VerticalChannel const& stands, StandingStill found, std::vecto
   add(FaultKind::stuck, std::move(found.stuck));
 }
 
-// Keeps the spikes that are faults. A spike in both channels is a real change of load. At low load a spike downwards
-// may be the press lifting off.
+// Returns the spikes that are faults. A spike in both channels is a real change of load, and a downward spike at low
+// load may be the press lifting off.
 std::vector<Spike> single(std::vector<Spike> found, std::vector<Spike> const& other_channel,
                           std::span<double const> load) {
   auto const [least, largest] = std::ranges::minmax(load);
