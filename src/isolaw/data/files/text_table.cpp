@@ -145,10 +145,10 @@ class RowReader {
   }
 
   static bool is_statistic(std::string_view cell) {
-    constexpr std::string_view names[]{"max",      "min",     "mean",      "average", "avg",        "std",
-                                       "stdev",    "sum",     "total",     "maximum", "minimum",    "rms",
-                                       "media",    "massimo", "minimo",    "mittel",  "mittelwert", "moyenne",
-                                       "ortalama", "count",   "std. dev.", "range",   "end of data"};
+    constexpr std::string_view names[]{"max",      "min",     "mean",     "average", "avg",        "std",
+                                       "stdev",    "sum",     "total",    "maximum", "minimum",    "rms",
+                                       "media",    "massimo", "minimo",   "mittel",  "mittelwert", "moyenne",
+                                       "ortalama", "count",   "std. dev", "range",   "end of data"};
     auto text = lower(without_accents(trimmed(cell)));
     while (!text.empty() && (text.back() == ':' || text.back() == '.' || text.back() == ' ')) text.pop_back();
     return std::ranges::find(names, text) != std::ranges::end(names);
