@@ -44,7 +44,7 @@ bool said(char* reason, std::size_t size, Work const& work) noexcept {
 
 extern "C" {
 
-// Checks the module in `file`. Later calls in this process with the same file do not check again.
+// Checks the OpenSees module in `file`. Later calls in this process with the same file do not check again.
 ISOLAW_EXPORTED bool isolaw_attach(char const* file, char* reason, std::size_t size) {
   return said(reason, size, [&] {
     auto& program = programs()[file];

@@ -41,7 +41,7 @@ struct Law {
   double value_of(ParameterKind parameter, double factor) const;
 };
 
-// Lets the program's Parameter object `parameter` change the factor on the force. words[0] says what the parameter's
+// Lets the Parameter object `parameter` of OpenSees change the factor on the force. words[0] says what the parameter's
 // value means: "factor", "lower" or "upper" (factor_of). Gives the parameter the value that belongs to the current
 // factor. Returns what setParameter() of OpenSees returns, which is -1 for another name.
 int set_parameter(Program const& program, Law const& law, double factor, void* movable, char const** words, int count,

@@ -1,4 +1,4 @@
-// A law as a UniaxialMaterial of the running program.
+// A law as a UniaxialMaterial of the running OpenSees, which this library calls the program (program.hpp).
 #include <fmt/format.h>
 
 #include <cmath>

@@ -102,8 +102,8 @@ std::string mangled(std::string_view class_name, std::string_view function) {
   if (is_const) function.remove_suffix(2);
   return fmt::format("_ZN{}{}{}{}", is_const ? "K" : "", class_name.size(), class_name, function);
 }
-// Returns the mangled name of the thunk of a member function. Through the thunk the function is called by callers that
-// have a pointer to the MovableObject within the object.
+// Returns the mangled name of the thunk of a member function. A caller that has a pointer to the MovableObject within
+// the object calls the function through this thunk.
 std::string thunk(std::string_view class_name, std::string_view function) {
   auto const name = mangled(class_name, function);
   return fmt::format("_ZThn{}_{}", movable_object_at, name.substr(2));
@@ -296,7 +296,7 @@ void Program::prove(Class const& of) const {
   while (later < second + std::size(movable_functions) && ready_words[later] != at) ++later;
   part(base_words + second, ready_words + later, at, movable_functions, true);
 
-  // The size of an object is where the bytes that its constructor writes end, up to padding.
+  // The last byte that the constructor writes gives the size of an object, up to padding.
   auto const construct = calls_.*of.constructor;
   auto const written = written_bytes(8 * of.bytes, [&](void* memory) { construct(memory, 7, 9); });
   auto const last = std::find(written.rbegin(), written.rend(), true);

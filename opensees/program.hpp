@@ -1,5 +1,5 @@
-// Finds the functions of the OpenSees that runs in this process, and checks that its classes have the layout that this
-// library relies on.
+// Finds the functions of the OpenSees that runs in this process ("the program"), and checks that its classes have the
+// layout that this library relies on.
 //
 // OpenSees has no interface for materials from other libraries. But its Python module exports its classes, and the
 // Itanium C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) says how the compiler lays them out. To make a

@@ -1,5 +1,5 @@
-// A law in two directions as a SectionForceDeformation of the running program. The deformations are the displacements
-// along the local axes y and z; OpenSees calls the responses VY and VZ.
+// A law in two directions as a SectionForceDeformation of the running OpenSees, the program. The deformations are the
+// displacements along the local axes y and z; OpenSees calls the responses VY and VZ.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -49,7 +49,7 @@ enum OwnResponse { energy_response = 4711, state_response };
 // Makes a Response object, with which the program asks `object` for this response at each step. The response always has
 // as many numbers as `numbers`. Returns nullptr if there is no memory.
 void* new_response(Program const& program, void* object, OwnResponse response, std::vector<double> numbers);
-// Returns NaN, and says once in the program that laws have no derivatives by parameters.
+// Returns NaN. The first call also tells the user that laws have no derivatives by parameters.
 double no_sensitivity(Program const& program);
 // Writes the numbers into an Information object of the program.
 int give(Program const& program, std::vector<double> numbers, void* information);

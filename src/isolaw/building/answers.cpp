@@ -23,9 +23,9 @@ bool has_draws(Study const& study) {
          std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
 }
 
-// The displacement of a bearing that 95 % of the draws do not exceed: the largest such value under any one motion, or
-// that of the means over the motions if it is larger still. Without draws that have numbers, it is the largest
-// displacement of the nominal building under any motion.
+// The bearing displacement that 95 % of the draws do not exceed: the largest of its values under each motion and for
+// the mean over the motions. If none of these values is finite, the result is the largest displacement of the nominal
+// building under any motion.
 Finding farthest(LawAnswer const& law, Study const& study, double tested_mm) {
   auto const& moves = law.distributions.front();
   constexpr std::size_t p95 = 3;
@@ -93,8 +93,8 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
 }
 
 // Adds a finding if the law gave no finite numbers in the nominal building, a bound analysis or a draw. Such an
-// analysis counts as outside of every limit. This finding tells the user that the law may be to blame for that, and not
-// the building.
+// analysis counts as breaking every limit. The finding tells the user that the cause may be the law and not the
+// building.
 void add_failing(LawAnswer const& law, std::vector<Finding>& verdict) {
   auto const& moves = law.distributions.front();
   bool const nominal = std::isnan(moves.nominal), bounds = std::isnan(moves.lower) || std::isnan(moves.upper);
@@ -181,8 +181,8 @@ std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
                                       {"draws", static_cast<double>(law.draws)},
                                       {"collapsed", static_cast<double>(law.collapsed)}};
   };
-  // The answer opens with the law that decides it. `own` is true if this is the first law. It is false if the first
-  // law's bounds cover the first law's draws but not those of another law; then the other law decides.
+  // The finding about the law that decides the answer comes first. If `own` is true, this is the study's first law. If
+  // it is false, the first law's bounds cover that law's draws but not those of another law, which then decides.
   bool const own = c.inside < wanted_share || answers.bounds_are_enough != false;
   Finding cover{.kind = FindingKind::building_bounds_cover,
                 .law = first.law,
@@ -376,8 +376,8 @@ void judge(LawAnswer& out, Kept const& kept, CasePlaces const* places, Study con
   if (tested > 0.0) out.judged.push_back(against(tested_mm, quantities().front().key, tested));
 }
 
-// Integrates the nominal building implicitly under a motion. Compares the results with those of two other methods, the
-// integrator of the draws, which gave `of_draws_mm`, and the equivalent linear analysis.
+// Integrates the nominal building implicitly under a motion. Compares the results with those of two other methods: the
+// integrator that is used for the draws, which gave the displacement `of_draws_mm`, and the equivalent linear analysis.
 NominalResult nominal_result(Study const& study, LawSource const& source, Model const& model, std::size_t motion_number,
                              double of_draws_mm, std::function<bool()> const& interrupted) {
   auto const& motion = study.file.motions[motion_number];
@@ -395,7 +395,7 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
   result.farthest_mm = run.of(Measure::isolator);
   checked.step_s = run.step_s;
   if (run.outcome != Outcome::completed) {
-    // The values that an analysis reached before it stopped are no response of the building.
+    // The values that an analysis reached before it stopped are not responses of the building, so they are left out.
     checked.outcome = run.why;
     for (auto& spectrum : result.spectra_g) std::ranges::fill(spectrum, std::nan(""));
     return result;
@@ -415,8 +415,8 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
     checked.equivalent_damping = linear->damping;
     checked.equivalent_error_percent = 100.0 * (linear->displacement_mm / run.of(Measure::centre) - 1.0);
   }
-  // 0.0 for the tested displacement leaves out the doubt that a bearing moves farther than in the tests. The verdict
-  // and its warnings say this already, for the draws.
+  // With 0.0 as the tested displacement, run_doubts() says nothing about a bearing that moves farther than in the
+  // tests. The verdict and its warnings say this already, for the draws.
   checked.doubts = run_doubts(run, source.law, motion.name, 0.0);
   if (std::abs(*checked.draws_error_percent) > largest_difference_percent)
     checked.doubts.push_back(
@@ -532,7 +532,7 @@ Answers answer(Study const& study, RunStore const& store, std::function<bool()> 
   Model const model(Structure(study.file.frame), study.file.plan());
   auto const& settings = study.file.settings;
   CasePlaces places(settings);
-  // In a building file without bearings that are draws, `draws` is 0. A Study that a caller fills in may differ.
+  // A building file without drawn bearings has 0 draws. A Study that a caller fills in may state another number.
   if (!has_draws(study)) places.draws = 0;
   Answers answers;
   answers.weight_kN = model.structure().weight_kN();

@@ -22,8 +22,8 @@ namespace isolaw::building {
 
 struct LawAnswer {
   std::string law;
-  // How the law acts in the plane. If this differs between the motions, `coupling` is springs and `mixed` is true;
-  // under motions along x alone it is then `separate`.
+  // How the law acts in the plane. If this differs between the motions, `coupling` is springs and `mixed` is true; the
+  // law then acts as `separate` under motions along x alone.
   Coupling coupling = Coupling::coupled;
   bool mixed = false;
   bool fitted_as_springs = false;    // true if the springs' parameters were fitted as springs around the circle
@@ -33,31 +33,31 @@ struct LawAnswer {
   double worst_balance = 0.0;        // largest error of the energy balance of a run / its input or dissipated energy
   std::vector<Distribution> distributions;  // one for each quantity, in the order of quantities()
   std::vector<Coverage> coverage;  // one for each quantity that bound analyses can cover (Quantity); none without draws
-  Judged reach = {};  // the largest displacement of a bearing, as a code takes it for design; it is judged by no limit
+  Judged reach = {};  // largest bearing displacement, as building codes take it for design; compared with no limit
   std::vector<Judged> judged;   // one for each limit of the building file, and one for the tested displacement
   std::vector<Finding> doubts;  // about the law's calibration
-  // How many of this law's draws the bound analyses of another law would cover: the share of the draws whose bearing
-  // displacement lies between the bounds of the study's first law with a result. Empty for that first law and without
-  // draws.
+  // The share of this law's draws whose bearing displacement lies between the bounds of the study's first law with a
+  // result. It says how well the bound analyses of another law would cover this law. Empty for that first law and
+  // without draws.
   std::optional<double> by_first_bounds;
   std::vector<Checked> checked;
   std::vector<NominalHistory> histories;  // of the nominal building under each motion
-  // For each bearing its largest displacement, and its share of the work on all bearings: means over draws and motions,
-  // or over the motions of the nominal building if there are no draws. NaN if fewer than least_finite_share of these
-  // runs have numbers.
+  // For each bearing its largest displacement, and its share of the work on all bearings. Both are means over draws and
+  // motions or, without draws, means over the motions of the nominal building. NaN if fewer than least_finite_share of
+  // these runs have finite numbers.
   std::vector<double> bearing_mm, bearing_energy_share;
   BearingLoops loops = {};
   // Floor spectra in g, [diaphragm, the base first][period of spectrum_periods_s()].
   std::vector<std::vector<double>> floor_spectra_g = {};
 };
 
-// "coupled", "separate" or "springs".
+// Returns "coupled", "separate" or "springs".
 std::string_view name(Coupling coupling);
-// Names how the law acts in the plane: as name(), or "springs as given" if the springs have the parameters of the law
-// in one direction because none were fitted for springs.
+// Says how the law acts in the plane: name(law.coupling), or "springs as given" if the springs have the parameters of
+// the law in one direction because none were fitted for springs.
 std::string_view form(LawAnswer const& law);
-// Whether any run of the law gave finite numbers, and the clause that says so if none did: "none of its 364 analysis
-// runs gave finite numbers".
+// has_result() says whether any run of the law gave finite numbers. If none did, why_without_result() returns the
+// clause that says so, for example "none of its 364 analysis runs gave finite numbers".
 bool has_result(LawAnswer const& law);
 std::string why_without_result(LawAnswer const& law);
 

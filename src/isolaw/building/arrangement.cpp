@@ -11,13 +11,14 @@
 namespace isolaw::building {
 namespace {
 
-// The sum of the devices' stiffnesses, and its first moments about the centre with each device on its place.
+// Sums over the devices that have a place: their stiffness, and their stiffness times x and y of the place, measured
+// from the wanted centre.
 struct Sums {
   double k = 0.0, x = 0.0, y = 0.0;
   Sums with(double stiffness, Point const& at) const {
     return {k + stiffness, x + stiffness * at.x_mm, y + stiffness * at.y_mm};
   }
-  // The square of the distance between the centre of stiffness and the centre [mm2].
+  // The square of the distance between the centre of stiffness and the wanted centre [mm2].
   double square() const { return (x * x + y * y) / (k * k); }
 };
 

@@ -40,9 +40,9 @@ class InPlaneBearing final : public Bearing {
 // A bearing that has never moved farther than this from its start counts as at rest.
 constexpr double rest_mm = 1e-6;
 
-// The law in one direction. Until the bearing first moves beyond `rest_mm`, the law's tangents at rest replace it. At
-// rest the bearing moves by rounding errors only, where laws with a power of the displacement give Newton's method no
-// useful tangent.
+// The law in one direction. Until the bearing first moves beyond `rest_mm`, the force follows the law's tangents at
+// rest. Before that the bearing moves by rounding errors only, and laws with a power of the displacement give Newton's
+// method no useful tangent there.
 class OneDirection {
  public:
   OneDirection(laws::Online const& law, laws::LawInfo const& info)
@@ -77,8 +77,8 @@ bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
 
 // Springs around the circle, as laws::Springs, for a law for which has_no_slope_at_rest() is true. A spring at right
 // angles to the motion moves by rounding errors only, and the law's force would be noise there. So each spring follows
-// the chord of the law from 0 to `rest_mm` until it first moves beyond `rest_mm`. Exactly at 0 its tangent is still the
-// law's own one, from which the longest integration step is chosen.
+// the chord of the law from 0 to `rest_mm` until the spring first moves beyond `rest_mm`. Exactly at 0 the tangent is
+// still that of the law, because the longest integration step is chosen from it.
 class RestingSprings final : public Bearing {
  public:
   RestingSprings(laws::Online const& law, laws::LawInfo const& info)
@@ -126,8 +126,8 @@ class RestingSprings final : public Bearing {
   struct Spring {
     std::array<double, 2> along;
     laws::Online law;
-    // Whether the spring has moved more than rest_ since the start: `went` in the committed motion, `goes` in the last
-    // trial or before.
+    // Whether the spring has moved more than rest_ since the start: `went` up to the last commit, `goes` up to the last
+    // trial.
     bool went = false, goes = false;
   };
   std::vector<Spring> springs_;

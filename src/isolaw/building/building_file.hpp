@@ -31,14 +31,14 @@ struct Settings {
   std::string title;
   std::vector<std::string> laws;  // ids of the laws to compute; empty: the law that the campaign recommends
   int draws = 500;
-  // How often the population is estimated again (population_again()), to show how uncertain the medians are because few
-  // devices were tested. Below 2 nothing is shown.
+  // How often the population is estimated again (population_again()). The scatter of these estimates shows how
+  // uncertain the medians are because only few devices were tested. Below 2 nothing is shown.
   int populations = 0;
   int draws_of_each = 20;
   int seed = 1;
   double damping = 0.02;
-  // Factors of the bound analyses, on the forces of every bearing. Empty: the bearings follow the bound laws over the
-  // design conditions of the lot (LawSource::lower, upper).
+  // Factors of the bound analyses, on the forces of every bearing. If empty, LawSource::lower and upper apply, which
+  // give the bounds over the design conditions of the lot.
   std::optional<PartFactors> lower = whole(0.0), upper = whole(0.0);
   double step_s = 0.005;
   double rest_s = 5.0;
@@ -52,7 +52,8 @@ struct ResponseLimits {
 // Which bearing stands on a place: a draw from the lot, the lot's law, a tested device, or the lot's law times the
 // lower or upper factor.
 enum class Stands { draw, lot, device, lower, upper };
-// The word for it in building files. Where these have a device's name, it is "tested device".
+// Returns the word for `stands` in building files. For Stands::device, where a building file has the name of the
+// device, it returns "tested device".
 std::string_view name(Stands stands);
 struct BearingPlace {
   Point at;
@@ -118,8 +119,8 @@ struct FileTables {
   MotionRow motion = {};
 };
 
-// A key of a building file: one row of a table from which files are read, checked and written. The keys of [building]
-// are also keyword arguments in Python.
+// A key of a building file, as one row of a table. Files are read, checked and written by this table. The keys of
+// [building] are also keyword arguments in Python.
 struct FileKey : Option<FileTables> {
   std::string_view table;
   bool required = false;  // true: the key has no default, and a file without it is refused
@@ -130,10 +131,10 @@ std::span<FileKey const> settings_table();  // the keys of [building]
 
 struct ReplacedKeys {
   std::vector<Motion> motions = {};  // if there are any, they replace all motions of the file
-  isolaw::Values settings = {};      // values that replace those of the keys of [building]
+  isolaw::Values settings = {};      // new values for keys of [building]
 };
 
-// The options of the command line that state what the files given to --motion leave open, such as the time step.
+// Options of the command line for facts that the files given to --motion do not state, such as the time step.
 std::span<Option<data::StatedMotion> const> stated_table();
 // Reads a motion along x from one file, "x.AT2", or along x and y from two, "x.AT2,y.AT2". Throws Error.
 Motion read_motion(std::string const& files, data::StatedMotion const& stated = {});

@@ -8,8 +8,8 @@ namespace isolaw::building {
 namespace {
 
 // The fractile of `count` values by linear interpolation: share 0 gives the smallest value and share 1 the largest.
-// `sorted` holds only the finite values. The others count as larger than these, so the result is NaN if the fractile
-// falls on one of them.
+// `sorted` holds only the finite values. The other values count as larger than these, so the result is NaN if the
+// fractile falls on one of the others.
 double fractile(std::vector<double> const& sorted, std::size_t count, double share) {
   if (count == 0) return std::nan("");
   double const place = share * static_cast<double>(count - 1);

@@ -11,13 +11,13 @@
 
 namespace isolaw::building {
 
-// The answers give the responses that these shares of the draws do not exceed.
+// For each of these shares, the answers give the response that this share of the draws does not exceed.
 inline constexpr std::array shares{0.16, 0.50, 0.84, 0.95};
 // The fractiles at `shares`. A draw without finite numbers counts as larger than all others, so a fractile that falls
 // on such a draw is NaN. Without values all fractiles are NaN.
 std::array<double, 4> fractiles(std::vector<double> values);
 // A standard deviation or a mean over draws is given only if at least this share of the draws has finite numbers,
-// because the draws that have none are not a random choice of all.
+// because the draws without finite numbers are not a random selection.
 inline constexpr double least_finite_share = 0.95;
 
 // Bins of equal width from the smallest value to the largest. There is one bin if all values are equal.

@@ -121,10 +121,10 @@ class ImplicitRun {
     if (out_.outcome == Outcome::completed) advance(time + 0.5 * dt, 0.5 * dt, half, g1, halvings + 1);
   }
 
-  // Finds how far to go along the vector `way`, as a share of its length: so far that the work of the residual along
-  // `way` is at most half as large as at the start, where the residual is `start`. If some 40 trials do not find such a
-  // share, returns the last one. `at(share)` computes the residual there. Its last call is for the share that is
-  // returned, so that what it leaves behind belongs to that share.
+  // Shortens a step along the vector `way`. Returns the share of its length at which the work of the residual along
+  // `way` is at most half as large as at the start, where the residual is `start`. If some 40 trials find no such
+  // share, returns the last one tried. `at(share)` computes the residual there and leaves the bearings' trial forces at
+  // that share. Its last call is for the share that is returned.
   template <class At>
   static double share_along(Vector3 const& way, Vector3 const& start, At const& at) {
     double const enough = 0.5 * std::abs(way.dot(start));
@@ -183,7 +183,8 @@ class ImplicitRun {
       Vector3 const inertial = inertia * unknown;
       double const scale = std::max({size(inertial), size(load), size(now.force), 1e-12}), left = size(residual);
       // The forces count as balanced if the residual, divided by the largest force, is at most `all`. A quotient up to
-      // `sufficient` will do if iterations no longer help: if the last one did not cut the residual to a tenth.
+      // `sufficient` is enough if the last iteration did not cut the residual to a tenth, since more iterations would
+      // not help.
       constexpr double sufficient = 1e-10, all = 1e-14, slow = 0.1;
       bool const balanced = left <= all * scale || (left <= sufficient * scale && left > slow * last);
       last = left;

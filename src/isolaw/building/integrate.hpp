@@ -105,10 +105,10 @@ struct Steps {
   double dt = 0.0;
 };
 Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
-// The bearings start in their present state and keep the state at the end of the run.
+// The bearings start in their present state and are left in the state that they reach at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-// For Ground::asked: calls the Options::interrupted to which `interrupted` points.
+// The function for Ground::asked: calls the function Options::interrupted to which `interrupted` points.
 bool asks(void const* interrupted);
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,

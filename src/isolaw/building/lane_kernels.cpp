@@ -1,6 +1,6 @@
 // Explicit integration of a batch of draws, one per SIMD lane. This file is compiled once per instruction set, each
-// time with another name for ISOLAW_LANE_KERNELS. Other files may use nothing else of it: where functions in two
-// objects have equal names, the linker keeps one of them, and that one may need instructions that the processor lacks.
+// time with another name for ISOLAW_LANE_KERNELS. Other files may use only that name: where functions in two object
+// files have equal names, the linker keeps one, and that one may need instructions that the processor lacks.
 #include <tuple>
 
 #include "isolaw/building/lane_run.hpp"

@@ -7,7 +7,7 @@
 namespace isolaw::building {
 namespace {
 
-// For each case the response that codes use for design (see Judged). NaN if the building collapsed under a motion.
+// The response for design (see Judged) in each case. NaN if the building collapsed under a motion.
 std::vector<double> for_design(Responses const& responses) {
   if (responses.by_motion.size() >= motions_for_a_mean) return responses.mean;
   auto most = responses.by_motion.front();

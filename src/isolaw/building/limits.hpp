@@ -11,8 +11,8 @@
 
 namespace isolaw::building {
 
-// Codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3; ASCE 7-16,
-// 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
+// Building codes let a design use the mean response only with at least this number of motions (EN 1998-1, 4.3.3.4.3;
+// ASCE 7-16, 17.3.3; chapter 16 of ASCE 7-16 asks for eleven).
 inline constexpr std::size_t motions_for_a_mean = 7;
 
 struct LimitInfo {
@@ -30,7 +30,7 @@ inline constexpr LimitInfo limit_rows[]{
     {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
      "acceleration of any floor or of the base"},
 };
-// Judged::limit if the limit is no key of the file but the largest displacement to which the devices were tested.
+// Judged::limit for the largest displacement to which the devices were tested, which is not a key of the file.
 inline constexpr std::string_view tested_mm = "tested_mm";
 
 enum class Keeps { yes, no, open };

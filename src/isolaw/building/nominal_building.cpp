@@ -9,8 +9,8 @@
 namespace isolaw::building {
 namespace {
 
-// Calls take(name, member) for each member of a result, with the member's name in the text of kept_text(). Writing and
-// reading this text share the list.
+// Calls take(name, member) for each member of a result, with the member's name in the text of kept_text(). The
+// functions that write and read this text both use this list.
 void each_member(NominalResult& result, auto&& take) {
   auto& [checked, history, spectra_g, farthest_mm] = result;
   take("coupling", checked.coupling), take("outcome", checked.outcome), take("step_s", checked.step_s);

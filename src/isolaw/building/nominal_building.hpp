@@ -48,7 +48,7 @@ struct Checked {
   std::vector<Finding> doubts = {};  // about the accuracy of the analysis
 };
 
-// The results for the nominal building under one motion that the answers show.
+// The results under one motion that the answers show for the nominal building.
 struct NominalResult {
   Checked checked = {};
   NominalHistory history = {};

@@ -127,8 +127,8 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   auto db = building_store().to_write(file);
   StoreKind::as_ours(file, [&] {
     auto const held = campaign::read_part(db);
-    // If the store holds a part, a merge will read it, and would not notice that the file was cut off within a database
-    // page.
+    // If the store holds a part, a merge will read this file. The merge would not notice that the file was cut off
+    // within a database page, so the file is checked here.
     if (held) campaign::require_sound(file, "--fresh to start over");
     auto different = differences_of(read_properties(db), properties);
     auto const named = [](std::optional<campaign::Part> const& which) {
@@ -166,7 +166,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// A hash with the same purpose, for a text that RunStore::keep() stores.
+// Like hash_of(), for a text that RunStore::keep() stores.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }

@@ -21,7 +21,7 @@ namespace isolaw::building {
 struct Study {
   BuildingFile file;
   std::vector<LawSource> laws;
-  // The units in which the campaign's reports and the building's are written. No stored number depends on them.
+  // The units of the campaign's reports and of the building's reports. No stored number depends on them.
   std::string_view report_units = record_units.id;
 
   UnitSystem const& units() const { return find_unit_system(report_units); }
@@ -37,7 +37,8 @@ struct StudyProperty {
 std::vector<StudyProperty> properties_of(Study const& study);
 
 // The part of a study that a store holds (nullopt: all of it), and the paths of the study's input files. A merge is
-// given only the stores of the parts, and reads these files to compute the answers.
+// given only the stores of the parts. It finds the input files by these paths, because it needs them to compute the
+// answers.
 struct StudyPart {
   std::optional<campaign::Part> part = {};
   std::string building_file = {}, campaign = {};
@@ -125,7 +126,7 @@ MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem:
 // Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
 class Runs {
  public:
-  // The study must outlive it. A run throws InterruptedRun once `interrupted` returns true.
+  // The study must outlive this object. A run throws InterruptedRun once `interrupted` returns true.
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> of(Blocks::Block const& block) const;

@@ -30,7 +30,8 @@ struct LawSource {
   std::vector<lot::Limits> limits;  // physical limits of each parameter of the population
   double tested_mm = 0.0;           // largest displacement in the tests; 0 if it is not known
   std::vector<LawSource> springs;   // the law with parameters fitted as springs around a circle; none or one element
-  // The bound laws over the design conditions of the lot; empty if the building file states factors in their place.
+  // Factors on the law's forces that give the bounds over the design conditions of the lot. Empty if the building file
+  // states factors of its own.
   std::optional<PartFactors> lower = {}, upper = {};
   std::vector<Finding> doubts = {};  // about the law's calibration and its bounds; no number depends on them
 };

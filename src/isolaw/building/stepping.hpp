@@ -18,8 +18,8 @@
 
 #include "isolaw/num/scalar.hpp"
 
-// For functions whose type does not contain T: they must be inlined, since the linker could otherwise take a copy that
-// was compiled for another instruction set.
+// Marks functions whose type does not contain T. They must be inlined, since the linker could otherwise take a copy
+// that was compiled for another instruction set.
 #define ISOLAW_AWAY __attribute__((always_inline))
 
 namespace isolaw::building {
@@ -34,9 +34,9 @@ struct StructureArrays {
   double const *bearing_at = nullptr, *corner_at = nullptr;
 };
 
-// The array of a run's measures begins with these (quantities.cpp says what they mean). The accelerations of all
-// diaphragms from the base up follow, then the shears of all storeys, the drifts of all storeys, the displacements of
-// all bearings, and the work on each bearing. Units kN, mm, s, rad.
+// The array of a run's measures begins with these ten (quantities.cpp says what they mean). Then follow the
+// accelerations of all diaphragms from the base up, the shears of all storeys, the drifts of all storeys, the
+// displacements of all bearings, and the work on each bearing. Units kN, mm, s, rad.
 enum class Measure : std::size_t { isolator, centre, corner, rotation, end, shear, input, hysteretic, damped, balance };
 inline constexpr std::size_t measures_of_all = 10;
 
@@ -254,9 +254,9 @@ inline T momentum(Run<T> const& run, StructureArrays const& s, std::size_t i) {
   return sum;
 }
 
-// Takes the roots of the measures that are kept as squares, and computes the error of the energy balance. This is the
-// input energy minus the kinetic, strain and damped energies and the bearings' work, divided by the larger of the input
-// energy and the bearings' work. An exact integration gives 0.
+// Takes the roots of the measures that are kept as squares, and computes the error of the energy balance. This error is
+// the input energy minus the kinetic, strain and damped energies and the bearings' work, divided by the larger of the
+// input energy and the bearings' work. An exact integration gives 0.
 template <class T>
 inline void finish_run(Run<T>& run, StructureArrays const& s) {
   using num::abs;

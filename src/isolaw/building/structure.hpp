@@ -84,7 +84,8 @@ class Structure {
   std::vector<double> const& frequency_rad_s() const { return frequency_; }
   std::vector<double> const& damping() const { return damping_; }
   std::vector<double> const& participation() const { return participation_; }  // Gamma above, [mode][3]
-  // A floor's centre of mass has the absolute acceleration rigid A + shape q''. [floor][3][mode] and [floor][3][3].
+  // A floor's centre of mass has the absolute acceleration rigid A + shape q''. `shape` is [floor][3][mode], `rigid` is
+  // [floor][3][3].
   std::vector<double> const& shape() const { return shape_; }
   std::vector<double> const& rigid() const { return rigid_; }
   // For a mode of amplitude 1: the drifts and the twist of each storey at Storey::centre, and the storey's shears [kN]
@@ -92,7 +93,7 @@ class Structure {
   std::vector<double> const& deformation() const { return deformation_; }
   std::vector<double> const& shear() const { return shear_; }
 
-  // Circular frequencies [rad/s], ascending, on bearings with this stiffness about the base's centre of mass.
+  // Ascending circular frequencies [rad/s] on bearings that have this stiffness about the base's centre of mass.
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:

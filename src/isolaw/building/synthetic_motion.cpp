@@ -35,7 +35,7 @@ std::vector<double> component(num::Draws& numbers, SyntheticMotion const& wanted
   double const ground = 2.0 * pi / wanted.ground_period_s, width = 2.0 * pi * highest_Hz / waves;
   std::vector<double> amplitude, frequency, phase;
   for (std::size_t i = 0; i < waves; ++i) {
-    // The frequencies are random, because a sum of waves with equal steps of frequency repeats itself.
+    // The frequencies are random, because a sum of waves with equally spaced frequencies repeats itself.
     frequency.push_back(width * (static_cast<double>(i) + numbers.uniform()));
     amplitude.push_back(std::sqrt(clough_penzien(frequency.back(), ground, wanted.ground_damping)));
     phase.push_back(2.0 * pi * numbers.uniform());

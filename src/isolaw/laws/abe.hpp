@@ -72,7 +72,7 @@ struct Abe {
   // A step holds so many values at once that kernels compute fewer parameter sets together (fit/kernels.cpp).
   static constexpr bool crowded = true;
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct Abe]
   template <class N>
   struct State {
@@ -146,8 +146,8 @@ struct Abe {
   //     n d t/12 (1 - f1 / f0)
   // The second comes from the curvature of Y f(F2 / Y) over Y (with |u|^n = 1 - f, taken with the sign of u):
   //     n (1 - n) d^2 t/24 (1 - f)
-  // Over a long travel F2 ends at the yield force of the end, which is d/2 above the mean. The first term therefore
-  // tends to d/2 there, and the second fades out.
+  // After a long travel F2 is at the yield force of the piece's end, which is d/2 above the mean. The first term
+  // therefore tends to d/2, and the second to 0.
   // The mean of |x / Uh|^p over x is exact, since its integral is x |x / Uh|^p / (p + 1). A piece that is too short for
   // a difference of two integrals uses the mean of its two ends. The flow needs the mean over the travel instead, and
   // if the peak grows, the travel per x falls as 1 / (Us + peak). The covariance of |x / Uh|^p and this travel, both
@@ -162,8 +162,8 @@ struct Abe {
     N mean = tiny ? N(0.5) * (before + after)
                   : (rounded(N(x1) * after) - N(x0) * before) * c.per_p_plus_1 * N(1.0 / (x1 - x0));
     // `change` is how much |x / Uh|^p changes over the piece. Unless the piece is very short, it is taken from the
-    // straight line nearest to the curve, because this change is continuous where a piece comes to end at x = 0; the
-    // difference of the values at the two ends is not.
+    // straight line that fits the curve best. The difference of the values at the two ends would jump where a piece
+    // comes to end exactly at x = 0.
     N change = after - before;
     if (value_of(length) > 1e-3 * size) {
       X const begin = x0 / (x1 - x0), end = x1 / (x1 - x0);

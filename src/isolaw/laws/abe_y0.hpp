@@ -1,7 +1,7 @@
 // Abe with a constant yield force: Y0 without the factor (1 + |x/Uh|^p) of Eq. (19).
 // Source: Cucuzza et al. 2025, Eqs. (15)-(21) with the yield force Yt = Y0. It is not known which form of Abe the
-// authors computed as law 5. With the means of Table A.5 the loops of this form agree with those of the other laws, so
-// it is kept as the closest reading. Units kN, mm. Step: exact between samples (saturating_flow.hpp);
+// authors computed as law 5. With the mean parameters of Table A.5 the loops of this form agree with those of the other
+// laws, so it is the most likely one. Units kN, mm. Step: exact between samples (saturating_flow.hpp);
 // Integration::paper takes one classical Runge-Kutta step per sample.
 #pragma once
 
@@ -60,7 +60,7 @@ struct AbeY0 {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct AbeY0]
   template <class N>
   struct State {

@@ -1,8 +1,8 @@
 // Bouc-Wen: smooth hysteresis with post-yield stiffness.
 // Source: Cucuzza et al. 2025, Eqs. (13)-(14), after Wen 1976; K_i and K_j of Eq. (13) are both the elastic stiffness
 // Ke. Units kN, mm.  Step: between reversals dz/dx depends on z alone. Polynomials, fitted once per parameter set, give
-// its solution, nearly exact (saturating_flow.hpp). Integration::paper takes one classical Runge-Kutta step per sample,
-// which blows up where a step is longer than about two yield displacements.
+// z almost exactly (saturating_flow.hpp). Integration::paper takes one classical Runge-Kutta step per sample, which
+// blows up where a step is longer than about two yield displacements.
 #pragma once
 
 #include <limits>
@@ -83,7 +83,7 @@ struct BoucWen {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct BoucWen]
   template <class N>
   struct State {
@@ -95,7 +95,7 @@ struct BoucWen {
       each(z, time);
     }
   };
-  // u = z / z_max follows the curve u(t) of `flow`. A travel of 1 mm advances it by the time `rate` on this curve.
+  // u = z / z_max follows the curve u(t) of `flow`. A travel of 1 mm advances t by `rate`.
   template <class T, class X>
   struct Constants {
     T z_max, rate;
@@ -145,7 +145,7 @@ struct BoucWen {
   static T step_paper(Params<T> const& p, Constants<T, double> const&, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
-      // beta sgn(z dx) + gamma, if z has the sign of the motion dx, and if it has the opposite sign.
+      // beta sgn(z dx) + gamma if z and the motion dx have the same sign, and if they have opposite signs.
       T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;
       return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
     });

@@ -2,7 +2,7 @@
 // slips where the force passes a small value, so that its loops are pinched.
 // Source: Baber and Noori 1986, Foliente 1995. Units kN, mm. OpenSees' material BWBN has the same parameters (called
 // Ao, zetas, Shi, deltaShi, lamda), but its zu, the largest |z|, depends neither on degradation nor on A.  Step:
-// between reversals u = z / zu moves along one curve (saturating_flow.hpp); pinching and degradation make it slower.
+// between reversals u = z / zu moves along one curve (saturating_flow.hpp), more slowly with pinching and degradation.
 // Classical Runge-Kutta steps advance the place on that curve together with the work e. The path alone decides the
 // number of these steps, and each step uses the zu at its middle. No step is unstable; without pinching and degradation
 // every step is exact.
@@ -99,7 +99,7 @@ struct Bwbn {
     auto const r = reduced(p);
     return BoucWenForm{r.alpha, r.ko, r.beta, r.gamma, r.n};
   }
-  // The parameters that count the work of z are divided by b, because b multiplies this work.
+  // The parameters that multiply the work of z are divided by b, because this work becomes b times as large.
   static Params<double> with_factors(Params<double> p, double a, double b) {
     double const elastic = a * p.alpha * p.ko;
     p.ko = elastic + b * (1.0 - p.alpha) * p.ko;
@@ -111,7 +111,7 @@ struct Bwbn {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct Bwbn]
   // z is the hysteretic variable [mm], and e the work of its force, with which strength and stiffness degrade.
   template <class N>

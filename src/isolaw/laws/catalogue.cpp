@@ -42,8 +42,8 @@ void store(ParamsOf<Law, double> const& params, std::span<double> values) {
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = params.*members<Law, double>[i];
 }
 
-// Whether the law itself has with_factor() or with_factors(). One that it inherits from another law does not count: it
-// has another return type and would lose the parameters that the law adds.
+// Whether the law itself has with_factor() or with_factors(). An inherited one does not count: it returns the
+// parameters of the base law and would lose those that the law adds.
 template <class Law>
 concept HasOneFactor = requires(ParamsOf<Law, double> const& p) {
   { Law::with_factor(p, 1.0) } -> std::same_as<ParamsOf<Law, double>>;

@@ -17,7 +17,7 @@
 
 namespace isolaw::laws {
 
-// The coefficient c for which c (x/100 mm)^power is the record's stiffness times x at the largest displacement x.
+// The coefficient c with which c (x/100 mm)^power equals the record's stiffness times x at its largest displacement x.
 template <int power>
 double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
@@ -105,7 +105,7 @@ struct Gallardo {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct Gallardo]
   // On one side of x = 0 the elastic force is km linear g - cubic g^3 + quintic g^5, with g = x / 100 mm.
   template <class N>
@@ -138,7 +138,7 @@ struct Gallardo {
   template <class T, class X>
   struct Constants {
     T per_uy;     // 1 / uy
-    T strongest;  // the largest strength that a branch can have, that for phi = phimax
+    T strongest;  // the largest strength that a branch can have; it belongs to phi = phimax
     Flow<T, X, Reach::within_saturation> flow;
     T zero;  // the t at which the curve u(t) of `flow` passes u = 0
   };

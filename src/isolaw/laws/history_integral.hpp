@@ -1,6 +1,7 @@
-// Deformation-history integral: a force that remembers about the last length D of the motion, and an elastic force
-// that softens with the amplitude. The first is proportional to an integral over the travel l from 0 to L,
-// q(L) = int exp(-(L - l)/D) dx(l) / D, whose weights fade exponentially. It obeys dq = (dx - q |dx|)/D.
+// Deformation-history integral: a hysteretic force that remembers about the last length D of the motion, and an elastic
+// force that softens with the amplitude. The hysteretic force is proportional to an integral over the travel l from 0
+// to L, q(L) = int exp(-(L - l)/D) dx(l) / D, whose weights fade exponentially. It obeys dq = (dx - q |dx|)/D. This law
+// sums two such q with different lengths.
 // Source: Masaki et al., Kasai et al. for high damping rubber; the link of that name in commercial programs sums
 // several q. Units kN, mm. Step: exact along a straight path.
 #pragma once
@@ -54,8 +55,8 @@ struct HistoryIntegral {
     return NoForm{"two memories and softening with the peak so far; fitted as vaiana without them"};
   }
 
-  // The length [mm] and the largest force [kN] of each memory, and the elastic stiffness after a given peak. High
-  // damping rubber links of other programs take these values.
+  // The values that the high damping rubber links of other programs ask for: the length [mm] and the largest force [kN]
+  // of each memory, and the elastic stiffness after a given peak.
   struct Memories {
     double slow_mm, slow_kN, quick_mm, quick_kN, elastic_kN_per_mm;
   };
@@ -72,7 +73,7 @@ struct HistoryIntegral {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct HistoryIntegral]
   template <class N>
   struct State {
@@ -87,7 +88,7 @@ struct HistoryIntegral {
   using Memory = Remembered<X, Peaks<X>>;
   template <class T, class X>
   struct Constants {
-    // log2(e) / D and log2(e) / (u D): during a travel l a memory fades to 2^(-l times this) of its value.
+    // log2(e) / D and log2(e) / (u D): a travel l multiplies the memories by 2^(-l per_slow) and 2^(-l per_quick).
     T per_slow, per_quick;
   };
   template <class T, class X>

@@ -1,11 +1,11 @@
 // Hwang-Wu: a non-linear spring and dashpot that degrade with the work done on the device.
 // Source: Cucuzza et al. 2025, Eqs. (22)-(24), after Hwang et al. 2002. Units N, cm, s: Tables 4 and A.5 print no
-// units, and only these give the stiffness and force of the other laws. Step: classical Runge-Kutta steps integrate
-// dW = F(x, v, W) dx, with displacement and velocity linear between the samples. Integration::paper takes the same
-// steps. At 200 samples per cycle the error is 3e-7 of the peak force with the paper's mean parameters; it grows where
-// a9 or a10 times the work of one sample exceeds 1. Within the bounds of a search, damping or stiffness may be negative
-// at some displacements. The device may then give out more work than it took in, and the exponentials of a negative W
-// grow without bound. The force overflows, and the search passes over such parameters.
+// units, and only with these do stiffness and force agree with the other laws. Step: classical Runge-Kutta steps
+// integrate dW = F(x, v, W) dx, with displacement and velocity linear between the samples. Integration::paper takes the
+// same steps. At 200 samples per cycle the error is 3e-7 of the peak force with the paper's mean parameters; it grows
+// where a9 or a10 times the work of one sample exceeds 1. Within the bounds of a search, damping or stiffness may be
+// negative at some displacements. The device may then give out more work than it took in, and the exponentials of a
+// negative W grow without bound. The force overflows, and the search passes over such parameters.
 #pragma once
 
 #include "isolaw/laws/flows/runge_kutta.hpp"
@@ -76,7 +76,7 @@ struct HwangWu {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct HwangWu]
   // The force at one point of the path, with displacement x and velocity v, in three terms. Exponentials of the work W
   // multiply the last two.

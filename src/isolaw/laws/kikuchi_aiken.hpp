@@ -1,7 +1,7 @@
 // Kikuchi-Aiken: loops between plus and minus the peak, which is the largest |x| so far. The secant stiffness, damping
 // and shape of the loops depend on the peak; inner branches follow Masing's rules.
-// Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact; every sample depends only on the turning
-// points and the peak of the displacement, which the record decides. Departures from the source:
+// Source: Kikuchi and Aiken 1997; docs/laws.md. Units kN, mm. Step: exact. The force at a sample depends only on the
+// turning points and the peak of the displacement, which the record alone determines. Departures from the source:
 // - The unit of the hysteretic force is the strength, its value at the peak. On a branch from one peak to the opposite
 //   one it has risen by 2 - 2 exp(-a s) + b s exp(-c s), where s is the travel divided by the peak. At s = 2 this
 //   branch of the source misses the opposite peak by 2 exp(-2a) - 2 b exp(-2c) (1e-6 to 5e-4 for the published
@@ -30,7 +30,7 @@ namespace isolaw::laws {
 
 namespace kikuchi_aiken {
 
-// isolaw export copies the lines from here to [end] into C++ files, in this namespace (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files, in this namespace (programs/header_parts.cpp):
 // [export namespace kikuchi_aiken]
 // Values that depend on the peak: force, equivalent damping ratio, hysteretic share, exponent of the hardening part.
 template <class N>
@@ -38,7 +38,7 @@ struct AtPeak {
   N force, damping, share, exponent;
 };
 
-// (1 - exp(-2a))/a: the share of its bounding parallelogram that a loop with exponential branches leaves out.
+// (1 - exp(-2a))/a: the share of the bounding parallelogram that a loop with exponential branches leaves out.
 template <class T>
 inline T area_left(T const& a) {
   return (T(1.0) - exp2(T(-2.0 * log2_e) * a)) / a;
@@ -63,7 +63,7 @@ template <class N>
 struct Loops {
   struct Turn {
     double x = 0.0;
-    // Whether the branch from this turn has the term b s exp(-c s), with s the travel since then / the peak.
+    // Whether the branch from this turn has the term b s exp(-c s), with s = (travel since the turn) / peak.
     bool bump = false;
     // The hysteretic force at the turn, and the factor by which the rise of the branch from there is multiplied.
     N force = N(0.0), scale = N(0.0);
@@ -88,8 +88,8 @@ struct Loops {
     each(hysteretic, strength, half_elastic, exponent, a, b, closing, turned);
   }
 
-  // Returns the force at `at`, the end of a step from x0. Once the peak is above 0, it must be called at every step.
-  // at_peak(m) gives AtPeak for a peak m.
+  // Returns the force at `at`, the end of a step from x0. Once the peak is above 0, this function must be called at
+  // every step. at_peak(m) gives AtPeak for a peak m.
   template <class T, class X, class PathMemory, class Functions>
   N force(Constants<T> const& c, X const& x0, X const& at, PathMemory const& memory, Functions&& at_peak) {
     if (memory.turns) turn(c, memory.kept, value_of(x0), memory.peak0);
@@ -221,7 +221,7 @@ struct KikuchiAiken {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct KikuchiAiken]
   template <class N>
   using State = kikuchi_aiken::Loops<N>;

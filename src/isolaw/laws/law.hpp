@@ -1,5 +1,5 @@
 // The contract of a law. A law is one file with a struct that describes the law and computes one step of its motion.
-// Every use of the law is made from this struct. The step is written once, for three kinds of numbers:
+// All code that uses the law is generated from this struct. The step is written once, for three kinds of numbers:
 //   T   the type of a parameter: double, a number with derivatives (num::Dual), or a batch of several parameter sets
 //       (num::Batch), whose places are called lanes
 //   X   the type of the motion. In a record the motion is known ahead, and X is double. In a trial it is not, and X is
@@ -29,8 +29,8 @@
 //                         the parameter that `redundant` names has the value `redundant_value`, and the parameters in
 //                         `redundant_with` make up for the change
 //   with_factor(params, factor)   in place of with_factors, for a law in which no parameters tell the parts apart
-//   canonical(params)     the equal law in analysis programs such as OpenSees, or NoForm{what their laws lack}
-//                         (parts/canonical.hpp)
+//   canonical(params)     the law of analysis programs such as OpenSees that equals this one, or NoForm{what their laws
+//                         lack} (parts/canonical.hpp)
 //
 // Four rules keep one step fast and right for all three kinds of numbers:
 //   - Branch with a plain `if` on the motion (X), and with `select` on anything that depends on a parameter (T, N).
@@ -216,8 +216,8 @@ struct Memory {
   // the travel back, but at most side_peak.
   double log2_softening, log2_way_back;
   std::size_t side;                  // the side on which the step ends; 0: x >= 0, 1: x < 0
-  bool softens, returns;             // whether G, and C, have changed since the last step that ended on this side
-  bool peak_grows, side_peak_grows;  // whether `peak`, and side_peak, grow in this step
+  bool softens, returns;             // whether G, or C, has changed since the last step that ended on this side
+  bool peak_grows, side_peak_grows;  // whether `peak`, or side_peak, grows in this step
 };
 
 // The record as a piecewise linear path. The first step has no length; its end is the first sample.
@@ -259,8 +259,8 @@ inline constexpr auto members = [] {
   return pointers;
 }();
 
-// Operations that a step calls, here for a record, whose motion has no slopes. online/numbers.hpp has the same
-// operations for a trial and says why a trial needs them.
+// Operations that a step calls, here in the form for a record, where the motion has no derivatives. online/numbers.hpp
+// has the same operations for a trial and says why a trial needs them.
 inline bool moves(Step const& step) {
   return step.length > 0.0;
 }
@@ -304,13 +304,13 @@ using NumberOf = std::conditional_t<std::is_same_v<X, double>, T, X>;
 
 struct NoConstants {};
 
-// For make_room before the first step of a record: sizes a law's stack for the most turning points that the record's
-// path remembers at once.
+// The argument of make_room() before the first step of a record. It sizes a law's stack for the largest number of
+// turning points that the record's path remembers at once.
 struct Depth {
   std::size_t depth, dropped = Memory::none;
 };
-// For make_room in each step of a record: if two turning points are dropped, the values behind theirs move up. The
-// stack keeps its size.
+// Called by make_room() in each step of a record. If two turning points are dropped, the values behind theirs move up.
+// The stack keeps its size.
 template <class List>
 void hold(List& list, Memory const& memory) {
   if (memory.dropped == Memory::none) return;

@@ -75,7 +75,7 @@ struct Ozdemir {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct Ozdemir]
   template <class N>
   struct State {
@@ -89,7 +89,7 @@ struct Ozdemir {
   };
   template <class T, class X>
   struct Constants {
-    T rate;  // K/Y: by so much t grows on the curve u(t) of `flow` while the device moves by 1 mm
+    T rate;  // K/Y: how much the time t of the curve u(t) of `flow` grows per mm of travel
     Flow<T, X, Reach::within_saturation> flow;
   };
   template <class T, class X>

@@ -1,7 +1,7 @@
 // Power-law Masing with scragging: hysteretic branches that follow one power law and Masing's rules, an elastic force
 // that softens with the amplitude and hardens towards the peak, and a virgin stiffness that travel removes (scragging).
-// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration; every sample depends only on the
-// turning points and peaks of the displacement, which the record decides.
+// Source: this project; docs/laws.md. Units kN, mm. Step: exact, without integration. The force at a sample depends
+// only on the turning points and peaks of the displacement, which the record alone determines.
 #pragma once
 
 #include "isolaw/laws/law.hpp"
@@ -67,7 +67,7 @@ struct PowerMasing {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct PowerMasing]
   template <class N>
   struct State {
@@ -93,7 +93,7 @@ struct PowerMasing {
     return hysteretic + elastic;
   }
 
-  // The hysteretic force Fh and the elastic force parallel to it. forces() must be called at every step.
+  // The hysteretic force Fh and the elastic force that acts in parallel. forces() must be called at every step.
   template <class N>
   struct Forces {
     N hysteretic, elastic;

@@ -69,7 +69,7 @@ struct PowerScragging {
     return p;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files, as this struct (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
   // [export struct PowerScragging]
   template <class N>
   struct State {
@@ -112,7 +112,7 @@ struct PowerScragging {
     using N = NumberOf<T, X>;
     T const a = T(1.0) - p.h, lengths = T(reference_mm) / p.U;
     N const after = power(N(peak / reference_mm), a);
-    // From peak 0 with h >= 1 the integral has no bound. 1e3 lengths make the memory forget everything before.
+    // With h >= 1 the integral from peak 0 has no bound. The value 1e3 makes the memory forget everything before.
     if (!(peak0 > 0.0)) return select(a > T(0.0), lengths * after / max(a, T(1e-300)), N(1e3));
     X const ratio = log(peak / peak0);
     N const before = power(N(peak0 / reference_mm), a), small = a * N(ratio);

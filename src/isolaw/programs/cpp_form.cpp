@@ -28,7 +28,7 @@ std::string parameters_struct(Subject const& subject) {
                         p.meaning);
   }
   if (subject.law->info.traits.remembers)
-    text += fmt::format("  double dead_band = {};  // {}: motion within it to both sides is none\n",
+    text += fmt::format("  double dead_band = {};  // {}: the law ignores movements within plus or minus this value\n",
                         exactly(subject.dead_band_mm / subject.law->info.length.in_record_units),
                         subject.law->info.length.symbol);
   return text + "};\n";
@@ -37,10 +37,10 @@ std::string parameters_struct(Subject const& subject) {
 std::string constants(Subject const& subject, UnitSystem const& units) {
   auto const& law = subject.law->info;
   std::string text = fmt::format(
-      "inline constexpr double length_to_law = {};  // {} per {} of the program\n"
-      "inline constexpr double force_from_law = {};  // {} of the program per {}\n"
-      "inline constexpr int substeps = {};  // of a step, as the law was integrated when it was identified\n"
-      "inline constexpr double nominal = 1.0;  // factors on the force\n",
+      "inline constexpr double length_to_law = {};  // {} of the law per {} of the program\n"
+      "inline constexpr double force_from_law = {};  // {} of the program per {} of the law\n"
+      "inline constexpr int substeps = {};  // parts into which the law divides each step, as in the fit\n"
+      "inline constexpr double nominal = 1.0;  // a factor on the force, as are the bounds\n",
       exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
       exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
       subject.refinement);
@@ -51,14 +51,14 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
   return text;
 }
 
-// Lines of the self-check that compare the factors in the file with those that isolaw wrote, in case a user edited
-// them.
+// Returns lines of the self-check that compare the factors in the file with those that isolaw wrote, in case a user
+// edited them.
 std::string bounds_check(Subject const& subject, UnitSystem const& units) {
   auto const space = identifier(subject, units);
   std::string rows;
   for (auto const& [name, bound] : {std::pair("lower", &subject.bounds.lower), {"upper", &subject.bounds.upper}})
     if (*bound) rows += fmt::format(", {{{}::{}, {}}}", space, name, exactly((*bound)->overall));
-  return fmt::format(R"text(  // The factors of the file, and as isolaw wrote them.
+  return fmt::format(R"text(  // Each factor of this file, and its value as isolaw wrote it.
   double const factors[][2] = {{{{{0}::nominal, 1.0}}{1}}};
   for (auto const& factor : factors)
     if (!(std::abs(factor[0] - factor[1]) <= {2} * factor[1])) {{
@@ -103,7 +103,7 @@ std::string cpp_check(Subject const& subject, UnitSystem const& units, std::stri
 #include <cstdio>
 
 int main() {{
-  // The motion of the check, and the force of the law along it.
+  // The motion of the check, and the force that the law must give along it.
   double const disp[] = {{
 {0}
   }};
@@ -117,7 +117,7 @@ int main() {{
   double largest = 0.0, peak = 0.0;
   bool numbers = true;
   for (std::size_t i = 0; i < sizeof(disp) / sizeof(disp[0]); ++i) {{
-    material.trial(1.1 * disp[i], velocity[i]);  // a trial that is not kept must leave nothing behind
+    material.trial(1.1 * disp[i], velocity[i]);  // a trial without commit() must not change the state
     double const force = material.trial(disp[i], velocity[i]);
     material.commit();
     numbers = numbers && force == force;

@@ -43,18 +43,20 @@ std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
           "//   1, 10, 20\n"
           "//   *UEL PROPERTY, ELSET=ISOLATORS\n"
           "//   1.0\n"
-          "// The property is the factor on the force: {2}. Along any line: data line 1, 2, 3, PROPERTIES=4, and the\n"
-          "// direction behind the factor. Displacements are from rest; the line does not turn with them; it has no mass.\n"
+          "// The property is the factor on the force: {2}. For a spring along any other line, give\n"
+          "// the data line 1, 2, 3 and PROPERTIES=4, and the components of its direction after the factor.\n"
+          "// Displacements count from rest. The line keeps its direction, and the element has no mass.\n"
           "// To run: c++ -std=c++17 -O2 -fPIC -c this-file -o {0}.o; abaqus job=model user={0}.o\n"
-          "// Or user=this-file, where compile_cpp of the environment file has C++17.\n"
-          "// Static (general and perturbed), direct integration in time with its half-increment residual, and the matrices\n"
-          "// of frequency steps. ENERGY(4) is all the work done on it. Not run in Abaqus: its calls were made by Fortran.\n"
+          "// Or user=this-file, if compile_cpp in Abaqus' environment file selects C++17.\n"
+          "// The element works in static steps (general and perturbation) and in direct integration in time with its\n"
+          "// half-increment residual. It gives the matrices of frequency steps. ENERGY(4) is all work done on it.\n"
+          "// It was not run in Abaqus: a Fortran program made the calls that Abaqus makes.\n"
           "// {3}\n"
           "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
           name, variables, factors,
           steady
               ? "The law does not depend on the velocity."
-              : "The law depends on the velocity: in time that of the nodes, in static steps the increment over its time.") +
+              : "The law depends on the velocity: in dynamic steps that of the nodes, in static steps that of the increment.") +
       guarded(name, cpp_law(subject, units) + interface_part("abaqus.inc", marks)) +
       cpp_check(subject, units, "DrivenElement"));
 }

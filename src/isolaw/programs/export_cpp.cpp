@@ -15,7 +15,7 @@ std::string cpp_header(Subject const& subject, UnitSystem const& units) {
           "// To use, in a user material: {0}::Material m(nominal, or lower or upper);\n"
           "//   setTrialStrain(u, v): m.trial(u, v)   getStress: m.force()   getTangent: m.tangent()   getDampTangent: m.damping()\n"
           "//   commitState: m.commit()   revertToLastCommit: m.revert()   revertToStart: m.revert_to_start()   copy: by value\n"
-          "//   a state sent or stored: m.state_size(), m.save(numbers), m.load(numbers, size)\n"
+          "//   to send or store the state: m.state_size(), m.save(numbers), m.load(numbers, size)\n"
           "//   {1}\n"
           "// To check: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n",
           space,

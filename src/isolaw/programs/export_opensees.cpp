@@ -55,7 +55,7 @@ std::string check_procedure(SelfCheck const& check) {
   std::string text = fmt::format(
       "  # Displacements of the self-check, and the force of the law itself along them.\n"
       "  variable disp {{\n{}\n  }}\n  variable law {{\n{}\n  }}\n"
-      "  # Force that the program must give: its algorithm along these displacements, computed by isolaw.\n"
+      "  # Forces that OpenSees must give along these displacements. isolaw computed them by the same algorithm.\n"
       "  variable expected\n  array set expected {{}}\n",
       number_lines(check.disp, " ", "    "), number_lines(check.law, " ", "    "));
   text += fmt::format("  variable checks {}\n  variable allowed {}\n", checks, exactly(check_tolerance));
@@ -64,8 +64,8 @@ std::string check_procedure(SelfCheck const& check) {
       text += fmt::format("  set expected({},{}) {{\n{}\n  }}\n", form.function, variant.name,
                           number_lines(variant.force, " ", "    "));
   text += R"tcl(
-  # Moves one end of the material or the bearing along the displacements, in a model of its own, and gives the forces;
-  # fewer where the analysis ends.
+  # Moves one end of the material or the bearing along the displacements, in a separate model, and returns the forces.
+  # If the analysis fails at a displacement, the list ends before it.
   proc forces {function variant} {
     variable disp
     wipe
@@ -81,7 +81,7 @@ std::string check_procedure(SelfCheck const& check) {
       $function 1 $variant
       element zeroLength 1 1 2 -mat 1 -dir 2
     }
-    # The first step, of no displacement, brings the time of the series to that of its second value.
+    # The extra 0.0 is the value at time 0, so that step k ends at displacement k of the list.
     timeSeries Path 1 -dt 1.0 -values [concat 0.0 $disp]
     pattern Plain 1 1 { sp 2 2 1.0 }
     constraints Lagrange
@@ -99,8 +99,8 @@ std::string check_procedure(SelfCheck const& check) {
     return $got
   }
 
-  # Drives every material and the bearing in models of their own: what there was is wiped. Prints the largest differences
-  # in parts of the peak force. Returns 1 where all agree, and none is missing.
+  # Moves every material and the bearing in separate models, and wipes any model that is loaded. Prints the largest
+  # differences as shares of the peak force. Returns 1 if all forces agree and none is missing.
   proc self_check {} {
     variable disp
     variable law

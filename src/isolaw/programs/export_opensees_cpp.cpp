@@ -55,29 +55,30 @@ std::string opensees_material(Subject const& subject, UnitSystem const& units) {
   return with_own_number(
       cpp_facts(subject, units, "OpenSees, a UniaxialMaterial in C++") +
       fmt::format(
-          "// To build, against the source of the OpenSees that is run, by the compiler that made it:\n"
+          "// To build, with the compiler that built your OpenSees and against the source of the same version:\n"
           "//   s=OpenSees/SRC; c++ -std=c++17 -O2 -fPIC -shared -I$s -I$s/api -I$s/tagged -I$s/handler -I$s/matrix\n"
           "//     -I$s/material -I$s/material/uniaxial -I$s/actor/actor -I$s/actor/channel -I$s/domain/component\n"
           "//     this-file -o {0}.so\n"
-          "// To use in its Tcl program, with the library in a folder of LD_LIBRARY_PATH; behind the tag may stand one of\n"
-          "//   {1}, or a factor on the force:\n"
+          "// To use in the Tcl program of OpenSees, with the library in a folder of LD_LIBRARY_PATH. After the tag you\n"
+          "//   may give one of {1}, or a factor on the force:\n"
           "//   uniaxialMaterial {0} $tag\n"
-          "// Python loads no libraries: there, on Windows, in parallel runs and with databases, the file is compiled with the\n"
-          "//   program: a line for OPS_{0} in uniaxialMaterialsMap of\n"
-          "//   SRC/interpreter/OpenSeesUniaxialMaterialCommands.cpp, and a number of its own, ISOLAW_CLASS_TAG, of which\n"
-          "//   FEM_ObjectBrokerAllClasses::getNewUniaxialMaterial makes {0}::UserMaterial.\n"
-          "// The strain is a displacement: for zeroLength and twoNodeLink. {2}\n"
-          "// Where a step does not converge: the slope jumps as the motion turns, and Newton's rule may oscillate in the first\n"
-          "//   step after, most under load control. Take algorithm KrylovNewton from the start, then NewtonLineSearch, then\n"
-          "//   smaller steps.\n"
+          "// For Python, which loads no libraries, for Windows, parallel runs and databases, compile the file into\n"
+          "//   OpenSees: add a line for OPS_{0} to uniaxialMaterialsMap in\n"
+          "//   SRC/interpreter/OpenSeesUniaxialMaterialCommands.cpp, choose a class number ISOLAW_CLASS_TAG that no\n"
+          "//   other material has, and let FEM_ObjectBrokerAllClasses::getNewUniaxialMaterial make\n"
+          "//   {0}::UserMaterial for it.\n"
+          "// The strain is a displacement, so use the material in zeroLength and twoNodeLink elements. {2}\n"
+          "// If a step does not converge: the tangent jumps where the motion turns, and Newton's method may oscillate\n"
+          "//   in the first step after a turn, most of all under load control. Take algorithm KrylovNewton from the start,\n"
+          "//   then NewtonLineSearch, then smaller steps.\n"
           "{3}"
           "// To check the law: c++ -std=c++17 -DISOLAW_SELF_CHECK -x c++ this-file -o check && ./check\n\n",
           name, variants.names,
           traits.rate_independent ? "The law does not depend on the velocity."
-                                  : "The law depends on the velocity, which both pass on.",
+                                  : "The law depends on the velocity, which both pass to it.",
           starts_steeply(subject)
-              ? "//   Its first motion to a side of zero has no bounded slope: under load control the step through there may fail\n"
-                "//   with every algorithm. Steps of displacement, and short steps in time, pass.\n"
+              ? "//   When the motion first enters a side of zero, the slope of the force has no bound. Under load\n"
+                "//   control that step may fail with every algorithm. Displacement control and short time steps work.\n"
               : "") +
       guarded(name, cpp_law(subject, units) + interface_part("opensees.inc", marks)) +
       cpp_check(subject, units, "Material"));

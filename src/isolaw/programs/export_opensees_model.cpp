@@ -21,13 +21,13 @@ std::string tcl_data(ModelNumbers const& n, UnitSystem const& units) {
   std::string text = fmt::format(
       "  # A row for each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
       "  variable bearings {{\n{}  }}\n"
-      "  # The carried weight, its mass, its centre, and the mass's moment of inertia about that.\n"
+      "  # The weight on the isolators, its mass, the mass's moment of inertia about its centre, and this centre.\n"
       "  variable weight {}\n  variable mass {}\n  variable inertia {}\n  variable centre_x {}\n  variable centre_y {}\n"
       "  variable held {}\n"
-      "  # Newton's iteration ends when displacements change by less than the tolerance. Largest displacement tested.\n"
+      "  # Newton's iteration stops below a displacement change of the tolerance. `tested`: largest displacement in the tests.\n"
       "  variable tolerance {}\n  variable tested {}\n"
       "  variable cases {{{}}}\n"
-      "  # The ground: seconds between its samples, steps of the analysis to each, accelerations [{}/s2].\n"
+      "  # Ground motion: seconds between samples, analysis steps per sample, accelerations [{}/s2].\n"
       "  variable sample_s {}\n  variable pieces {}\n",
       tcl_bearings(n), exactly(n.weight), exactly(n.mass), exactly(n.inertia), exactly(n.x), exactly(n.y),
       n.held ? 1 : 0, exactly(n.tolerance), exactly(n.tested), joined(n.cases, " "), units.length.symbol,
@@ -54,7 +54,8 @@ constexpr std::string_view tcl_build_head = R"tcl(  # The variant of the law tha
     return [expr {[string match draw_* $case] ? "${case}_$i" : $case}]
   }
 
-  # Nodes 1 to n on the ground, n + 1 to 2 n above the isolators, 2 n + 1 at the centre of the mass; elements 1 to n.
+  # Builds the model. Nodes 1 to n are on the ground, n + 1 to 2 n above the isolators, and 2 n + 1 at the centre of
+  # mass. The isolators are elements 1 to n.
   proc build {case} {
     foreach name {bearings mass inertia centre_x centre_y held} { variable $name }
     wipe
@@ -119,7 +120,8 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     wipeAnalysis
   }
 
-  # One step. Where Newton's rule does not converge it is cut into ten, each with KrylovNewton if needed. 0: done.
+  # Makes one step. If Newton's method does not converge, makes ten smaller ones, with KrylovNewton where needed.
+  # Returns 0 on success.
   proc step {dt} {
     if {[analyze 1 $dt] == 0} { return 0 }
     for {set k 0} {$k < 10} {incr k} {
@@ -133,8 +135,8 @@ constexpr std::string_view tcl_rest = R"tcl(    }
   }
 
   # Shakes the model of one case and writes its motion to folder/case. Returns the largest displacement of an isolator,
-  # that isolator, the slab centre's, the largest shear along x, y and together, the largest rotation, the displacement
-  # that is left, and lines of the isolators' peaks.
+  # the name of this isolator, the largest displacement of the slab's centre, the largest shear along x, along y and in
+  # plan, the largest rotation, the displacement of the slab at the end, and the lines for peaks.csv.
   proc shake {case folder} {
     foreach name {bearings acceleration_x acceleration_y sample_s pieces slab_header units} { variable $name }
     build $case
@@ -219,7 +221,7 @@ constexpr std::string_view tcl_rest = R"tcl(    }
     return [list $far($worst) [lindex $bearings [expr {$worst - 1}] 0] $most_slab $most_x $most_y $most $most_turn [expr {hypot($ux, $uy)}] $lines]
   }
 
-  # Runs the named cases, or all; prints the largest values of each and writes them to folder/peaks.csv.
+  # Runs the named cases, or all if none is named. Prints the largest values and writes them to folder/peaks.csv.
   proc run {folder which} {
     foreach name {cases weight tested peaks_header units} { variable $name }
     foreach case $which {

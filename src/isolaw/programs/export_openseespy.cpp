@@ -53,7 +53,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
   text += fmt::format(
       "#\n# To use:   import this module; {0}(1) or {0}(1, \"upper\")\n"
       "# To check: python3 this-file (exit code 0 where all agree)\n{1}\n"
-      "try:\n    import openseespy.opensees as ops\nexcept ImportError:  # a build of one's own\n    import opensees as ops\n\n\n",
+      "try:\n    import openseespy.opensees as ops\nexcept ImportError:  # your own build of OpenSees\n    import opensees as ops\n\n\n",
       check.forms.front().function, addition.usage);
   text += addition.head;
   for (auto const& form : check.forms) text += function(form);
@@ -61,7 +61,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
       "# Displacements of the self-check, and the force of the law itself along them.\nDISP = [\n{}\n]\nLAW = [\n{}\n]\n",
       number_lines(check.disp, ", ", "    "), number_lines(check.law, ", ", "    "));
   text += fmt::format(
-      "# Force that the program must give, computed by isolaw from its algorithm: function, variant, force.\n"
+      "# Forces that OpenSees must give, which isolaw computed by the same algorithm: function, variant, forces.\n"
       "ALLOWED = {}  # largest difference, as a share of the peak force\nEXPECTED = [\n",
       exactly(check_tolerance));
   for (auto const& form : check.forms) {
@@ -73,8 +73,8 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
 
 
 def forces(function, variant):
-    """Moves one end of the material or the bearing along the displacements, in a model of its own, and gives the forces;
-    fewer where the analysis ends."""
+    """Moves one end of the material or the bearing along the displacements, in a separate model; returns the forces.
+    If the analysis fails at a displacement, the list ends before it."""
     ops.wipe()
     ops.model("basic", "-ndm", 2, "-ndf", 3)
     ops.node(1, 0.0, 0.0)
@@ -87,7 +87,7 @@ def forces(function, variant):
     else:
         function(1, variant)
         ops.element("zeroLength", 1, 1, 2, "-mat", 1, "-dir", 2)
-    # The first step, of no displacement, brings the time of the series to that of its second value.
+    # The extra 0.0 is the value at time 0, so that step k ends at displacement k of the list.
     ops.timeSeries("Path", 1, "-dt", 1.0, "-values", 0.0, *(float(x) for x in DISP))
     ops.pattern("Plain", 1, 1)
     ops.sp(2, 2, 1.0)
@@ -107,13 +107,13 @@ def forces(function, variant):
 
 
 def self_check():
-    """Drives every material and the bearing in models of their own: what there was is wiped. Prints the largest
-    differences in parts of the peak force; True where all agree."""
+    """Moves every material and the bearing in separate models, and wipes any model that is loaded. Prints the largest
+    differences as shares of the peak force. Returns whether all forces agree."""
     everything = True
     for function, variant, expected in EXPECTED:
         got = forces(function, variant)
         name = f"isolaw {function.__name__} {variant}"
-        # A force that is no number is unlike itself.
+        # Only a NaN differs from itself.
         if len(got) < len(DISP) or any(f != f for f in got):
             print(f"{name}: no force at {len(got)} of {len(DISP)} displacements or after: FAIL")
             everything = False

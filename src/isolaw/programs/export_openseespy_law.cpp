@@ -58,7 +58,7 @@ std::string law_in_python(Subject const& subject, UnitSystem const& units, std::
              R"python(
 
 def {prefix}arguments(variant="nominal"):
-    """What isolaw.opensees.material and section are told about the law in a variant: nominal, lower, upper{or_draw}."""
+    """Returns the arguments of isolaw.opensees.material and section for a variant: nominal, lower, upper{or_draw}."""
     return {{
         "law": "{id}", "source": {source}, "bound": {bound},
         "units": ("{force}", "{length}"), "dead_band_mm": {dead_band}, "refinement": {refinement},
@@ -66,7 +66,7 @@ def {prefix}arguments(variant="nominal"):
 
 
 def {prefix}material(tag, variant="nominal"):
-    """The law as a uniaxial material: force over displacement."""
+    """Makes a uniaxial material of the law: force over displacement."""
     isolaw.opensees.material(tag, **{prefix}arguments(variant))
 
 
@@ -84,7 +84,7 @@ def {prefix}material(tag, variant="nominal"):
 
 
 def {prefix}self_check():
-    """Moves a material of each variant along the motion. What there was is wiped. True where all forces agree."""
+    """Wipes the model and moves a material of each variant along the motion. Returns whether all forces agree."""
     allowed = {tolerance}  # of the peak force
     everything = True
     for variant in {capitals}BOUNDS:
@@ -133,7 +133,7 @@ std::string openseespy_law(Subject const& subject, UnitSystem const& units) {
     text += "# " + line + "\n";
   return text +
          "#\n# To use:   with isolaw's Python package and openseespy: import this module; material(1) or material(1, \"upper\").\n"
-         "#           isolaw.opensees.section is the law in two directions, in one element.\n"
+         "#           isolaw.opensees.section makes the law in two directions, for one element.\n"
          "# To check: python3 this-file (exit code 0 where all agree)\n\n"
          "import openseespy.opensees as ops\nimport isolaw.opensees\n\n" +
          law_in_python(subject, units, "") +

@@ -20,13 +20,13 @@ std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
   std::string text = fmt::format(
       "# A row for each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
       "BEARINGS = [\n{}]\n"
-      "# The carried weight, its mass, the mass's moment of inertia about the centre, and the centre.\n"
+      "# The weight on the isolators, its mass, the mass's moment of inertia about its centre, and this centre.\n"
       "WEIGHT, MASS, INERTIA, CENTRE = {}, {}, {}, ({}, {})\n"
       "HELD = {}\n"
-      "# Newton's iteration ends when displacements change by less than the tolerance. Largest displacement tested.\n"
+      "# Newton's iteration stops below a displacement change of the tolerance. TESTED: largest displacement in the tests.\n"
       "TOLERANCE, TESTED = {}, {}\n"
       "CASES = [{}]\n"
-      "# The ground: seconds between its samples, steps of the analysis to each, accelerations [{}/s2].\n"
+      "# Ground motion: seconds between samples, analysis steps per sample, accelerations [{}/s2].\n"
       "SAMPLE_S, PIECES = {}, {}\n",
       bearings, exactly(n.weight), exactly(n.mass), exactly(n.inertia), exactly(n.x), exactly(n.y), n.held ? 1 : 0,
       exactly(n.tolerance), exactly(n.tested), cases, units.length.symbol, exactly(n.motion_step_s), n.pieces);
@@ -78,7 +78,7 @@ std::string python_isolator_with_law(Subject const& subject) {
 }
 
 std::string python_springs_of_law(Subject const& subject) {
-  std::string text = "# Parameters with which the springs of a section follow the tests.\nLAW_SPRINGS = {\n";
+  std::string text = "# Parameters that were fitted to the tests for the springs of a section.\nLAW_SPRINGS = {\n";
   for (std::size_t i = 0; i < subject.springs->size(); ++i)
     text += fmt::format("    \"{}\": {},\n", subject.law->parameters[i].name, exactly((*subject.springs)[i]));
   return text + "}\n\n\n";
@@ -93,24 +93,25 @@ std::string indented(std::string_view lines, std::size_t by) {
 std::vector<Fact> law_facts(Subject const& subject) {
   auto const coupling = coupling_in_model(subject);
   return {{"Law or re-fit",
-           "an isolator has the law itself if Python finds the package isolaw and this accepts the running OpenSees, "
-           "else the re-fit; a run prints which, and why not the law. The argument --re-fit, or RE_FIT = True below, "
-           "chooses the re-fit. The errors above are those of the re-fit; the law itself has none of them"},
+           "the isolators have the law itself if Python finds the package isolaw and this package accepts the running "
+           "OpenSees, else the re-fit; a run prints which of the two they have, and why. The argument --re-fit, or "
+           "RE_FIT = True below, chooses the re-fit. The errors above are those of the re-fit; the law itself has none "
+           "of them"},
           {"  isolators with the law",
            coupling == building::Coupling::coupled ? "a section with the law's own form in two directions"
            : coupling == building::Coupling::springs
                ? std::string("a section of springs around the circle, with ") +
                      (as_fitted_springs(subject) ? "parameters that were fitted to such springs"
                       : subject.springs
-                          ? "the parameters of the law along one direction: they round its knee and dissipate less "
-                            "than with those that were fitted to such springs, which draws do not have"
-                          : "the parameters of the law along one direction: they round its knee and dissipate "
-                            "less (isolaw calibrate --bidirectional springs fits them)")
-               : "two springs at right angles, along the axes of its angle: they do not know of each other"}};
+                          ? "the parameters of the law along one direction: the springs round its knee and "
+                            "dissipate less than with parameters fitted to such springs, which draws do not have"
+                          : "the parameters of the law along one direction: the springs round its knee and "
+                            "dissipate less (isolaw calibrate --bidirectional springs fits them)")
+               : "two independent springs at right angles, along the isolator's own axes"}};
 }
 
 constexpr std::string_view python_switch =
-    R"python(# True: the isolators have the re-fit also where the law itself can be had. So does the argument --re-fit.
+    R"python(# True, or the argument --re-fit: the isolators have the re-fit even if the law itself is available.
 RE_FIT = False
 
 
@@ -121,8 +122,8 @@ constexpr std::string_view python_choice = R"python(LAW_FAILED = "its check fail
 
 @functools.cache
 def no_law():
-    """Why the law itself cannot be had in this Python and OpenSees; "" if it can, and its check passes. What there was is
-    wiped."""
+    """Returns why the law itself is not available in this Python and OpenSees, or "" if it is and its check passes.
+    Wipes the model."""
     global isolaw
     try:
         import isolaw.opensees
@@ -136,7 +137,7 @@ def no_law():
 
 
 def isolators():
-    """Whether the isolators have the law itself, and a sentence that says which of the two they have, and why."""
+    """Returns whether the isolators have the law itself, and a sentence that says whether they do, and why."""
     reason = "RE_FIT or --re-fit asks for it" if RE_FIT else no_law()
     if reason:
         return False, f"The isolators have the re-fit. Why not the law itself: {reason}."
@@ -151,7 +152,8 @@ constexpr std::string_view python_build_head = R"python(def variant(case, i):
 
 
 def build(case):
-    """Nodes 1 to n on the ground, n + 1 to 2 n above the isolators, 2 n + 1 at the centre of the mass; elements 1 to n."""
+    """Builds the model. Nodes 1 to n are on the ground, n + 1 to 2 n above the isolators, and 2 n + 1 at the centre of
+    mass. The isolators are elements 1 to n."""
 HAS_LAW    ops.wipe()
     ops.model("basic", "-ndm", 3, "-ndf", 6)
     n = len(BEARINGS)
@@ -211,7 +213,8 @@ def gravity():
 
 
 def step(dt):
-    """One step. Where Newton's rule does not converge it is cut into ten, each with KrylovNewton if needed. 0: done."""
+    """Makes one step. If Newton's method does not converge, makes ten smaller ones, with KrylovNewton where needed.
+    Returns 0 on success."""
     if ops.analyze(1, dt) == 0:
         return 0
     for _ in range(10):
@@ -231,8 +234,8 @@ def opened(*names):
 
 def shake(case, folder):
     """Shakes the model of one case and writes its motion to folder/case. Returns the largest displacement of an isolator,
-    that isolator, the slab centre's, the largest shear along x, y and together, the largest rotation, the displacement
-    that is left, lines of the isolators' peaks."""
+    the name of this isolator, the largest displacement of the slab's centre, the largest shear along x, along y and in
+    plan, the largest rotation, the displacement of the slab at the end, and the lines for peaks.csv."""
     build(case)
     gravity()
     for tag, values in enumerate(ACCELERATIONS, 2):
@@ -290,7 +293,7 @@ def table_row(*cells):
 
 
 def run(folder, which=()):
-    """Runs the named cases, or all; prints the largest values of each and writes them to folder/peaks.csv."""
+    """Runs the named cases, or all if none is named. Prints the largest values and writes them to folder/peaks.csv."""
     for case in which:
         if case not in CASES:
             raise ValueError(f"no case {case}; there is: {' '.join(CASES)}")
@@ -320,7 +323,7 @@ SAY_WHICH    table_row("case", "isolator", "which", "slab", "Vx", "Vy", "V/weigh
 
 
 def main(arguments):
-    """Runs the analyses if asked to `run`, else the check; returns the exit code."""
+    """Runs the analyses if the first argument is `run`, else the self-check. Returns the exit code."""
 ARGUMENTS    if not arguments or arguments[0] != "run":
         passed = self_check()
 CHECK        return 0 if passed else 1
@@ -371,7 +374,7 @@ std::string openseespy_model(Subject const& subject, Realisation const& realisat
   if (either) {
     for (auto& fact : law_facts(subject)) addition.facts.push_back(std::move(fact));
     addition.head = python_switch;
-    addition.usage += "#           --re-fit: the isolators have the re-fit also where the law itself can be had\n";
+    addition.usage += "#           --re-fit: the isolators have the re-fit even if the law itself is available\n";
     addition.procedures += law_in_python(subject, units, "law_");
     if (as_fitted_springs(subject)) addition.procedures += python_springs_of_law(subject);
     addition.procedures += python_choice;
@@ -380,7 +383,7 @@ std::string openseespy_model(Subject const& subject, Realisation const& realisat
   if (either)
     addition.procedures +=
         "        if has_law:\n"
-        "            # isolaw warns that a static analysis has no velocity; under the loads nothing moves in plan.\n"
+        "            # No warning that a static analysis has no velocity: these loads move nothing in plan.\n"
         "            with warnings.catch_warnings():\n"
         "                warnings.simplefilter(\"ignore\")\n" +
         indented(python_isolator_with_law(subject), 16) + "        else:\n" + indented(isolator, 12);

@@ -1,14 +1,14 @@
-// Writes a page of input values for programs that we could not try. Each value has the program's own symbol, and each
-// law states its error. The force laws come from the programs' manuals:
+// Writes a page of input values for programs that the authors could not run. Each value has the program's own symbol,
+// and each law states its error. The force laws come from the programs' manuals:
 //   SAP2000 and ETABS, Plastic (Wen): f = r k d + (1 - r) Fy z with dz = (k / Fy) dd (1 - |z|^exp) where dd z > 0,
 //     otherwise dz = (k / Fy) dd; this is Bouc-Wen with beta = gamma
 //   SAP2000 and ETABS, Rubber Isolator: the same law with exp = 2, in two coupled directions
 //   MIDAS, Hysteretic System: Plastic (Wen) with free shares PA + PB = 1
 //   SeismoStruct: the bearing of OpenSees
 //   Abaqus: connector elasticity with linear kinematic hardening
-//   SAP2000 and ETABS, High Damping Rubber Isolator: by the vendor's public page, control strains and strengths of one
-//     or more hysteresis loops after Masaki et al. and Kasai et al., which is history-integral, and a degradable
-//     elastic stiffness. Its equations are in a technical note (S-TN-LNK-001) that could not be read.
+//   SAP2000 and ETABS, High Damping Rubber Isolator: the vendor's public page lists control strains and strengths of
+//     one or more hysteresis loops after Masaki et al. and Kasai et al. (isolaw's law history-integral), and an elastic
+//     stiffness that degrades. The equations are in a technical note (S-TN-LNK-001) that could not be read.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -350,7 +350,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;  // of the last set compared; only its facts on the building are used, equal for all sets
+  RefitResponse response;  // of the last set; only its facts about the building are used, the same for all sets
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);

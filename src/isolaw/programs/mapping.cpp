@@ -161,10 +161,10 @@ std::string no_material_of(laws::LawEntry const& law, laws::LimitCurvesForm cons
   return {};
 }
 
-// On a long travel in one direction the force approaches its limit curve: it is f0 exp(-alpha travel) away from it.
-// Returns the travel from which on this distance may be smaller than the rounding error of the force. The error grows
-// with the displacement, which is `reach` * travel: `reach` is 1 if the travel begins at rest, and 0.5 if it leads from
-// one side to the other.
+// After a long travel in one direction the force has nearly reached its limit curve: their distance is f0 exp(-alpha
+// travel). Returns the travel from which on this distance may be smaller than the rounding error of the force. The
+// error grows with the displacement, which is `reach` * travel: `reach` is 1 if the travel begins at rest, and 0.5 if
+// it leads from one side to the other.
 double longest_travel(laws::LimitCurve const& v, double reach) {
   constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
   double travel = 0.0;

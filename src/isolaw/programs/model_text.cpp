@@ -155,15 +155,15 @@ std::vector<std::string> model_cautions(Subject const& subject, UnitSystem const
       !laws::springs_follow(id) && laws::no_coupled_form(id, subject.parameters))
     cautions.push_back(
         wording::sentence({.kind = FindingKind::unequal_sides, .law = id, .words = {{"how", "in a model"}}}, units));
-  // Loads that lie outside the tested loads by up to 20 % need no caution, since laboratories keep the load of a test
-  // only to within about as much.
+  // Loads that lie outside the tested loads by up to 20 % need no caution, because laboratories hold the load of a test
+  // no more closely than that.
   constexpr double held_within = 0.2;
   auto const &low = subject.tested.load_min_kN, &high = subject.tested.load_max_kN;
   if (!low || !high) return cautions;
   auto const [least, most] = std::ranges::minmax(subject.model->bearings, {}, &ModelBearing::load_kN);
   if (least.load_kN >= (1.0 - held_within) * *low && most.load_kN <= (1.0 + held_within) * *high) return cautions;
   auto const text = [&](double a, double b) { return range_text(units.from_kN(a), units.from_kN(b)); };
-  cautions.push_back(fmt::format("the isolators carry {} {} and were tested under {}: their law is that of the tests",
+  cautions.push_back(fmt::format("the isolators carry {} {} and were tested under {}: their law is fitted to the tests",
                                  text(least.load_kN, most.load_kN), units.force.symbol, text(*low, *high)));
   return cautions;
 }
@@ -188,7 +188,7 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
   facts.push_back({"Its centre", fmt::format("x = {:.5g}, y = {:.5g} {}, {}; no accidental eccentricity", numbers.x,
                                              numbers.y, length, model.centre_from)});
   facts.push_back(
-      {"Turning in plan", numbers.held ? std::string("held: one isolator gives a slab no stiffness against it")
+      {"Turning in plan", numbers.held ? std::string("held, as one isolator gives no stiffness against it")
                                        : fmt::format("radius of gyration {:.5g} {}, {}",
                                                      units.from_mm(model.gyration_mm), length, model.gyration_from)});
   auto const [least, most] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::load);
@@ -196,13 +196,12 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
   for (auto const& caution : model_cautions(subject, units)) facts.push_back({"Warning", caution});
   auto const [softest, stiffest] = std::ranges::minmax(numbers.bearings, {}, &ModelNumbers::One::K_v);
   facts.push_back(
-      {"Vertical springs", fmt::format("{} {}/{}, {}; elastic, tension as compression",
+      {"Vertical springs", fmt::format("{} {}/{}, {}; elastic, the same in tension and compression",
                                        range_text(softest.K_v, stiffest.K_v), force, length, model.K_v_from)});
   facts.push_back(
-      {"Isolators",
-       numbers.coupled
-           ? std::string("an element that couples the two directions in plan")
-           : std::string("two springs at right angles, along the axes of its angle: they do not know of each other")});
+      {"Isolators", numbers.coupled
+                        ? std::string("an element that couples the two directions in plan")
+                        : std::string("two independent springs at right angles, along the isolator's own axes")});
   facts.push_back(
       {"Rotations",
        "the slab and the ground hold both ends of an isolator level; its own stiffness against twist is 0"});
@@ -220,16 +219,16 @@ std::vector<Fact> model_facts(Subject const& subject, Realisation const& realisa
     auto const& motion = model.motions[i];
     double peak = 0.0;
     for (double const a : motion.acceleration_mm_s2) peak = std::max(peak, std::abs(a));
-    facts.push_back({i == 0 ? "Ground motion along x" : "Ground motion along y",
-                     fmt::format("{}: {}; peak {:.4g} g{}", motion.file, motion.recognised,
-                                 model.scale * peak / data::gravity_mm_s2,
-                                 model.scale == 1.0
-                                     ? std::string()
-                                     : fmt::format(" with the factor {:g} that is in its numbers here", model.scale))});
+    facts.push_back(
+        {i == 0 ? "Ground motion along x" : "Ground motion along y",
+         fmt::format("{}: {}; peak {:.4g} g{}", motion.file, motion.recognised,
+                     model.scale * peak / data::gravity_mm_s2,
+                     model.scale == 1.0 ? std::string()
+                                        : fmt::format(" (scaled by {:g}, as are the numbers below)", model.scale))});
   }
-  facts.push_back({"Step of the analysis",
-                   fmt::format("{:.4g} s, {} to a sample of the motion; Newmark's rule (0.5, 0.25), Newton's",
-                               numbers.motion_step_s / numbers.pieces, numbers.pieces)});
+  facts.push_back(
+      {"Step of the analysis", fmt::format("{:.4g} s, {} to a sample of the motion; Newmark (0.5, 0.25), Newton",
+                                           numbers.motion_step_s / numbers.pieces, numbers.pieces)});
   facts.push_back({"Analyses", model.draws.empty()
                                    ? joined(numbers.cases)
                                    : fmt::format("nominal, and {} draws, seed {}, each isolator with a law of its own",

@@ -49,7 +49,7 @@ struct Realised {
   std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no number of steps was enough
   // The records' longest travel in one direction, and their longest step between two samples.
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;
-  double replayed_step_mm = 0.0;  // longest step of the replay; for a substitute cut as the exported file demands
+  double replayed_step_mm = 0.0;  // longest step of the replay, for a substitute as short as the exported file demands
 };
 inline constexpr int finer_steps = 16;
 

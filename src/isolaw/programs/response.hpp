@@ -19,7 +19,7 @@ namespace isolaw::programs {
 // this percentage. With building::motions_for_a_mean motions or more the means over the motions are compared, with
 // fewer the peaks under each motion.
 inline constexpr double response_off_percent = 10.0;
-// Period of the mass with the law's K_eff at the tested amplitude, if no vertical load is known.
+// If no vertical load is known, the mass is such that it has this period with the law's K_eff at the tested amplitude.
 inline constexpr double usual_period_s = 2.5;
 
 struct UnderMotion {
@@ -29,9 +29,9 @@ struct UnderMotion {
 
 struct RefitResponse {
   std::vector<UnderMotion> motions;
-  // FindingKind::refit_response, or refit_response_off if the difference is beyond the limit. It has the difference
-  // between the mean peaks with the re-fit and with the law, and the least and largest difference under one motion. If
-  // the integration fails under one motion, `finding` and `motions` are empty, and why_not has the reason.
+  // FindingKind::refit_response, or refit_response_off if the difference is beyond the limit. The finding has the
+  // difference between the mean peaks with the re-fit and with the law, and the least and largest difference under one
+  // motion. If the integration fails under one motion, `finding` and `motions` are empty, and why_not has the reason.
   std::optional<Finding> finding;
   double mass_Mg = 0.0, period_s = 0.0;
   std::string mass_from, motions_from;

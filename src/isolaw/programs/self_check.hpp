@@ -11,7 +11,7 @@
 namespace isolaw::programs {
 
 // The largest difference from the expected force that a self-check allows, as a share of the largest expected force.
-// The numbers in the file have ten digits, and the program adds rounding of its own.
+// The numbers in the file have ten digits, and the analysis program adds rounding of its own.
 inline constexpr double check_tolerance = 1e-8;
 
 // For a check of the law itself: the motion, rounded as in the file, and the force that the law's exported code gives.
@@ -41,7 +41,8 @@ struct SelfCheck {
   std::vector<CheckedForm> forms;
 };
 
-// Tells users which tags a form needs: "uses the tag after the given one too". "" if it needs the given one only.
+// Returns a text for users about the tags that a form needs, such as "uses the tag after the given one too". Returns ""
+// if the form needs only the given tag.
 std::string tags_text(Form const& form);
 
 SelfCheck self_check(Subject const& subject, Realisation const& realisation, UnitSystem const& units);

@@ -340,8 +340,8 @@ History tested_cycles(Subject const& subject) {
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {
   constexpr double pi = std::numbers::pi;
   // A law with a dead band computes its force from a motion that follows the real one (laws/memory/followed.hpp). After
-  // a turn, the following motion rests until the real one has gone back by two bands, and has caught up after six. The
-  // small loop goes back by four bands, so that its force depends on the width of the band.
+  // a turn, this follower rests until the real motion has gone back by two bands, and has caught up with it after six.
+  // The small loop goes back by four bands, so that its force depends on the width of the band.
   double const tremor = 4.0 * dead_band_mm / tested_mm, step_s = 1.0 / (protocol_steps * frequency_Hz);
   History history{.device = {}, .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
   double from = 0.0;
@@ -409,8 +409,8 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   if (contents.settings.integration == laws::Integration::paper)
     subject.notes.emplace_back(
         "The campaign integrated with one Runge-Kutta step per sample; the export is of the law itself, integrated to convergence with the same parameters.");
-  // The setting alone does not tell whether samples had weights: a record without swings has none. So this looks at the
-  // records.
+  // The setting alone does not tell whether samples had weights, because a record without swings has none. So the
+  // records are inspected.
   if (std::ranges::any_of(contents.devices, [&](campaign::Device const& d) {
         return !d.record.weights.empty() &&
                std::ranges::find(subject.histories, d.name, &History::device) != subject.histories.end();

@@ -47,7 +47,7 @@ struct Fitted : study::Range {
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;               // factor on the whole force, for programs that cannot scale the parts
-  std::optional<double> energy = {};  // factor on the energy that the bound should have; empty: `overall`
+  std::optional<double> energy = {};  // factor on the energy at the bound; if empty, this is `overall`
   bool separate = false;              // true if there are separate factors
   // The law's own parameters at the bound, in its order and units. Empty for bounds of the scatter between devices.
   std::vector<double> parameters = {};
@@ -109,7 +109,7 @@ History tested_cycles(Subject const& subject);
 // between samples is the period of this sine divided by protocol_steps.
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm);
 
-// Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces runs of others.
+// Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces each run of others.
 inline constexpr std::size_t longest_name = 40;
 std::string plain_name(std::string_view name, std::size_t longest = longest_name);
 

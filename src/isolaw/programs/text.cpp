@@ -146,7 +146,7 @@ std::string with_own_number(std::string text) {
 
 std::string exactly(double value) {
   auto text = fmt::format("{}", value);
-  // Tcl would take "2" for an integer and divide it as one. The text is therefore "2.0".
+  // Tcl would read "2" as an integer and use integer division. The text is therefore "2.0".
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
 }

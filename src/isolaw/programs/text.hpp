@@ -25,7 +25,7 @@ void require_export_name(std::string_view name);
 inline constexpr std::string_view own_number_mark = "@own number@";
 std::string with_own_number(std::string text);
 
-// The shortest text from which the same number is read.
+// Returns the shortest text that is read back as the same number.
 std::string exactly(double value);
 std::string argument_values(Command const& command, std::string_view separator);
 // Returns the commands of a form with their arguments' names, for users: "Command argument argument; Command ...".
@@ -57,7 +57,7 @@ std::vector<Fact> response_facts(Subject const& subject, RefitResponse const& re
 std::vector<Fact> validity(Subject const& subject, UnitSystem const& units);
 std::string equations(laws::LawInfo const& law);  // the law's formula in one line
 std::vector<Fact> measured_facts(Subject const& subject);
-// How well the law predicts, and why it should not be used if there is another reason.
+// Says how well the law predicts and, if there is another reason not to use the law, this reason.
 std::vector<Fact> prediction_facts(Subject const& subject, UnitSystem const& units);
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation);
 std::vector<Fact> bound_facts(Subject const& subject, bool one_factor);

@@ -5,7 +5,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // Returns y at the end of a step of length dx; slope(t, y) = dy/dx at the fraction t = 0, 1/2, 1 of the step.
 template <class N, class X, class Slope>

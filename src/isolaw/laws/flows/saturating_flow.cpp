@@ -44,7 +44,7 @@ double chebyshev(std::array<std::size_t, Count> const& zeros, std::size_t k, std
   return static_cast<double>(sum * (k == 0 ? 1.0L : 2.0L) / terms);
 }
 
-// The integral over [0, 1], exact for polynomials of degree 32 (Clenshaw and Curtis).
+// Returns the integral of f over [0, 1]. It is exact for polynomials of degree 32 (Clenshaw and Curtis).
 template <class F>
 long double integral(F&& f) {
   constexpr int n = 32;

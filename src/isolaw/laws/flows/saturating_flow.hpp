@@ -49,7 +49,7 @@ struct Nodes {
   Values fifth;  // the fifth power of each `place`
   Values log2_fifth;
   Values inverse_place;
-  // Row i: weights by which the values at all places give their mean over |u|, from 0 to the |u| of place i.
+  // Row i: weights for the values at all places. Their weighted sum is the mean over |u| from 0 to the |u| of place i.
   std::array<Values, terms> mean;
   // `chebyshev` turns values at the points `place` into coefficients of the Chebyshev polynomials T_k(y), y = 2 place -
   // 1; `power` turns those into coefficients of y^k. One matrix in place of the two would lose six digits.
@@ -72,8 +72,8 @@ struct Nodes {
 inline constexpr double least_n = 0.01, largest_kappa = 3.0;
 // For n above this the curve bends so sharply that the fit of G makes another pass of Newton's method.
 inline constexpr double sharp_n = 1.5;
-// If |u|, followed back in time, comes to rest only beyond 1 / least_rest, it is taken never to rest. `rate` is then
-// negative and at least least_rate times n in size.
+// If |u|, followed back in time, comes to rest only beyond 1 / least_rest, it is treated as if it never came to rest.
+// `rate` is then negative and at least least_rate times n in size.
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
 // The time is a logarithm of E, which falls to 0 at saturation. A smaller E counts as this one.
 inline constexpr double saturated = 1e-13;
@@ -160,7 +160,7 @@ class SaturatingFlow {
     T const slopes = even_slope + y * odd_slope, twice = y + y;
     return {even + y * odd, odd + twice * slopes};
   }
-  // |u| and d|u| / dx.
+  // Returns |u| and d|u| / dx.
   template <bool mixed>
   Slope value_of(Mask const& below, T const& x) const {
     T const v = rounded(fifth_root(x));
@@ -376,8 +376,8 @@ auto SaturatingFlow<T, reach>::advance(T const& u, T const& travel) const -> Adv
   Start const b = any(below1) ? finish(below1, std::true_type()) : finish(below1, std::false_type());
   T const decay = one + less, slope0 = a.u.slope * abs(a.per_end), slope1 = b.u.slope * abs(b.per_end);
   T const rate = n_ * E0, ratio = decay * slope1 / slope0;
-  // H converts u to x with a small error. Its effect on the end is removed, so that such errors do not add up over the
-  // steps.
+  // H converts u to x with a small error. The effect of this error on the end is removed, so that such errors do not
+  // add up over the steps.
   T end = select(below1, -b.u.value, b.u.value) + (w - a.u.value) * select(below0, -ratio, ratio);
   end = select(u > one, max(end, one), min(end, one));
   Advance moved{end, rate * slope0, rate * decay * slope1, ratio};

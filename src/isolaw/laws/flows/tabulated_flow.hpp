@@ -1,9 +1,9 @@
-// The exact flow of the hysteretic laws between two reversals, from a table. It serves parameters outside the range of
-// the polynomials of saturating_flow.hpp, where the equation and the rejected alternatives are. The curve u(t) is
-// tabulated once per parameter set, which costs about 500 powers; each sample then costs a lookup, however large its
-// step. Nodes come closer together, geometrically, towards u = 0, where u^n is not smooth for n < 1, and towards
-// saturation on both sides. Times between nodes come from four-point Lobatto quadrature; u(t) within a cell is the
-// quintic with the value, slope and curvature of both ends.
+// The exact flow of the hysteretic laws between two reversals, from a table. It is used for parameters outside the
+// range of the polynomials of saturating_flow.hpp. That file gives the equation and the rejected alternatives. The
+// curve u(t) is tabulated once per parameter set, which costs about 500 evaluations of a power; each sample then costs
+// a lookup, however large its step. Nodes come closer together, geometrically, towards u = 0, where u^n is not smooth
+// for n < 1, and towards saturation on both sides. Times between nodes come from four-point Lobatto quadrature; u(t)
+// within a cell is the quintic with the value, slope and curvature of both ends.
 // Largest error in u over n in [0.01, 3]: below 1e-5 for kappa in [-1/2, 3]; below 1e-5 / (2 (1 + kappa)) down to kappa
 // = -0.99, where the equation itself magnifies errors near u = -1 (tests/verification).
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // Whether |u| can exceed 1, as it does where the saturation value itself shrinks (abe).
 enum class Reach { within_saturation, beyond_saturation };
@@ -61,8 +61,8 @@ constexpr std::size_t node_count(double first, double last) {
 }
 
 // The nodes go from u = -1 up to saturation. If u may exceed 1, they go from -55 up to saturation, and from 55 down to
-// it. With Reach::within_saturation they come closer together towards -1 too, where the rate 1 + kappa |u|^n nearly
-// vanishes for kappa close to -1.
+// saturation. With Reach::within_saturation they come closer together towards -1 too, where the rate 1 + kappa |u|^n
+// nearly vanishes for kappa close to -1.
 template <Reach reach>
 struct Layout {
   static constexpr bool falls = reach == Reach::beyond_saturation;
@@ -230,7 +230,7 @@ auto TabulatedFlow<T, reach>::place_of(T const& u) const -> Place {
   auto const& nodes = Layout::nodes();
   T const lowest(nodes.key.front());
   T key = u;
-  // A u above 55, the table's largest, starts at that node: the rate there hardly changes over a step.
+  // A u above 55, the table's largest, starts from the node at 55, because the rate hardly changes over a step there.
   if constexpr (Layout::falls)
     key = select(u > T(1.0), max(T(tabulated_flow_parts::falling_origin) - u, T(nodes.key[Layout::rising])),
                  min(u, T(nodes.key[Layout::rising - 1] * tabulated_flow_parts::just_below_one)));

@@ -11,7 +11,7 @@
 
 namespace isolaw::laws::online {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // The exact curve u(t) of a hysteretic variable between two reversals, tabulated once. The travel t is called time:
 //     du/dt = 1 - |u|^n for u >= 0, 1 + kappa |u|^n for u < 0

@@ -5,7 +5,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // Follows x without its noise, which is taken to stay within +-dead_band. After a turn of x the result rests until x
 // has moved by two bands. It then moves one and a half times as fast as x, and equals x again after four more bands.

@@ -1,8 +1,8 @@
-// The turning points at which branches began that Masing's rules (parts/masing.hpp) have not yet closed. At most 256
-// are kept, so that the state of a trial is bounded. If one more comes, two neighbours in the list are dropped, those
-// whose loss changes the force least. Their loop then no longer closes where it began, and the force is wrong up to the
-// next larger loop. In a motion of 3000 shrinking turns, the error is up to 0.4 % of the largest force. A test record
-// keeps a few tens of turning points at most.
+// The turning points of the open branches, which Masing's rules (parts/masing.hpp) have not yet closed. At most 256 are
+// kept, so that the state of a trial is bounded. If another one comes, the two neighbours in the list whose loss
+// changes the force least are dropped. Their loop then no longer closes where it began, and the force is wrong up to
+// the next larger loop. In a motion of 3000 shrinking turns, the error is up to 0.4 % of the largest force. A test
+// record keeps a few tens of turning points at most.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // When a branch reaches the point at which the branch before it began, both close. If only one branch is open, it
 // closes where it meets the skeleton curve, at the mirror image of its start.

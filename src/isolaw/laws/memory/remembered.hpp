@@ -7,7 +7,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 template <class X, class... Parts>
 struct Remembered : Parts... {

@@ -7,7 +7,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 inline double shrunk(double ratio) {
   return std::pow(ratio, 60.0);

@@ -16,7 +16,7 @@ inline double log2_of_softening(double G) {
   return log2_of_travel(G);
 }
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 // The slope of a power of a travel has no bound at travel 0. It is therefore taken at a travel of at least 1e-3 mm.
 inline Dual log2_of_travel(Dual const& travel) {
@@ -70,7 +70,7 @@ struct Softening {
   };
   SofteningSide softening_sides[2];
   X log2_softening = 0.0, log2_way_back = 0.0;  // log2 of G and of C on the side on which the step ends
-  bool softens = false, returns = false;  // whether G, and C, have changed since the last step that ended on this side
+  bool softens = false, returns = false;  // whether G, or C, has changed since the last step that ended on this side
 
   void move(X const& x0, X const& x1, double, double direction) {
     bool const left = x1 < 0.0 || (x1 == 0.0 && direction < 0.0);

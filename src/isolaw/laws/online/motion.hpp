@@ -33,7 +33,7 @@ struct Motion {
       return first;
   }
 
-  // isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
   // [export]
   // The state of a device: its law's memory of the motion, and its force, in the law's units.
   struct State {

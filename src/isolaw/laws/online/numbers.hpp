@@ -103,7 +103,7 @@ template <>
 struct StepOf<Dual> {
   Dual x0, x1, v0, v1, dx, length;
   double direction = 0.0;  // direction of the step, +1 or -1
-  bool reversal = false;   // whether it is opposite to that of the step before
+  bool reversal = false;   // whether `direction` is opposite to that of the step before
   Dual peak0, peak1;
 };
 // A trial at rest needs a tangent too, so every trial counts as a motion.

@@ -20,7 +20,7 @@ struct Remembering {
   using Memory = typename Law::template Memory<Dual>;
   using Step = StepOf<Dual>;
 
-  // isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
   // [export]
   // The state of the law, the motion without its noise (`follower`, x), and what the law remembers of it (`memory`).
   struct LawState {

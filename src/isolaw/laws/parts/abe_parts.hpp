@@ -45,7 +45,7 @@ inline constexpr ParameterInfo r_info =
 
 inline constexpr NoForm beyond_programs{"yield force and displacement, which change with the peak so far"};
 
-// isolaw export copies the lines from here to [end] into C++ files, in this namespace (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files, in this namespace (programs/header_parts.cpp):
 // [export namespace abe_parts]
 template <class T>
 struct Constants {

@@ -1,6 +1,7 @@
 // Masing's rules. The first loading follows the skeleton curve. After each turning point the force follows a branch:
-// the skeleton curve at twice its size, drawn from that point. A branch ends where it meets an earlier one, which the
-// force then follows on. The displacement alone decides at which turning point the present branch began (Memory).
+// the skeleton curve at twice its size, drawn from that point. A branch ends where it meets an earlier one, and the
+// force goes on along the earlier one. The displacement alone decides at which turning point the present branch began
+// (Memory).
 // Source: Masing 1926; docs/laws.md.
 #pragma once
 
@@ -10,7 +11,7 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 template <class N>
 struct MasingBranches {

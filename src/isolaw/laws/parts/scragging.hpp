@@ -10,11 +10,11 @@
 
 namespace isolaw::laws {
 
-// isolaw export copies the lines from here to [end] into C++ files (programs/header_parts.cpp):
+// `isolaw export` copies the lines up to [end] to C++ files (programs/header_parts.cpp):
 // [export]
 template <class N>
 struct Scragging {
-  N elastic[2] = {N(0.0), N(0.0)};  // K (m/100)^(g-1) [kN] for x >= 0 and x < 0; m is the largest |x| so far there
+  N elastic[2] = {N(0.0), N(0.0)};  // K (m/100)^(g-1) [kN] for x >= 0 and x < 0; m is the largest |x| on that side
 
   // Returns (x/100) (K (m/100)^(g-1) + w H (m/100) (|x|/m)^6 + w^2 C (1 + N)^(-1/3)), w = (1 + sgn(x) share)/2. m is
   // the peak of the side of x, and N the travel on that side divided by m. `share`, from -1 to 1, is the hysteretic

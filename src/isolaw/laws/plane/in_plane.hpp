@@ -49,8 +49,8 @@ class InPlane {
 
 // Says why a law with these parameters cannot have one state for both directions; nullopt if it can.
 std::optional<std::string> no_coupled_form(std::string_view law, std::span<double const> parameters);
-// Whether springs around a circle follow the law: its force is equal on both sides. Springs of another law would give a
-// force across the motion, which depends on where the circle begins.
+// Whether springs around a circle reproduce the law. They do if its force is the same on both sides. Springs of any
+// other law would give a force across the motion that depends on the angle at which the circle begins.
 bool springs_follow(std::string_view law);
 // Whether the largest displacement so far softens the coupled form, so that plane::Softening matters.
 bool softens_with_the_peak(std::string_view law);
