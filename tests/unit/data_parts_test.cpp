@@ -182,6 +182,14 @@ TEST_F(Parts, TextBelowTheRowsIsLeftOutOnRequest) {
       "FILE:603: 2 columns: '6.01;3.1'; allowed: 3 columns, as in most rows; try: --rows 1:601, the rows before it");
 }
 
+// The column Point is not read, so the values below the rows look like another sample.
+TEST_F(Parts, StatisticsBelowTheRowsAreNoSample) {
+  std::string table = "Point;Time [s];Displacement [mm];Force [kN]\n";
+  for (int i = 0; i < 40; ++i) table += fmt::format("{};{};{};{}\n", i, 0.1 * i, i % 7, i % 5);
+  for (auto const* label : {"Mean", "Max:", "Std. Dev."})
+    EXPECT_TRUE(refusal(table + label + ";4.2;3;2\n").starts_with("FILE:42: text below the rows of numbers")) << label;
+}
+
 TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
   auto const read_with = [&](std::string_view rows, char mark) {
     auto options = with("disp=1,force=2", "disp=mm,force=N");
