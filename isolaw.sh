@@ -24,8 +24,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=${ISOLAW_PRESET:-release}
-# One test more than there are processors runs at once, because tests of the page, of faults and of interruption mostly
-# wait.
+# ctest runs one test more at a time than there are processors, because the tests of the page, of faults and of
+# interruption mostly wait.
 one_waits=$(($(nproc) + 1))
 
 step() { printf '+ %s\n' "$*" >&2; "$@"; }
@@ -40,7 +40,7 @@ install_missing() {
   command -v dpkg-query >/dev/null || { echo "isolaw.sh: not a Debian system; install the packages listed here by other means" >&2; return; }
   local missing=()
   for package in "$@"; do
-    # npm may have come with a Node.js that is not from Debian. Then Debian's package npm is not needed.
+    # A Node.js that is not from Debian may bring its own npm. Debian's package npm is then not needed.
     [ "$package" = npm ] && command -v npm >/dev/null && continue
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
@@ -88,8 +88,8 @@ case "${1:-help}" in
   run)
     setup
     build --target isolaw_products
-    # The two examples: the paper's lot, and tests that a program made. The second ends with exit code 1, because one of
-    # its records is refused and one bearing fails.
+    # Identifies the two examples: the paper's lot, and the computed example tests. The second command ends with exit
+    # code 1, because one of its records is refused and one bearing fails.
     isolaw=build/$preset/cli/isolaw
     step "$isolaw" calibrate examples/published-lot/lot.toml --out out/published-lot "${@:2}"
     step "$isolaw" example out/example-tests-files --tests
@@ -119,12 +119,14 @@ case "${1:-help}" in
     [ ${#targets[@]} -gt 0 ] || { targets=("build/$preset/fuzz"/fuzz_*); targets=("${targets[@]##*/fuzz_}"); }
     findings=0
     for target in "${targets[@]}"; do
-      # Short inputs run fast. Those of mat73 and store cannot be short, because they are whole HDF5 and SQLite files.
+      # libFuzzer gets a largest input length, because short inputs run fast. Inputs of mat73 and store cannot be short,
+      # because they are whole HDF5 and SQLite files.
       case "$target" in mat73 | store) longest=32768 ;; text | json | mat | motion) longest=1000 ;; *) longest=3000 ;; esac
-      # libFuzzer writes new inputs to build/found, so that fuzz/corpus stays as people made it, with one minimised input
-      # for each fault. Both presets share this folder: what the fast one found runs under the sanitizers next.
+      # libFuzzer writes new inputs to build/found, so that fuzz/corpus keeps only hand-made files and one minimised
+      # input for each fault found. The presets fuzz and fuzz-fast share this folder: inputs that fuzz-fast found run
+      # under the sanitizers in the next run of fuzz.
       mkdir -p "build/found/$target"
-      # libFuzzer spends half of the time on its statistics of rare features (entropic) if it is not told otherwise.
+      # -entropic=0 turns off libFuzzer's statistics of rare features, which would take half of the time.
       step "build/$preset/fuzz/fuzz_$target" -max_total_time="$seconds" -runs="${ISOLAW_FUZZ_RUNS:--1}" -max_len="$longest" \
         -entropic=0 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="build/found/$target-" "build/found/$target" "fuzz/corpus/$target" ||
         findings=$((findings + 1))

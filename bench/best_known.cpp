@@ -140,7 +140,7 @@ class Reader {
   std::vector<BestKnown> entries_;
 };
 
-// TOML reads a number without a decimal point as an integer, so this function always writes a point.
+// Writes a number with a decimal point or an exponent, because TOML reads a number with neither as an integer.
 std::string number(double value) {
   auto const text = fmt::format("{}", value + 0.0);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
@@ -176,7 +176,8 @@ std::string problem_key(laws::LawEntry const& law, laws::Integration integration
   add_channel(text, "vel", record.vel_mm_s);
   add_channel(text, "force", record.force_kN);
   add_channel(text, "scored", record.scored);
-  // A record without weights adds nothing here, so that its key equals the key in older files, which know no weights.
+  // A record without weights adds nothing here, so that its key stays the one in files that were written before weights
+  // existed.
   if (!record.weights.empty()) add_channel(text, "weights", record.weights);
   add_box(text, box);
   return sha256(text);

@@ -1,7 +1,7 @@
-// Measures the time that `isolaw building` needs for one draw of a building: 28 bearings of the law bouc-wen under five
-// floors, shaken in two directions for 20 s with steps of 0.005 s. First it times all draws in SIMD lanes with explicit
-// integration, then a few draws in scalar code, then one draw with the implicit integrator. bench/building writes the
-// output to bench/results.
+// Measures the time that `isolaw building` needs for one draw, which is a building whose bearings have randomly drawn
+// parameters. The building has five floors on 28 bearings of the law bouc-wen. It is shaken in two directions for 20 s
+// with steps of 0.005 s. The program first times all draws in SIMD lanes with explicit integration, then a few draws in
+// scalar code, then one draw with implicit integration. bench/building writes the output to bench/results.
 //   building_bench [DRAWS] [MOTIONS] [THREADS] [N] [--json]      defaults: 1000, 11, 2, 1.2; N: parameter n of bouc-wen
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ int main(int count, char** arguments) {
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  // Returns the processor time of this thread for the work, which other work on the machine does not lengthen.
+  // Returns the processor time that this thread takes for `work`. Other programs on the machine do not lengthen it.
   auto const own_seconds = [](auto&& work) {
     double const start = thread_time_s();
     work();

@@ -1,5 +1,6 @@
-// Writes the table of docs/export.md: what each law of a campaign becomes in each target of `isolaw export`, how far a
-// re-fit is off the law, and what it does to a building.
+// Writes the table of docs/export.md. For each law of a campaign it says what each target of `isolaw export` gets (the
+// law itself, or another material that is fitted to the law), how far the fitted material is from the law, and by how
+// much it changes the response of a building.
 // Usage: exports CAMPAIGN DEVICE [--update FILE]
 //   --update   replaces the table in FILE, between its comments "exports table" and "end of the exports table"
 #include <fmt/format.h>
@@ -44,7 +45,8 @@ std::string refusal(programs::Subject const& subject, std::string_view target) {
   }
 }
 
-// Lists a refusal below the table, because its reason is too long for a cell. Returns whether there is one.
+// Returns whether the export to `target` is refused. If it is, adds the reason to `reasons`, a list below the table,
+// because it is too long for a cell.
 bool refused(programs::Subject const& subject, std::string_view target, std::string& reasons) {
   auto const why = refusal(subject, target);
   if (!why.empty()) reasons += fmt::format("- `{}`, {}: {}.\n", subject.law->info.id, target, why);

@@ -2,8 +2,8 @@
 """Measures the time, memory and bytes that a merge of 10, 100 and 1,000 synthetic parts takes.
 
 bench/merge_sweep.py ISOLAW [RUNS_PER_PART] [PARTS,PARTS,...]; prints the table of docs/scale.md. Each part is a real part
-of the built-in lot (ten devices, two laws) whose runs are repeated under other numbers: rows like a campaign's, with
-meaningless results.
+of the built-in lot (ten devices, two laws), whose runs are copied under other numbers. Its rows have the form of a real
+campaign's, but their results mean nothing.
 """
 import os
 import shutil

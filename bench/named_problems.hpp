@@ -1,5 +1,5 @@
-// Names the searches of a lot as problems, each with a key, and reads and writes the file that holds the smallest known
-// objective of each problem.
+// Makes a problem with a name and a key for each law on each device of a lot, and reads and writes the file that holds
+// the smallest known objective of each problem.
 #pragma once
 
 #include <fmt/format.h>
@@ -54,8 +54,8 @@ struct NamedProblem {
   NamedProblem(NamedProblem const&) = delete;
   NamedProblem& operator=(NamedProblem const&) = delete;
 
-  // Makes the entry for a point whose coordinates run from 0 to 1 over the interval of each free parameter. Scalar code
-  // computes the objective, as it does for reports.
+  // Makes the entry of best_known.toml for a point of the unit box: each coordinate runs from 0 to 1 over the interval
+  // of a free parameter. Scalar code computes the objective, as it does for reports.
   BestKnown found(std::span<double const> point, std::string const& found_by) const {
     auto result = entry;
     std::vector<double> work;

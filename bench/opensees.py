@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Cost of isolaw's materials in OpenSeesPy, beside that of OpenSees' own, as ratios of one run.
+"""Measures the cost of isolaw's materials in OpenSeesPy and compares it with the cost of OpenSees' own materials.
 
 A thousand zeroLength elements of one material follow cycles of a rising amplitude, in a static and in a transient
 analysis. The time of the same model with the material Elastic is subtracted, and the rest is divided by the number of
-elements and steps. The result is also shown as a ratio to that of BoucWen and of Steel02. The shortest of several
-runs counts.
+elements and steps. The result is also divided by those of the materials BoucWen and Steel02. Each time is the shortest
+of several repetitions.
 
     PYTHONPATH=build/release/python:build/opensees/openseespy/lib/python3.11/site-packages /usr/bin/python3 bench/opensees.py
 """

@@ -1,7 +1,7 @@
 // Ceres minimises isolaw's residuals by Levenberg-Marquardt with bounds, from random starts. The objective is a mean of
 // absolute values. Ceres needs a smooth function, so the residuals get a soft L1 loss, which rounds the corner at zero:
-// widely in a first pass, narrowly in a second one. Ceres asks for residuals and derivatives one by one, while isolaw
-// computes those of a whole step in one batch beforehand.
+// widely in a first pass, narrowly in a second one. Ceres asks for residuals and derivatives one by one. isolaw has
+// then already computed all that a step of Ceres needs, in one batch.
 #include <ceres/ceres.h>
 
 #include <algorithm>

@@ -7,7 +7,8 @@ set(commit "unknown commit")
 file(STRINGS ${ROOT}/cmake/COMMIT packed LIMIT_COUNT 1)
 if(packed MATCHES "^[0-9a-f]+$")
   set(commit "commit ${packed}")
-# Without .git in ROOT, git would find a repository around an unpacked archive and give its commit.
+# git is asked only if ROOT has its own .git. Otherwise git might find another repository in a folder above ROOT and
+# return the commit of that one.
 elseif(EXISTS ${ROOT}/.git)
   find_program(git git)
   if(git)

@@ -1,6 +1,6 @@
 # isolaw_embed(TARGET FUNCTION BASE FILES...) puts the names and texts of the files into TARGET as a table. The C++
 # function `std::span<isolaw::Embedded const> FUNCTION()` (base/embedded.hpp) returns the table in the order of FILES.
-# The name of a file below BASE is its path relative to BASE; the name of any other file has no folder. If a file
+# The name of a file below BASE is its path relative to BASE. Any other file is named without its folder. If a file
 # changes, the next build writes the table again.
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(isolaw_embed_script ${CMAKE_CURRENT_LIST_FILE})

@@ -104,7 +104,7 @@ if(DEFINED ENTRIES)
   set(files ${kept})
 endif()
 
-# A module is written once all modules that it imports have been written.
+# Writes each module after all modules that it imports.
 set(script "(() => {\n'use strict';\nconst modules = {};\n")
 set(done "")
 while(files)

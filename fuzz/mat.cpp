@@ -8,7 +8,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   using enum data::Channel;
   auto const bytes = fuzz::as_text(data, size);
   if (bytes.starts_with("MATLAB 7.3")) return 0;
-  if (!data::is_mat(bytes)) return -1;  // isolaw reads it as text, and text.cpp tries texts; -1: not for the corpus
+  // isolaw reads any other input as text, which text.cpp tests. With -1 libFuzzer does not add the input to the corpus.
+  if (!data::is_mat(bytes)) return -1;
   fuzz::read_record(bytes, "record.mat", {});
   data::ReadOptions told;
   told.columns = {{time, "none"}, {disp, "1"}, {force, "2"}};

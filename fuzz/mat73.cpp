@@ -1,5 +1,5 @@
-// Reads the input as a MATLAB file of version 7.3. A separate process does the reading. If that process crashes, the
-// result is an isolaw::Error.
+// Reads the input as a MATLAB file of version 7.3. isolaw reads such a file in a separate process. If that process
+// crashes, isolaw throws an isolaw::Error.
 #include "record.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Makes fuzz/corpus/workbook, mat, mat73, json and the small files of text again: python3 fuzz/record_corpus.py
 
-Each file is a tiny record, sound or with one thing in it that breaks readers. Files of MATLAB 7.3 come from libmatio
-(libmatio-dev), the others from this script alone.
+Each file is a tiny record. It is valid, or it has one fault that could break a reader. libmatio (libmatio-dev) writes
+the files of MATLAB 7.3; this script writes all others itself.
 """
 import ctypes
 import ctypes.util

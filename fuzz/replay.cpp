@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
       std::vector<char> const bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
       std::vector<std::uint8_t> const data(bytes.begin(), bytes.end());
       std::fprintf(stderr, "%s\n",
-                   file.filename().c_str());  // if the target dies, the last name printed is the file that killed it
+                   file.filename().c_str());  // if the target crashes, the last name shows the file
       LLVMFuzzerTestOneInput(data.data(), data.size());
       ++count;
     }

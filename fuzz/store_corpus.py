@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes fuzz/corpus/store again, after a change of the store's schema: python3 fuzz/store_corpus.py ISOLAW [--all FOLDER]
 
-Each file is a tiny campaign, as the program wrote it or with one thing in it that isolaw never writes.
+Each file is a tiny campaign. It is as the program wrote it, or it has one change that isolaw itself never makes.
 """
 import math
 import pathlib
@@ -76,9 +76,9 @@ FAULTS = {
                         "GENERATED ALWAYS AS (hex(zeroblob(400000000))) VIRTUAL",
 }
 
-# Only these files are committed: a sound one, those that a careless reader would accept or never finish reading, and
-# those that are read nearly to their end before they are refused. --all writes all files, as a start for a longer fuzz
-# run.
+# Only these files are committed: "sound", which is valid; files that a careless reader would accept or never finish
+# reading; and files that isolaw reads nearly to their end before it refuses them. --all writes all files, as a start
+# for a longer fuzz run.
 KEPT = {"sound", "view-endless-runs", "view-endless-setting", "view-large-values", "generated-column", "setting-range",
         "run-number-huge", "parameters-infinite", "box-null", "name-control", "series-one-nan", "history-odd"}
 

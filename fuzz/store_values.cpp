@@ -1,5 +1,6 @@
-// Changes single values of a sound campaign store, as the input says, and does what the commands do that read a store.
-// The other target for stores, store.cpp, changes bytes of the file, and SQLite refuses most of these changes.
+// Makes a valid campaign store, changes single values in it as the input says, and then does what the commands that
+// read a store do. The other target for stores, store.cpp, changes bytes of the file, and SQLite refuses most of these
+// changes.
 #include <sqlite3.h>
 
 #include <array>
@@ -34,7 +35,7 @@ struct Value {
   int type = SQLITE_NULL;
   std::int64_t integer = 0;
   double real = 0.0;
-  std::string bytes = {};  // of a text or blob
+  std::string bytes = {};  // the content if the value is a text or blob
 };
 using Row = std::vector<Value>;
 struct Table {
@@ -101,13 +102,13 @@ void insert(Database const& database, Table const& table) {
           sqlite3_bind_null(statement, place);
       }
     }
-    sqlite3_step(statement);  // a row that the schema does not allow is left out
+    sqlite3_step(statement);  // if the schema does not allow the row, the row is left out
     sqlite3_reset(statement);
   }
   sqlite3_finalize(statement);
 }
 
-// A finished campaign with three devices and two laws, and with every kind of analysis.
+// Returns the tables of a finished campaign with three devices, two laws and every kind of analysis.
 std::vector<Table> sound_store(std::filesystem::path const& folder) {
   std::vector<campaign::NamedRecord> records;
   for (double const factor : {1.0, 1.04, 0.97}) {
@@ -178,7 +179,7 @@ Value odd_value(Bytes& bytes) {
   }
 }
 
-// Replaces a part of a text or blob: a number of JSON by another one, or single bytes.
+// Changes a part of a text or blob: it replaces a number in JSON by another value, or it changes single bytes.
 void edit(Value& value, Bytes& bytes) {
   static std::array const numbers{"0",     "-1",   "1",     "2",  "99", "1e300", "-1e300",
                                   "1e999", "null", "\"x\"", "[]", "{}", "true"};
@@ -269,7 +270,7 @@ void use(campaign::Contents const& contents) {
       fuzz::attempt([&] { fitted_law(contents, law, device); });
       fuzz::attempt([&] {
         auto const subject = programs::make_subject(contents, summary, law, device);
-        // Most other targets would first fit other laws to this one.
+        // "cpp" exports the law itself and is fast. Most other export targets first fit another material to the law.
         programs::write_export(subject, programs::find_target("cpp"), unit_systems[0], true);
       });
     }

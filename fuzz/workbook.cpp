@@ -6,7 +6,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   using namespace isolaw;
   using enum data::Channel;
   auto const bytes = fuzz::as_text(data, size);
-  if (!data::is_zip(bytes)) return -1;  // isolaw reads it as text, and text.cpp tries texts; -1: not for the corpus
+  // isolaw reads any other input as text, which text.cpp tests. With -1 libFuzzer does not add the input to the corpus.
+  if (!data::is_zip(bytes)) return -1;
   fuzz::read_record(bytes, "record.xlsx", {});
   data::ReadOptions told;
   told.columns = {{time, "none"}, {disp, "A"}, {force, "B"}};

@@ -1,4 +1,5 @@
-// The forms for one device, and for how the record of a device or a test is read. They edit its table in the lot file.
+// Makes the form for one device and the fields that say how its record, or the record of a test, is read. Both edit the
+// table of the device or test in the lot file.
 
 import { element, visible } from './dom.js';
 import { choiceField, choicesOf, fieldset, flagField, textField } from './fields.js';
@@ -61,7 +62,8 @@ function fieldsOf(device, write) {
   return { id, value, field, number, choice };
 }
 
-// The fields for how the record of a device or a test is read, with `facts` among them.
+// Returns the fields that say how the record of a device or a test is read. `facts` are further fields, which stand
+// among them.
 export function readingFields(device, found, problems, write, writePart, facts = null) {
   const { id, value, field, number, choice } = fieldsOf(device, write);
   const { values: columns } = device.valuesOf('columns'),

@@ -107,7 +107,8 @@ function drawFits() {
     return { id, order, name: state.laws.find((one) => one.id === id)?.name ?? id, finished, fitted, error, whole: searched || finished >= all };
   });
   rows.sort((a, b) => b.whole - a.whole || (a.whole ? (a.error ?? Infinity) - (b.error ?? Infinity) || a.order - b.order : a.order - b.order));
-  // After an earlier identification was continued, its runs are known only once the program has printed them again.
+  // If this identification continues an earlier one, the runs of the earlier one are known only once the program has
+  // printed them again.
   const done = ({ finished, fitted, whole }) =>
     !whole ? text.searches(finished, all) : fitted === 0 && !continues ? text.notFitted : devices === 1 || (continues && finished < all) ? text.fitted : text.fittedOn(fitted);
   fill(

@@ -284,14 +284,16 @@ export const readRecords = async (paths) => {
   if (statesConditions(lotTables().tables ?? [])) await proposeTests();
 };
 
-// Makes the plain records of the lot tests of devices under several conditions, as the names of the files propose.
+// Makes each plain record of the lot a test of a device under stated conditions. Devices and conditions are those that
+// the names of the files suggest.
 export const proposeTests = async () => {
   const { lots } = state;
   const files = [...new Set(plainTests(lotTables().tables).map(({ file }) => file))];
   const { stdout } = await run(['test-keys', ...files.map(argument)], [], []);
   if (state.lots !== lots || !lotTables().tables) return;
   const { proposed } = JSON.parse(stdout);
-  // A name does not say how long and at which temperature a device was aged, so `aged` is only true.
+  // If a device was aged, `aged` is only `true`, because the name of a file does not say for how long and at which
+  // temperature.
   const values = ({ device: _, ...stated }) => Object.fromEntries(Object.entries(stated).filter(([, value]) => value !== null && value !== false));
   state.lot = withProposedTests(state.lot, new Map(files.map((file, i) => [file, { device: proposed[i].device, values: values(proposed[i]) }])));
 };

@@ -15,7 +15,8 @@ export const nameOfFile = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/
 const nameOf = (table) => table.keys.get('name')?.value ?? nameOfFile(filesOf(table)[0] ?? '');
 
 // Returns the tests of all devices as [{number, owner, table, file, name, device}]. `number` and `owner` are the
-// indices of the tables of the test and of its device. They are the same for a device with a plain file.
+// indices of the tables of the test and of its device. They are equal if the device has a plain file, which means that
+// its own table names the record.
 export function testsIn(tables) {
   let owner = 0;
   return tables.flatMap((table, number) => {
@@ -120,8 +121,8 @@ export function withTestOf(lot, number, name) {
   return joined(parts);
 }
 
-// Makes all plain records tests of the devices that the program proposes. `proposed` maps a file to what its name says:
-// {device, values}. The values become comments, which a person confirms.
+// Makes every plain record a test of the device that the program proposes. `proposed` maps a file to what its name
+// suggests: {device, values}. The values are written as comments, which the user confirms one by one.
 export function withProposedTests(lot, proposed) {
   const plain = plainTests(readToml(lot));
   let next = withPlainTests(lot);
@@ -141,8 +142,8 @@ export function withProposedTests(lot, proposed) {
   return next;
 }
 
-// Returns {key: value} with what the name of the file proposes for the keys `wanted` and for `aged`. Leaves out keys
-// that the test states.
+// Returns {key: value} with the values that the name of the file suggests for the keys `wanted` and for `aged`. Leaves
+// out keys that the test already states.
 export function proposalsOf({ table: { keys, comments } }, wanted) {
   const found = {};
   for (const key of [...wanted, 'aged']) {
@@ -151,7 +152,7 @@ export function proposalsOf({ table: { keys, comments } }, wanted) {
     try {
       found[key] = readToml(key + ' = ' + words)[0].keys.get(key).value;
     } catch {
-      // This comment holds no value.
+      // The comment is no TOML value, so it proposes nothing.
     }
   }
   return found;

@@ -215,7 +215,7 @@ function listen() {
   });
   addEventListener('message', ({ data, source }) => data === 'isolaw: drag' && isFrame(source) && over(true));
   place('dropping').addEventListener('dragleave', () => over(false));
-  addEventListener('pointermove', () => over(false)); // a pointer that moves means that no drag is going on
+  addEventListener('pointermove', () => over(false)); // browsers send no pointermove during a drag
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();

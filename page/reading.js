@@ -53,7 +53,7 @@ function column(values) {
   return values.map((value) => fixed(value, decimals));
 }
 
-// The curves stand in the data of the inspection's page. They are read again only if the inspection has changed.
+// The curves are in the data of inspection.html. They are read from it again only if the inspection has changed.
 let curvesOf = null,
   curves = [];
 function curveOf(found) {
@@ -88,8 +88,8 @@ function sketch(raw, name) {
   );
 }
 
-// Warns of a file without time, beside its columns. The warning says what depends on time, and its button leads to the
-// field for the time step.
+// Makes the warning that stands beside the columns of a file without time. It says what depends on time, and its button
+// leads to the field for the time step.
 function timeWarning(found, name, change) {
   if (!lacksTime(found)) return null;
   const step = found.values.time_s && found.values.time_s.first[1] - found.values.time_s.first[0];

@@ -23,7 +23,7 @@ const leftOut = (place) => {
   chosenValues = new Map([...chosenValues].filter(([one]) => one !== place).map(([one, shown]) => [moved(one), shown]));
 };
 
-// The values of the first devices are shown from the start. With many devices the page stays quick.
+// Only the values of the first devices are shown from the start, so that the page stays fast with many devices.
 const FIRST = 3;
 const showsValues = (place) => chosenValues.get(place) ?? place <= FIRST;
 
@@ -90,7 +90,8 @@ function remarks({ found, problems, device }) {
   );
 }
 
-// Says how a device was read: in words if its values are hidden. A button shows and hides the values.
+// Makes the table cell that says how a device was read. It says this in words only if the values of the device are
+// hidden. A button shows and hides the values.
 function readCell({ device, found }, redraw) {
   const shown = hasValues(found) && showsValues(device.place);
   const guesses = guessesOf(found).length;
@@ -193,7 +194,7 @@ function band(all) {
   const doubtful = all.filter(({ found }) => isDoubtful(found)).length;
   // The fault of a lot's only device is shown in the device's row and not above the table.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
-  // The user dropped only the results of a campaign, without records and lot file.
+  // This is so if the user dropped only the results of a campaign, without records and lot file.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const { tests, reference } = unfilled();
   const refused = state.inspection?.conditions?.refused.length ?? 0;

@@ -196,10 +196,10 @@ const entriesOf = (words) =>
     return [name, NUMERAL.test(value) ? Number(value) : value];
   });
 
-// Returns the values of a group such as `columns` in the table with index `number`, and a function that changes them: {
-// values, write(text, key, value) }. A lot file can write a group in four ways: as an inline table, as a text such as
-// "disp=a,force=b", as dotted keys, or as a table of its own. For a device, the heading [device.columns] of that table
-// stands between [[device]] and the next [[device]].
+// Returns {values, write} for a group such as `columns` in the table with index `number`: its values, and a function
+// write(text, key, value) that changes them. A lot file can write a group in four ways: as an inline table, as a text
+// such as "disp=a,force=b", as dotted keys, or as a table of its own. For a device, the heading [device.columns] of
+// that table stands between [[device]] and the next [[device]].
 export function valuesOf(tables, number, name) {
   const { path, array, keys } = tables[number];
   const heading = path + '.' + name;

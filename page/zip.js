@@ -1,7 +1,7 @@
-// Reads and writes zip files, in which the page saves campaigns. The format is that of APPNOTE.TXT 6.3.10 without
-// encryption, spanning or ZIP64. The files that are read from a zip file may together be at most 30 times as large as
-// the zip file. This limit is never below 64 MiB and never above 1 GiB. Records that are zip files have the same limit
-// (docs/records.md).
+// Reads and writes zip files, in which the page saves campaigns. The format is defined by APPNOTE.TXT 6.3.10;
+// encryption, spanning and ZIP64 are not supported. The files that are read from a zip file may together be at most 30
+// times as large as the zip file. This limit is never below 64 MiB and never above 1 GiB. Records that are zip files
+// have the same limit (docs/records.md).
 
 const LOCAL = 0x04034b50,
   CENTRAL = 0x02014b50,

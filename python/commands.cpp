@@ -1,4 +1,4 @@
-// Python functions that do what the commands inspect, rules, export, sample, check and example do.
+// Defines the Python functions that do the same as the commands inspect, rules, export, sample, check and example.
 #include "core.hpp"
 
 #include <fmt/format.h>
@@ -95,7 +95,8 @@ nb::tuple exported(Campaign const& campaign, std::string const& law, std::string
     programs::find_target(to);
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    // "--to" would become to_s in Python, the keyword of the other --to, which limits the part of a record to read.
+    // Complaints name options, which are later translated to Python keywords. "--to" would become to_s, because the
+    // commands that read records have an option --to with this keyword. So the keyword of export() is set here.
     complaints.front().where = "to";
     throw Error(std::move(complaints));
   }

@@ -84,7 +84,8 @@ Rows rows_of(nb::handle given, char const* what, std::string allowed = "an array
   try {
     auto const numpy = nb::module_::import_("numpy");
     nb::object const array = numpy.attr("asarray")(given);
-    // NumPy would make nanoseconds of times, and drop imaginary parts.
+    // Refuses types that NumPy would convert wrongly: times would become nanoseconds, complex numbers would lose their
+    // imaginary parts.
     auto const kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
     if (kind == "m" || kind == "M") refuse("dates or times", "seconds as numbers, such as times.dt.total_seconds()");
     if (kind == "c") refuse("complex numbers", "");
@@ -102,12 +103,12 @@ std::vector<double> values_of(Rows const& array, char const* what) {
   return {array.data(), array.data() + array.size()};
 }
 
-// Reads a channel of a record. None means that there is none.
+// Reads a channel of a record that the caller gives. For None it returns an empty channel.
 std::vector<double> channel_of(nb::handle given, char const* what) {
   return given.is_none() ? std::vector<double>() : values_of(rows_of(given, what), what);
 }
 
-// Reads a list of records that the caller gives. They live as long as the list.
+// Returns pointers to the records in a list that the caller gives. They are valid as long as the list lives.
 std::vector<Record const*> records_of(nb::list const& given) {
   std::vector<Record const*> records;
   for (nb::handle const one : given) {
@@ -129,7 +130,7 @@ Json json_of(nb::handle value) {
   if (PyIndex_Check(value.ptr()) != 0) {
     auto const whole = nb::steal<nb::int_>(PyNumber_Index(value.ptr()));
     auto const text = text_of(whole);
-    auto const number = Json::parse(text);  // rounds integers of more than 64 bits; these are passed on as text instead
+    auto const number = Json::parse(text);  // an integer above 64 bits becomes a float; then the text is returned
     return number.is_number_integer() ? number : Json(text);
   }
   if (nb::isinstance<nb::dict>(value)) {
@@ -186,13 +187,13 @@ Record record_of_file(std::filesystem::path const& file, bool motion, std::optio
                 .raw = motion ? data::read_motion(file, options) : data::read_record(file, options)};
   if (data::is_corrected(record.raw)) try {
       record.uncorrected = data::read_record(file, *data::without_corrections(options));
-    } catch (Error const&) {  // reports then say that the record without corrections is not known
+    } catch (Error const&) {  // `uncorrected` stays empty, and reports say so
     }
   return record;
 }
 
-// Reads how the caller gives a compression test: as a file, as K_v in kN/mm, or as a dict with file, loads and keywords
-// for reading. None means that there is no test.
+// Reads a compression test. The caller gives it as a file, as K_v in kN/mm, or as a dict with a file, loads and
+// keywords for reading. None means that there is no test.
 campaign::VerticalInput vertical_input(nb::handle const& given, std::string const& where) {
   campaign::VerticalInput test;
   if (given.is_none()) return test;
@@ -532,8 +533,8 @@ CampaignPtr loaded(std::filesystem::path const& directory) {
 
 using BuildingPtr = std::shared_ptr<StudiedBuilding>;
 
-// Reads how the caller gives a ground motion: as a tuple (step in s, accelerations along x in m/s2[, along y]) or as a
-// text for building::read_motion.
+// Reads a ground motion. The caller gives it as a tuple (step in s, accelerations along x in m/s2[, along y]), or as a
+// text that building::read_motion() understands.
 building::Motion motion_of(nb::handle const& given, std::size_t place, Values const& stated) {
   if (nb::isinstance<nb::str>(given)) return building::read_motions({nb::cast<std::string>(given)}, stated).front();
   auto const values = nb::cast<nb::tuple>(given);
@@ -553,7 +554,7 @@ BuildingPtr studied(nb::object const& file, nb::object const& from, nb::list con
                     BuildingWork options, nb::object const& progress) {
   building::ReplacedKeys in_place{.motions = {}, .settings = given_of(building::settings_table(), given)};
   auto const stated = given_of(building::stated_table(), given);
-  // Throws if step or unit are stated although there are no motions.
+  // This call throws if the caller stated a step or a unit but gave no motions.
   if (motions.empty()) building::read_motions({}, stated);
   for (auto const& motion : motions) in_place.motions.push_back(motion_of(motion, in_place.motions.size(), stated));
   auto read = nb::isinstance<nb::dict>(file) ? building::building_of(json_of(file), in_place)
@@ -622,8 +623,8 @@ nb::dict history_of(StudiedBuilding const& studied, std::size_t law, std::size_t
 // The Python class isolaw.Error. This reference is never released, because exceptions may live longer than the module.
 nb::handle error_type;
 
-// Replaces the names of command-line options in complaints by the names of the Python keywords. An option that is in
-// no table, such as --count, has the keyword of its name.
+// Replaces the names of command-line options in complaints by the names of the Python keywords. For an option that is
+// in no table, such as --count, the keyword is the name of the option, `count`.
 std::vector<Complaint> in_keywords(std::vector<Complaint> complaints) {
   auto const rename = [](auto const& rows, std::string& where) {
     auto const end = std::min(where.find(' '), where.size());
@@ -1033,7 +1034,8 @@ void add_conditions(nb::module_& m) {
   m.def("conditions", &conditions_of, nb::arg("lot"), nb::arg("folder"), nb::arg("allow_outside"));
 }
 
-// Runs a command of the program, whose name is the first word. Returns its exit code.
+// Runs a command of the program. `words` are as in argv: the first one is the name of the program. Returns the exit
+// code.
 int command(std::vector<nb::bytes> const& words) {
   std::vector<std::string> kept;
   for (auto const& word : words) kept.emplace_back(word.c_str(), word.size());
@@ -1051,10 +1053,11 @@ NB_MODULE(_core, m) {
   m.doc() = "The compiled part of isolaw; import isolaw instead.";
   m.attr("__version__") = ISOLAW_VERSION;
   using namespace isolaw::python;
-  // By default nanobind prints at the end of the process which objects still live.
+  // Without this call nanobind prints a warning at the end of the process about every object that still exists.
   nb::set_leak_warnings(false);
   translate_errors();
-  // Adds a class before the functions that take or return it, because nanobind writes its name into their docstrings.
+  // The order matters: a class is added before functions that take or return it, because nanobind writes the name of
+  // the class into their docstrings.
   add_records(m);
   add_tables(m);
   add_laws(m);

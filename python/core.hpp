@@ -1,4 +1,4 @@
-// Shared by the sources of the compiled part of the Python package `isolaw`.
+// Declares what the sources of the compiled part of the Python package `isolaw` share.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -81,7 +81,7 @@ inline nb::object array_of(std::vector<double> values) {
   return array_of(std::move(values), {size});
 }
 
-// Converts None, a bool, a number, a text, a dict or a sequence.
+// Converts a Python value to JSON: None, a bool, a number, a text, a dict or a sequence.
 Json json_of(nb::handle value);
 
 // Returns the values that the caller gave for the settings in `rows`. A keyword with the value None counts as not
@@ -95,13 +95,15 @@ Values given_of(Rows const& rows, nb::dict const& given) {
   return values;
 }
 
-// `vertical` has the compression tests by device, in the forms that calibrate() accepts in Python.
+// Returns the records with their names and compression tests. `vertical` maps the name of a device to its compression
+// test, in the forms that calibrate() accepts in Python.
 std::vector<campaign::NamedRecord> named_records(nb::list const& records, nb::dict const& vertical);
 
-// The texts of complaints and remarks, with the names of Python's keywords in place of options of the command line.
+// Returns the texts of complaints and remarks. They name Python keywords where the complaints name command-line
+// options.
 std::vector<std::string> texts_in_keywords(std::vector<Complaint> complaints);
 
-void add_states(nb::module_& m);    // how records and campaigns are pickled
+void add_states(nb::module_& m);    // adds the pickling of records and campaigns
 void add_commands(nb::module_& m);  // functions for the program's other commands, such as inspect and export
 
 }  // namespace isolaw::python

@@ -43,7 +43,7 @@ data::TestRecord record_of(nb::handle state) {
   return record;
 }
 
-// The bytes of the campaign's store.
+// Returns the state of a campaign, which is the content of its store, an SQLite file.
 nb::bytes state_of(Campaign const& campaign) {
   auto const text = [&] {
     nb::gil_scoped_release const released;

@@ -26,7 +26,7 @@ variants=(
   "gcc-O0: g++ -O0"
   "gcc-O2-x86-64-v3: g++ -O2 -march=x86-64-v3"  # fuses products and sums (FMA)
   "gcc-O3-native: g++ -O3 -march=native"
-  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # x87 instructions: intermediate results have 64 bits
+  "gcc-O2-x87: g++ -O2 -mfpmath=387"            # x87 instructions: significands of intermediate results have 64 bits
   "clang-O2: clang++-16 -O2"
   "clang-O3-native: clang++-16 -O3 -march=native -ffp-contract=fast"
   "aarch64: aarch64-linux-gnu-g++ -O2 -static"  # runs with NEON in an emulator
@@ -67,8 +67,8 @@ for variant in "${variants[@]}"; do
     printf '%s\n  left out: no %s here\n' "$name" "${command[0]}"
     continue
   fi
-  # An empty program is compiled and run first. It does not run if the processor lacks instructions that the compiler
-  # uses, or if the compiler is for another processor.
+  # First compiles and runs an empty program. This fails if the processor lacks instructions that the compiler uses, or
+  # if the compiler is for another kind of processor.
   if ! echo 'int main() {}' | "${command[@]}" -x c++ - -o "$folder/probe" 2>/dev/null ||
     ! "${emulator[@]}" "$folder/probe"; then
     printf '%s\n  left out: does not run here\n' "$name"
@@ -78,8 +78,8 @@ for variant in "${variants[@]}"; do
   compare "$name (${command[*]})" "${emulator[@]}" "$folder/$name"
 done
 [ ${#wanted[@]} -eq 0 ] || { rm -f "$folder/reference.bin" "$folder/probe"; exit $broken; }
-# glibc chooses its mathematical functions at run time, by the instructions of the processor. This run makes it choose
-# those for an old processor.
+# glibc chooses its mathematical functions at run time, by the instructions that the processor has. In this run it must
+# choose those for an old processor.
 compare "reference without FMA in the mathematical library" \
   env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-AVX512F,-FMA,-FMA4 "$reference"
 rm -f "$folder/reference.bin" "$folder/probe"

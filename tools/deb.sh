@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Makes a Debian package of the command isolaw and tests it: build/deb/isolaw_VERSION-1_ARCHITECTURE.deb. The program contains its
-# libraries (ISOLAW_BUNDLED), so one package serves every Debian and Ubuntu with glibc 2.35 or later. The man pages and
-# the completion of bash are made from the program's help.
+# Makes a Debian package of the command isolaw, build/deb/isolaw_VERSION-1_ARCHITECTURE.deb, and tests it. The program
+# contains its libraries (ISOLAW_BUNDLED), so one package serves every Debian and Ubuntu with glibc 2.35 or later. The
+# man pages and the completion of bash are made from the program's help.
 #   tools/deb.sh [--no-test]
 # The test installs the package in a new Debian (debootstrap, as root) and calibrates the example lot there.
 set -euo pipefail

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Coefficients of src/isolaw/num/elementary.hpp.  Needs mpmath.  Usage: tools/elementary_coefficients.py
+"""Computes the coefficients of src/isolaw/num/elementary.hpp. Needs mpmath. Usage: tools/elementary_coefficients.py
 
-Relative errors are made small in the least-squares sense over Chebyshev points, which is within a factor of two of the
-best polynomial. Coefficients are rounded to double one after the other, lowest order first, and the others are fitted
-again with the rounded ones held.
+Each polynomial minimises the squared relative errors at Chebyshev points. Its largest error is then at most twice that
+of the best polynomial. The coefficients are rounded to double one by one, the lowest order first. After each rounding
+the remaining coefficients are fitted again.
 """
 from mpmath import mp, mpf
 
@@ -38,7 +38,7 @@ def report(name, coefficients, error, lower, upper, samples=2001):
 
 
 def power_of(base, degree, half, ones):
-    """Coefficients of base^f = 1 + f q(f) on [-half, half]; the first `ones` coefficients are 1."""
+    """Reports the coefficients of base^f = 1 + f q(f) on [-half, half]; the first `ones` coefficients are 1."""
     function = lambda f: mp.power(base, f)
     c = fit(function, -half, half, degree, [1] * ones)
     report(f"{mp.nstr(base, 4)}^f, |f| <= {mp.nstr(half, 4)}, degree {degree}", c,
@@ -46,7 +46,7 @@ def power_of(base, degree, half, ones):
 
 
 def logarithm_of(name, scale, degree, fixed=()):
-    """scale * ln(m) = s p(s^2), s = (m - 1) / (m + 1), m in [sqrt(1/2), sqrt(2)]: coefficients of p."""
+    """Reports the coefficients of p in scale ln(m) = s p(s^2), s = (m - 1) / (m + 1), m in [sqrt(1/2), sqrt(2)]."""
     largest = ((mp.sqrt(2) - 1) / (mp.sqrt(2) + 1)) ** 2
     # Near w = s^2 = 0 the formula with the logarithm would lose all digits, so its power series is summed instead.
     function = lambda w: 2 * scale * sum(w**k / (2 * k + 1) for k in range(40))

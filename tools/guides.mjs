@@ -33,8 +33,8 @@ const fail = (text) => {
   console.log('FAILED ' + text);
 };
 
-// The picture shows the page from the top of the first element to the bottom of the last one. `print` shows the
-// certificate as it is printed. `height` cuts the picture off.
+// A picture shows a page from the top of the element `from` to the bottom of the element `to`. With `print` it shows
+// the page as it is printed. With `height` it is cut off at this height.
 const PICTURES = [
   { file: 'report.png', page: 'readme/out/report.html', height: 895 },
   { file: 'pictures/laboratory-loops.png', page: 'laboratory/out/first/inspection.html', from: '#figure-cycles', to: '#figure-cycles' },
@@ -55,7 +55,7 @@ function bash(command, cwd) {
   return { status, printed: [stdout, stderr].map((text) => text.split('\n').map((line) => line.trimEnd())) };
 }
 
-// Returns the commands of a guide, each with the lines that it prints by the guide.
+// Returns the commands of a guide, each with the lines that it prints according to the guide.
 function commandsOf(markdown) {
   const commands = [];
   for (const [, block] of markdown.matchAll(/^```\n(\$ [^]*?)^```$/gm)) {
@@ -91,8 +91,8 @@ function missing(says, printed) {
   return null;
 }
 
-// The largest exit code that is no failure. The program ends with 1 if devices or limits fail, which a guide may show,
-// and with 2 after an error, which the guide must then print.
+// Returns the largest exit code of a command that is still right. isolaw ends with 1 if devices or limits fail, which a
+// guide may show. It ends with 2 after an error, which is right only if the guide shows the error message.
 const worst = (command, says) => (!/^isolaw /.test(command) ? 0 : says.some((line) => line.startsWith('isolaw: ')) ? 2 : 1);
 
 function runGuide(name) {
@@ -132,7 +132,8 @@ async function take(browser, { file, page: html, from, to, height, print }) {
     await page.send('Emulation.setEmulatedMedia', { media: 'print' });
     await page.evaluate("dispatchEvent(new Event('beforeprint'))");
   }
-  // A figure is drawn when it comes into view. The window is made as tall as the page up to there.
+  // The page draws a figure only when it comes into view. The window is therefore made so tall that the whole picture
+  // is in view.
   const read = () => page.evaluate(`(${extent})(${JSON.stringify(from)}, ${JSON.stringify(to)})`);
   await resize(size.height);
   if (to) {

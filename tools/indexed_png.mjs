@@ -33,7 +33,7 @@ export function indexed(png) {
   ]);
 }
 
-// The checksum of a chunk. zlib.crc32 is not in Node 18.
+// Returns the checksum of a chunk of the file. Node 18 has no zlib.crc32.
 function crc32(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) {

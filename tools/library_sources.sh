@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Puts libraries into FOLDER that are compiled from source into the page or into a wheel. C sources come from Debian's
-# source packages, in the versions of library_sources.txt. Headers of installed packages are linked into FOLDER, so that
-# a compiler for another system does not search /usr/include.
+# Puts the libraries into FOLDER that are compiled from source into the page or into a wheel. C sources come from
+# Debian's source packages, in the versions of library_sources.txt. Headers of installed packages are linked into
+# FOLDER, so that a compiler for another system does not search /usr/include.
 #   tools/library_sources.sh FOLDER NAME...    NAME: a source in library_sources.txt, or the package of a compiler whose
 #                                              licence holds for what it compiles
 # FOLDER/licences/NAME gets the copyright file of each library, and FOLDER/versions gets a line `NAME VERSION` for each.
@@ -14,9 +14,9 @@ packages=(libboost1.74-dev libcli11-dev libeigen3-dev libfmt-dev librandom123-de
 complete="${names[*]} $(cat "$script" "$list" | sha256sum)"
 [ "$(cat "$folder/complete" 2>/dev/null)" = "$complete" ] && exit
 
-# apt gets a list of package sources of its own, so that the machine's list stays as it is. It names the servers of the
-# machine's list, that of the release first, because the server of security updates may no longer have what its list
-# names, and apt takes the first one that lists a version.
+# apt gets a list of package sources of its own, so that the machine's list stays as it is. This list names the
+# servers of the machine's list. apt takes a version from the first server that lists it. The server of security updates
+# may list versions that it no longer has, so the server of the release comes first.
 apt=$folder/apt
 mkdir -p "$apt/lists/partial" "$apt/archives"
 . /etc/os-release
@@ -52,8 +52,8 @@ done
 mkdir -p "$folder/sqlite3/made"
 (cd "$folder/sqlite3/made" && ../configure --disable-tcl && make sqlite3.c) > "$folder/sqlite3.log" 2>&1 ||
   { tail -20 "$folder/sqlite3.log" >&2; exit 1; }
-# HDF5's own build writes its header of settings and makes two static libraries. It runs programs that write to the
-# current folder.
+# HDF5's own build writes its header of settings and makes two static libraries. During this it runs programs that
+# write to the current folder, so the script changes to a build folder.
 if [[ " ${names[*]} " = *" hdf5 "* ]]; then
   mkdir -p "$folder/hdf5/made"
   (cd "$folder/hdf5/made" &&
@@ -75,5 +75,5 @@ for name in "${packages[@]}"; do
   echo "$name $version" >> "$folder/versions"
   cp "/usr/share/doc/$name/copyright" "$folder/licences/$name"
 done
-rm -f "$folder"/*.tar.*  # apt-get and dpkg-source left these archives
+rm -f "$folder"/*.tar.*  # archives that apt-get and dpkg-source left behind
 echo "$complete" > "$folder/complete"

@@ -53,7 +53,7 @@ def main(directory, device, file):
         return TOP + (1 - value / most_F) / 2 * (HEIGHT - TOP - BOTTOM)
 
     def path(F, inside):
-        """One line for each stretch of the record where `inside` holds."""
+        """Returns an SVG path with a line for each stretch of the record where `inside` is true."""
         text, open_ = "", False
         for a, b, shown in zip(x, F, inside):
             text += f"{'L' if open_ else 'M'}{across(a):.1f} {down(b):.1f}" if shown else ""

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes FOLDER a virtual environment of PYTHON (default /usr/bin/python3) with packages of PyPI at exact versions.
+# Makes a virtual environment of PYTHON (default /usr/bin/python3) in FOLDER, with exact versions of packages from PyPI.
 #   tools/pypi.sh FOLDER PATTERN [PYTHON [LIST]]    installs the packages of LIST whose line begins with PATTERN;
 #                                                   LIST is pypi.txt or another file beside it
 set -euo pipefail

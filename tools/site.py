@@ -1,4 +1,4 @@
-"""Hooks and an extension with which MkDocs makes the site of docs/, in addition to mkdocs.yml: ./isolaw.sh site.
+"""Hooks and an extension that MkDocs uses, besides mkdocs.yml, to make a site from docs/ (./isolaw.sh site).
 
 Pages link to files of the project outside docs/, such as ../LICENSE. The site gets a copy of each such file, as text
 that every browser shows, and for a folder a list of its files.
@@ -16,7 +16,7 @@ LINK = re.compile(r"(?<=\]\()\.\./[^)\s#]+")
 
 
 def outside(page, link):
-    """The path in the project of what a link names if this exists outside docs/, else None."""
+    """Returns the path of the file or folder that a link names if it exists in the project outside docs/, else None."""
     path = posixpath.normpath(posixpath.join("docs", posixpath.dirname(page.src_uri), link))
     return None if path.startswith("docs/") or not (ROOT / path).exists() else path
 
@@ -49,12 +49,12 @@ def on_page_markdown(markdown, page, **_):
 
 
 class Docstrings(griffe.Extension):
-    """Takes signatures from the stub. Makes Markdown of docstrings: examples become code, parameters a list."""
+    """Takes signatures from the stub, and turns docstrings into Markdown: examples become code, parameters a list."""
 
     def on_package(self, *, pkg, **_):
         file = ROOT / "python/isolaw/__init__.pyi"
         stub = griffe.visit("isolaw", filepath=file, code=file.read_text())
-        pkg.set_member("Record", stub["Record"])  # a compiled class: the package itself holds no more than its name
+        pkg.set_member("Record", stub["Record"])  # compiled: the package has only its name
         self.mend(pkg, stub)
 
     def mend(self, thing, stub):

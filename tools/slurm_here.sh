@@ -5,7 +5,8 @@
 #   tools/slurm_here.sh start-node DIR  starts the node again
 #   tools/slurm_here.sh stop DIR        stops everything
 #   tools/slurm_here.sh possible        exit code 0 if `start` can work; else 1, and a line that says why not
-# Debian packages: slurmctld, slurmd, slurm-client, munge (all in slurm-wlm). Needs root; a container's root will do.
+# Debian packages: slurmctld, slurmd, slurm-client, munge (all in slurm-wlm). The script must run as root, for example
+# as root of a container.
 set -euo pipefail
 
 possible() {
@@ -57,8 +58,8 @@ below() {
   done
 }
 
-# Kills the node's daemon. For each job it also kills the process that watches over the job, the job's script (found by
-# its path in the node's spool) and all their children.
+# Kills the daemon of the node. For each job it also kills the process that supervises the job, the script of the job
+# (found by its path in the node's spool directory) and all their child processes.
 kill_node() {
   local entry pid doomed=()
   pid=$(cat "$directory/slurmd.pid" 2>/dev/null || true)

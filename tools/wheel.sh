@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packs the last commit as sources (sdist), makes a wheel of them that needs no library but C's, and tests the wheel in
-# a virtual environment with nothing else. Both lie in build/wheel afterwards.
+# Packs the sources of the last commit (sdist), makes a wheel from them that needs only the C library, and tests the
+# wheel in a virtual environment without other packages. Both files are in build/wheel afterwards.
 #   tools/wheel.sh PROGRAM [PYTHON]
 # PROGRAM: the program isolaw, whose results the wheel must have. PYTHON (default /usr/bin/python3): the wheel runs with
 # its version, and with later ones too from 3.12 on.

@@ -9,7 +9,7 @@ foreign=$(x86_64-w64-mingw32-objdump -p "$exe" | sed -n 's/.*DLL Name: //p' | gr
 [ -z "$foreign" ] || { echo "tools/windows.sh: $exe needs libraries that Windows may lack: $foreign" >&2; exit 1; }
 command -v wine >/dev/null || { echo "tools/windows.sh: nothing was run, because wine is not installed" >&2; exit; }
 export WINEPREFIX=$folder/wine WINEDEBUG=-all LC_ALL=C.UTF-8
-# This name shows whether names with a space and with letters outside ASCII arrive intact.
+# The folder has this name to test that names with a space and with letters outside ASCII work.
 lots="$folder/Prüfung 日"
 rm -rf "$lots" && mkdir "$lots" && cd "$lots"
 "$native" example native
@@ -21,7 +21,7 @@ compare() { # name, options of calibrate...
   echo "$1:"
   "$native" calibrate native/lot.toml --out "native-$1" "${options[@]}" >/dev/null 2>&1
   wine "$exe" calibrate windows/lot.toml --out "windows-$1" "${options[@]}" >/dev/null 2>&1
-  # The native program writes the report again from the store of the other, and computes its objectives again.
+  # The native program makes the report again from the store of the Windows program, and computes the objectives again.
   cp "windows-$1/summary.json" "windows-$1.json"
   "$native" report "windows-$1" --figures none >/dev/null 2>&1
   "$native" check "windows-$1"
@@ -46,7 +46,7 @@ report = list(differences(windows, again, ""))
 size, where = max(report)
 print(f"  one store, two programs: {sum(d == 0.0 for d, _ in report)} of {len(report)} values of summary.json are equal; "
       f"the largest relative difference is {size:.2g}, at {where}")
-# A search may end in another of the many small minima of a law, because it takes another path.
+# The two searches may end in different local minima, because the programs round differently.
 law = max((d, law["id"]) for law, other in zip(windows["laws"], native["laws"])
           for d, _ in differences(law["objective"]["best"], other["objective"]["best"], ""))
 print(f"  two campaigns: the best objectives of the laws differ by {law[0]:.2g} at most, at {law[1]}")

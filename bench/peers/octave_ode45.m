@@ -1,5 +1,6 @@
-% Times one evaluation of the Bouc-Wen law with ode45, written as a MATLAB user would write it. The time is the shortest of
-% three at the default tolerances. Prints one JSON object with the objective at the default and at tight tolerances.
+% Times one evaluation of the Bouc-Wen law with ode45, written as a MATLAB user would write it. The time is that of the
+% fastest of three evaluations at the default tolerances. Prints one JSON object with the objective at the default and
+% at tight tolerances.
 % Usage: octave_ode45.m RECORD.csv alpha Ke A beta n gamma
 1;
 

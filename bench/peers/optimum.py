@@ -1,4 +1,4 @@
-"""Runs searches of SciPy and of a CMA-ES for bench/optimum, which it talks to over a socket (bench/peers.cpp).
+"""Runs searches of SciPy and of a CMA-ES for bench/optimum. The two programs talk over a socket (bench/peers.cpp).
 
 A task is a line 'method;dimension;residuals;seed;budget'. The script sends points of the unit box, many at once;
 bench/optimum evaluates them and remembers the best. A search starts again from other random numbers until its budget is spent.
@@ -57,7 +57,7 @@ class Problem:
 
 
 def descents(problem, generator):
-    """Least squares from random starts. soft_l1 rounds the corner of the absolute value, first widely, then closely."""
+    """Least squares from random starts. soft_l1 rounds the corner of the absolute value: first much, then little."""
     while True:
         x = generator.random(problem.dimension)
         for rounding in (0.3, 0.01):

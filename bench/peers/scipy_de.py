@@ -1,8 +1,8 @@
-"""SciPy's differential evolution on a vectorised NumPy law: one search on one record; prints one JSON object.
+"""Runs one search of SciPy's differential evolution on one record with a law in vectorised NumPy. Prints JSON.
 
 The law is integrated as `isolaw --integration paper` does: one classical Runge-Kutta step in displacement per sample.
-Usage: scipy_de.py RECORD.csv LAW PARAMETERS EVALUATIONS, LAW one of bilinear, bouc-wen; PARAMETERS a JSON object of
-name: [lower, upper], in the order of the law.
+Usage: scipy_de.py RECORD.csv LAW PARAMETERS EVALUATIONS. LAW is bilinear or bouc-wen. PARAMETERS is a JSON object with
+an entry name: [lower, upper] for each parameter, in the order of the law.
 """
 import json
 import sys

@@ -1,5 +1,6 @@
-// Makes a std::filesystem::path from a text in UTF-8 on Windows. libstdc++ returns UTF-8 from path::string(), but takes
-// each byte of a given text for a character. The compiler option -include puts this file before every source.
+// Makes a std::filesystem::path from a text in UTF-8 on Windows. libstdc++ returns UTF-8 from path::string(). But when
+// it makes a path from a text, it takes each byte for a character. The compiler option -include puts this file before
+// every source.
 #pragma once
 
 #ifdef __cplusplus

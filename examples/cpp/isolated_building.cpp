@@ -65,7 +65,7 @@ int main(int count, char** words) try {
   auto const building = isolaw::study_building(input, campaign);
   std::printf("%s\n", building.verdict().c_str());
 
-  // The largest storey drift of every draw under every motion, ordered by law, then by draw, then by motion.
+  // Gets the largest storey drift of every draw under every motion, sorted by law, then by draw, then by motion.
   auto const peaks = building.peaks("drift_mm");
   double mean = 0.0;
   for (double const drift : peaks) mean += drift / static_cast<double>(peaks.size());

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Accuracy against robustness of the example lot, as Fig. 14 of Cucuzza et al., Structures 73 (2025) 108355.
+"""Compares accuracy and robustness of laws on the example lot: Fig. 14 of Cucuzza et al., Structures 73 (2025) 108355.
 
 Fits the laws to every device as the paper did (genetic algorithm in the published boxes), prints the table, and writes
 front.csv and, if matplotlib is installed, front.png. Run it after ./isolaw.sh run:
@@ -19,7 +19,7 @@ LOT = HERE.parent / "published-lot"
 
 
 def fitted(laws, runs, generations, show):
-    """The campaign of examples/published-lot/study.toml. The lot is rebuilt from printed parameters, not measured."""
+    """Runs the campaign of examples/published-lot/study.toml. Its records are computed from published parameters."""
     files = sorted(LOT.glob("device-*"))
     records = [isolaw.read_record(file, name=f"D{file.stem[-2:]}") for file in files]
     return isolaw.calibrate(

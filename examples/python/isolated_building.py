@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A building on bearings drawn from the example lot: do the bound analyses cover the effect of the lot's scatter?
+"""Checks whether bound analyses cover the effect of a lot's scatter, for a building on bearings drawn from the lot.
 
 Fits a law to three devices of the lot, draws bearings from their population for a building of three floors, shakes it
 with artificial motions, and prints the answer and, for each motion, the range of the draws. Run it after
@@ -26,7 +26,7 @@ PLAN = {
 
 
 def swinging(number):
-    """Returns (step in s, accelerations along x and y in m/s2): sines that grow and fade, with periods by `number`."""
+    """Returns (step in s, accelerations along x and y in m/s2): growing and fading sines; `number` sets the periods."""
     t = np.arange(0.0, 10.0, 0.01)
     grown = np.sin(np.pi * t / t[-1])
     return 0.01, 2.0 * grown * np.sin((2.0 + 0.4 * number) * t), grown * np.cos((2.5 + 0.3 * number) * t)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""From a laboratory's file to the response of an isolated frame in OpenSeesPy, with the law itself as the material.
+"""Goes from a test record to the response of an isolated frame in OpenSeesPy, with isolaw's law as the material.
 
 Fits a law to one test of the example lot, puts a plane frame of three storeys on three such bearings in OpenSees, and
 shakes it with and without them. Prints the peaks and writes frame.csv and, if matplotlib is installed, frame.png.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A campaign computed in parts by Dask: each part is a future whose result is the store of its runs; merged at the end.
+"""Computes a campaign in parts with Dask and merges them. Each part is a future; its result is a file with its runs.
 
 Workers need a common disk only for the records. A worker computes its part on its own disk and returns the store as
 bytes. If a worker is lost, another one computes its part again. Parts that have arrived are kept, so the same command
@@ -34,12 +34,12 @@ def share(files, settings, number, of, there=None):
 
 
 def campaign(client, files, settings, of, out, compute=share):
-    """Leaves in `out` the same bytes as isolaw.calibrate(files, **settings, out=out)."""
+    """Computes the campaign in parts. `out` gets the same bytes as by isolaw.calibrate(files, **settings, out=out)."""
     files = [str(pathlib.Path(file).resolve()) for file in files]
     parts = {number: pathlib.Path(f"{out}.parts") / str(number) for number in range(1, of + 1)}
     there = {number: (part / STORE).read_bytes() for number, part in parts.items() if (part / STORE).exists()}
-    # Without pure=False, Dask would return the old future of a call with equal arguments, also if the part's directory
-    # was lost in the meantime.
+    # Without pure=False, Dask would answer a repeated call with equal arguments by the old future, even if the
+    # directory of the part was lost in the meantime.
     futures = {
         client.submit(compute, files, settings, number, of, there.get(number), pure=False): number for number in parts
     }

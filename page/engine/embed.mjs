@@ -22,7 +22,7 @@ const called = { bearssl: 'BearSSL', 'libboost1.74-dev': 'Boost', 'libcli11-dev'
 const packages = readdirSync(join(options.libraries, 'licences'));
 const licences = packages.map((name) => {
   const text = readFileSync(join(options.libraries, 'licences', name), 'utf8');
-  // A copyright file may state several licences. This is the name of the first one.
+  // A copyright file may state several licences. `licence` is the name of the first one; `text` has all of them.
   const licence = /^License: *(\S[^\n]*)/m.exec(text)?.[1].trim() ?? '';
   return { name: called[name] ?? name, version: versions.get(name) ?? '', licence, text };
 });

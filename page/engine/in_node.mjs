@@ -4,7 +4,7 @@ import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 import { createEngine } from './engine.js';
 
-// JavaScript that gives a worker thread of Node the global names of a browser's worker.
+// This JavaScript defines in a worker thread of Node the global names that a worker in a browser has.
 const ofBrowser = `
 const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;

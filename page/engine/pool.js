@@ -33,7 +33,8 @@ export function makePool(start, module, count) {
     busy.delete(worker);
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
-    // The old worker was ended. A new one starts at once, so that the next command need not wait for its start.
+    // The worker of an aborted or crashed command was ended. A new worker starts at once, so that the next command need
+    // not wait for this.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

@@ -1,9 +1,9 @@
-// The script of a worker. It stands behind the script of emscripten, which defines `isolawProgram`. The worker runs one
-// command at a time, each in a new instance of the program. The script is no module, because not every browser can
-// start a module as a worker from a blob.
-// It receives { kind: 'compiled', module } once, then { kind: 'run', argv, files, keep, watch } for each command. It
-// posts { kind: 'text', stream, lines }, and { kind: 'kept', files } with the files that `watch` names while the
-// command runs. At the end it posts { kind: 'done', code, files } or { kind: 'failed', name, message }.
+// This script runs in a worker. It is appended to the script of emscripten, which defines `isolawProgram`. The worker
+// runs one command at a time, each in a new instance of the program. The script is no module, because not every browser
+// can start a module as a worker from a blob.
+// The worker receives { kind: 'compiled', module } once, then { kind: 'run', argv, files, keep, watch } for each
+// command. While the command runs, it posts { kind: 'text', stream, lines }, and { kind: 'kept', files } with the files
+// that `watch` names. At the end it posts { kind: 'done', code, files } or { kind: 'failed', name, message }.
 /* global isolawProgram */
 'use strict';
 (() => {

@@ -94,7 +94,7 @@ def _record_to_frame(self):
 
 
 def _record_plot(self, ax=None):
-    """Draws force over displacement with Matplotlib, or a motion over time. Returns the axes; ax: draws into these."""
+    """Draws the loop, or a motion over time, with Matplotlib. ax: axes to draw into. Returns the axes."""
     if self.force_kN is not None:
         return _show.draw_loop(ax, self.disp_mm, [("", self.force_kN)])
     ax = _show.axes(ax)
@@ -121,7 +121,7 @@ Record.plot, Record.to_frame = _record_plot, _record_to_frame
 
 
 class _Unchanging:
-    """A thing that nothing can change: it is its own copy, also for copy.deepcopy."""
+    """Base of classes whose objects never change, so that copy.copy and copy.deepcopy return the object itself."""
 
     def __copy__(self):
         return self
@@ -178,7 +178,7 @@ def _with_keywords(options, in_place=False):
 _EXPORT_OPTIONS = {
     name: option
     for name, option in (_OPTIONS["acceptance"] | _OPTIONS["motion"] | _OPTIONS["model"]).items()
-    if name not in ("report_units", "letterhead")  # for reports
+    if name not in ("report_units", "letterhead")  # these keywords are only for reports
 }
 
 
@@ -308,7 +308,7 @@ def box(law, record, *, kind="auto", method="best"):
 
 
 def _by_name(parameters):
-    """Makes a dict of what has names, such as a pandas Series or lmfit's Parameters."""
+    """Returns a dict if the parameters have names, as in a pandas Series or lmfit's Parameters, else what was given."""
     return dict(parameters) if hasattr(parameters, "keys") else parameters
 
 
@@ -332,10 +332,10 @@ def force(law, parameters, motion, *, refinement=1, out=None, **how):
 class Model(_Unchanging):
     """A law on a record, with the same objective as in calibrate, for your own optimisers and studies.
 
-    law: an id. record: a Record with force, or its file. The record is cleaned as in calibrate: thinned to ``samples_per_cycle``
-    (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective is taken over
-    ``fit_blocks`` and ``fit_cycles``, and ``weights`` decides how much a sample counts in it. integration,
-    turning_points, refinement: as in force. Raises Error for wrong input, as calibrate does.
+    law: an id. record: a Record with force, or its file. The record is cleaned as in calibrate: thinned to
+    ``samples_per_cycle`` (None: not at all), averaged over ``smooth`` samples, and centred if ``center``. The objective
+    is taken over ``fit_blocks`` and ``fit_cycles``, and ``weights`` decides how much a sample counts in it.
+    integration, turning_points, refinement: as in force. Raises Error for wrong input, as calibrate does.
     """
 
     @_with_keywords(
@@ -448,9 +448,9 @@ class Model(_Unchanging):
         """Objectives of many candidates at once, from the vector kernels: a float64 array of shape (candidates,).
 
         population: float64 of shape (candidates, parameters) in the law's order and units, or a DataFrame with a column
-        for each parameter; a contiguous array is read without a copy. No limits are checked. out: a contiguous float64 array that receives the values. The values
-        agree with objective() to about 1e-11; a candidate without a finite force gets infinity. Raises Error for other
-        shapes.
+        for each parameter; a contiguous array is read without a copy. No limits are checked. out: a contiguous float64
+        array that receives the values. The values agree with objective() to about 1e-11; a candidate without a finite
+        force gets infinity. Raises Error for other shapes.
         """
         if hasattr(population, "columns"):  # a pandas DataFrame, whose columns may be in any order
             if sorted(map(str, population.columns)) != sorted(self._names):
@@ -575,7 +575,7 @@ class Fit:
         return self._campaign.force(self._law, self.device)
 
     def plot(self, ax=None):
-        """Draws the measured and the computed loop with Matplotlib. Returns the axes; ax: draws into these."""
+        """Draws the measured and the computed loop with Matplotlib. ax: axes to draw into. Returns the axes."""
         record = self._campaign.fit_record(self.device)
         labelled = [(f"{self.device}, measured", record["force_kN"]), (self._law, self.force_kN)]
         return _show.draw_loop(ax, record["disp_mm"], labelled)
@@ -717,7 +717,7 @@ class Campaign(_Unchanging, _Mapping):
     def plot_front(self, ax=None, *, kind="runs"):
         """Draws accuracy against robustness with Matplotlib: a point for each law, filled if it is on the front.
 
-        kind: as in front(). Returns the axes; ax: draws into these.
+        kind: as in front(). ax: axes to draw into. Returns the axes.
         """
         ax = _show.axes(ax)
         for row in self.front(kind):
@@ -885,7 +885,7 @@ class Export:
 
 
 def _warn(sentences, frames=3):
-    """Warns the user's code, which is so many frames above this function."""
+    """Gives each sentence as a Python warning for the user's code, which is `frames` frames above this function."""
     for sentence in sentences:
         _warnings.warn(sentence, stacklevel=frames)
 
@@ -896,7 +896,7 @@ def _paths_as_text(given):
 
 @_contextlib.contextmanager
 def _reporting(progress):
-    """Gives what the compiled part calls: for True a bar, None for None, and else `progress`."""
+    """Yields the function that the compiled part calls: a progress bar for True, None for None, else `progress`."""
     if progress is not True:
         yield progress or None
         return
@@ -972,9 +972,9 @@ def calibrate(
     the same call continues an interrupted campaign; fresh starts over in it. title: the lot's title.
     part: ``(3, 40)`` computes only the third of 40 equal shares of the runs, into ``out``; merge joins all shares.
     progress: True shows a bar (with tqdm where it is installed, else a line on standard error). A function is called as
-    progress(done, total, analysis, best) in the calling thread, for runs and then for analyses; best is a dict by law of the least objective so far. If the function takes keywords ``share`` or
-    ``left_s``, it also gets the share of all work that is done and the seconds left. An exception that it raises ends
-    the search and is raised here.
+    progress(done, total, analysis, best) in the calling thread, for runs and then for analyses; best is a dict by law
+    of the least objective so far. If the function takes keywords ``share`` or ``left_s``, it also gets the share of all
+    work that is done and the seconds left. An exception that it raises ends the search and is raised here.
 
     Returns a Campaign. Ctrl-C ends the search with KeyboardInterrupt and keeps finished runs in ``out``. An unusable
     device is refused in the summary; the others are fitted. Raises Error for wrong input, and if no device is usable.
@@ -1172,8 +1172,9 @@ def building(building, campaign, motions=None, *, jobs=0, out=None, fresh=False,
     in m/s2[, along y]). motion_dt and motion_unit state the step in s and the unit of acceleration of motions whose
     files do not. laws, draws, seed, lower, upper and the other keys of ``[building]`` replace those of the file.
     jobs: threads, 0 for one per core; the numbers do not depend on it. out: a directory for runs and reports, where the
-    same call continues an interrupted study; fresh starts over in it. progress: True, or a function that is called as progress(done, total)
-    with numbers of analyses, from the calling thread; an exception that it raises ends the study and is raised here.
+    same call continues an interrupted study; fresh starts over in it. progress: True, or a function that is called as
+    progress(done, total) with numbers of analyses, from the calling thread; an exception that it raises ends the study
+    and is raised here.
 
     Returns a Building. Ctrl-C ends the study with KeyboardInterrupt and keeps finished runs in ``out``. Raises Error
     with everything that is wrong in the building.
@@ -1221,8 +1222,9 @@ def inspect(lot, *, vertical=None, folder=".", allow_outside=False, **given):
 def rules(name=None):
     """The built-in rule sets: a list of dicts with id, title, edition, source and verified_by.
 
-    name: returns the text of this set, of a rule file, which is checked, or of "template", which is a commented file to
-    write the contract's own rules from. Raises Error for an unknown name and for a faulty file.
+    name: a rule set, a rule file or "template"; its text is returned instead of the list. A rule file is checked first.
+    "template" is a commented file to start from for the rules of a contract. Raises Error for an unknown name and for a
+    faulty file.
     """
     return _json.loads(_core.rule_sets_json()) if name is None else _core.rule_text(_os.fspath(name))
 
@@ -1304,13 +1306,13 @@ class Conditions(_Unchanging):
 
     @property
     def at_reference(self):
-        """The values of acceptance tests under other conditions, as measured and at reference: a list of dicts."""
+        """Acceptance tests under other conditions, as measured and converted to the reference: a list of dicts."""
         return self.results["at_reference"]
 
     def plan(self, devices=None):
-        """The tests that are missing until so many devices show every end of the design conditions: a list of dicts.
+        """The tests still to be made until enough devices are tested at every end of the design range: a list of dicts.
 
-        devices: as in ``isolaw conditions --plan --devices``; by default as many as that command takes.
+        devices: how many are enough, as in ``isolaw conditions --plan --devices``; the default is that of the command.
         """
         if devices is None:
             return self.results["plan"]

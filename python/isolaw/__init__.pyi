@@ -15,7 +15,7 @@ _Parameters = Mapping[str, float] | ArrayLike
 class Error(ValueError):
     complaints: list[dict[str, str]]
 
-# The class is compiled, so editors and the reference of the site find its docstrings here.
+# This class is compiled code, so editors and the documentation site take its docstrings from this stub.
 class Record:
     """A test record or a displacement history, in kN, mm and s, as read_record, read_motion, record and motion
     return it."""
@@ -47,7 +47,7 @@ class Record:
     def to_frame(self) -> Any:
         """The samples as a pandas DataFrame: columns time_s, disp_mm, force_kN and load_kN, as far as the record has them."""
     def plot(self, ax: Any = None) -> Any:
-        """Draws force over displacement with Matplotlib, or a motion over time. Returns the axes; ax: draws into these."""
+        """Draws the loop, or a motion over time, with Matplotlib. ax: axes to draw into. Returns the axes."""
     def __eq__(self, other: object) -> bool: ...
     def __hash__(self) -> int: ...
     def __len__(self) -> int: ...

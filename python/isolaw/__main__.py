@@ -12,7 +12,7 @@ def main():
     # the command returns.
     for number in (signal.SIGINT, signal.SIGPIPE):
         signal.signal(number, signal.SIG_DFL)
-    # Scripts that the command prints call it by this name.
+    # The name by which scripts that the command writes, such as those of `isolaw parts`, call it.
     name = "isolaw" if sys.argv[0] == __file__ else sys.argv[0]
     return _core.command([os.fsencode(word) for word in (name, *sys.argv[1:])])
 

@@ -1,4 +1,4 @@
-"""The only exception of the package. It has its own module because the compiled part imports it."""
+"""The only exception class of the package. It is in a module of its own because the compiled part imports it."""
 
 
 class Error(ValueError):

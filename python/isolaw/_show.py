@@ -1,4 +1,4 @@
-"""How records and campaigns look: HTML for notebooks, Matplotlib, pandas, and progress on the terminal.
+"""Shows records and campaigns as HTML in notebooks, Matplotlib figures and pandas tables, and progress on a terminal.
 
 Matplotlib, pandas and tqdm are used where they are installed. isolaw needs none of them.
 """
@@ -69,7 +69,7 @@ def escaped(text):
 
 
 def page(title, rows, picture=""):
-    """A small table with a picture, as HTML. rows: pairs of a name and a value."""
+    """Returns HTML with a small table and a picture. rows: pairs of a name and a value."""
     cells = "".join(
         f"<tr><td>{_html.escape(str(name))}</td><td>{_html.escape(_number(value))}</td></tr>" for name, value in rows
     )

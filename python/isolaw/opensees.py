@@ -22,8 +22,8 @@ from ._error import Error
 
 __all__ = ["attach", "material", "section"]
 
-_attached = None  # file of the module that attach() checked
-_warned = set()  # warnings that were given already; none is repeated for further materials
+_attached = None  # file of the OpenSees module that attach() found and checked; None before attach()
+_warned = set()  # warnings given so far, so that further materials do not repeat them
 
 
 class _Law(_ctypes.Structure):  # IsolawLaw in opensees/law.hpp

@@ -65,8 +65,8 @@ void add_option(CLI::App& command, OptionInfo const& option, Values& given, std:
   under(option.heading, added);
 }
 
-// Adds the options for reading records, or for reading a motion. Leaves out an option whose name the command already
-// uses for another one.
+// Adds the options for reading records, or for reading a motion. Leaves out an option if the command already has
+// another option with the same name.
 void add_reading(CLI::App& command, Values& read, bool of_test = true) {
   for (auto const& option : data::reading_table()) {
     auto const other_name = of_test ? std::string_view() : option.motion_option;
@@ -80,8 +80,8 @@ std::string unit_ids() {
   return joined(unit_systems | std::views::transform(&UnitSystem::id));
 }
 
-// Adds the options of campaign::acceptance_table(). `reports` is false for a command that writes no report; it gets no
-// options for how reports look.
+// Adds the options of campaign::acceptance_table(). A command that writes no report gets none of the options for how
+// reports look; `reports` is then false.
 void add_acceptance(CLI::App& c, Values& acceptance, bool reports = true) {
   for (auto const& option : campaign::acceptance_table()) {
     bool const is_look = option.key == "report-units" || option.key == "letterhead";
@@ -526,10 +526,11 @@ int dispatch(CLI::App& app, int argc, char** argv) {
   return commands.run_given();
 }
 
-// Who reads a failure as JSON: nobody, a program that runs isolaw with --json, or the engine of isolaw's web page.
+// Says who reads error messages as JSON: nobody, a program that ran isolaw with --json, or the engine of isolaw's web
+// page (page/engine).
 enum class Reader { none, program, engine };
 
-// The engine of isolaw's web page passes this word before the command. run() removes it.
+// The engine of the web page puts this word in front of the command. run() removes it from the command line.
 constexpr std::string_view word_of_engine = "--errors-as-json";
 
 Reader reader_of(int argc, char** argv) {
@@ -589,20 +590,20 @@ int run(int argc, char** argv) {
     CLI::App app(
         "isolaw: fit force-displacement laws to the tests of a production lot of seismic isolators, and rank them",
         "isolaw");
-    app.allow_windows_style_options(false);  // "/lot" is a file
+    app.allow_windows_style_options(false);  // so that a path such as "/lot" is not an option
     app.set_version_flag("--version", version_text());
     app.formatter(help_format());
     app.footer("isolaw COMMAND --help lists the options of a command.");
     app.require_subcommand(1);
     int const code = dispatch(app, argc, argv);
-    // fflush reports nothing if an earlier write has failed, so ferror is asked too.
+    // fflush does not report the failure of an earlier write, so ferror is called too.
     return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? fail_without_output(reader) : code;
   } catch (Error const& error) {
     return fail(reader, "input", error.complaints(), exit_wrong_usage);
   } catch (std::bad_alloc const&) {
     return fail_without_memory(reader);
   } catch (std::filesystem::filesystem_error const& error) {
-    // Either the user gave a path that the system cannot follow, or the system has a fault.
+    // Tells two cases apart: the user gave a path that the system cannot follow, or the system itself failed.
     bool const is_of_user = error.code() == std::errc::too_many_symbolic_link_levels ||
                             error.code() == std::errc::filename_too_long || error.code() == std::errc::not_a_directory;
     return fail(reader, is_of_user ? "input" : "system",

@@ -1,16 +1,16 @@
-// The command line program: commands, options, exit codes.
+// Runs the command line program: it defines the commands, their options and the exit codes.
 #pragma once
 
 #include <string>
 
 namespace isolaw::app {
 
-// Runs a command. Never throws. Returns 0 if all is done, 1 if a part was refused or failed, 2 for wrong usage or no
-// usable device, 3 for an internal error.
+// Runs a command. Never throws. Returns 0 if everything was done, 1 if an input was refused or a part of the work
+// failed, 2 for wrong usage or if no device is usable, and 3 for an internal error.
 int run(int argc, char** argv);
 
-// The text of `isolaw --version`, with the facts that a fault report needs: "isolaw 0.2.0 (commit 8394911)",
-// "g++ 12.2.0, avx512", "build 0123456789ab". The last hash is of the sources.
+// Returns the text of `isolaw --version`, with the facts that a bug report needs: "isolaw 0.2.0 (commit 8394911)",
+// "g++ 12.2.0, avx512", "build 0123456789ab". The hash after "build" is computed from the sources.
 std::string version_text();
 
 }  // namespace isolaw::app

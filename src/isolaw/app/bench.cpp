@@ -1,4 +1,5 @@
-// `isolaw bench`: hashes the numbers that this program computes, and measures its speed on this machine.
+// Implements `isolaw bench`, which prints a hash of numbers that this program computes and measures its speed on this
+// machine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,8 +38,9 @@ class SpeedTest {
     return values;
   }
 
-  // Processor time [ns] for one sample and one parameter set, rounded to 0.001. Other work makes a pass longer, but
-  // a shared host may also report a far too short time. Therefore the second shortest pass is taken.
+  // Returns the processor time [ns] for one sample and one parameter set, rounded to 0.001. It repeats the measurement.
+  // Other work on the machine makes a repetition longer, but a shared host may also report a far too short time. The
+  // second shortest repetition therefore counts.
   double ns() const {
     constexpr std::size_t least_passes = 5, most_passes = 2000;
     constexpr double enough_s = 0.15;

@@ -38,7 +38,8 @@
 namespace isolaw::app {
 namespace {
 
-// Shows the share of the analyses that are done: on a terminal in one line, in a log file by a line every half minute.
+// Shows which share of the analyses is done: on a terminal in one line that changes, in a log file with a new line
+// every half minute.
 class BuildingProgress {
  public:
   BuildingProgress() = default;
@@ -54,7 +55,7 @@ class BuildingProgress {
     constexpr std::chrono::seconds pause(30);
     if (!terminal_ && now - last_ < pause) return;
     last_ = now;
-    // Leaves out the analyses that an earlier call left in the store: they took none of the time measured here.
+    // Does not count analyses that an earlier call left in the store, because they took none of the time measured here.
     auto const fresh = static_cast<double>(progress.done - *first_);
     auto const left = static_cast<double>(progress.total - progress.done);
     double const spent_s = std::chrono::duration<double>(now - start_).count();
@@ -74,7 +75,8 @@ class BuildingProgress {
   std::optional<std::size_t> first_;
 };
 
-// Tells the user that motions of --motion get scale 1. A scale in the building file belongs to a motion of that file.
+// Tells the user that motions given with --motion are not scaled. The scales in the building file belong to the motions
+// that they replace.
 void say_motions(building::BuildingFile const& file, std::filesystem::path const& path) {
   if (file.replaced_scales.empty()) return;
   auto const [least, most] = std::ranges::minmax(file.replaced_scales);
@@ -87,7 +89,7 @@ void say_motions(building::BuildingFile const& file, std::filesystem::path const
           : fmt::format(", which had scales from {:g} to {:g}; a [[motion]] in the file scales a motion", least, most));
 }
 
-// A number of a table, right-aligned; "-" if there is none.
+// Returns a cell of a table with a right-aligned number, or "-" if there is no number.
 std::string cell(std::optional<double> value, int width = 9, int digits = 4) {
   return value && std::isfinite(*value) ? fmt::format(" {:>{}.{}g}", *value, width, digits)
                                         : fmt::format(" {:>{}}", "-", width);
@@ -115,7 +117,7 @@ std::string kept_text(building::Judged const& judged) {
                          : std::string(judged.broken_by));
 }
 
-// The first cells of a limit's row: its name, and the allowed response.
+// Returns the first cells of a limit's row: the name of the limit and the allowed response.
 std::string limit_text(building::Judged const& judged, UnitSystem const& units) {
   auto const& quantity = building::quantity(judged.quantity);
   auto const shown = shown_unit(quantity.unit, units);
@@ -125,9 +127,9 @@ std::string limit_text(building::Judged const& judged, UnitSystem const& units) 
                      cell(shown.factor * judged.allowed));
 }
 
-// A table of the limits, with one line each: the allowed value, the values of the nominal building and of the bounds,
-// the 95 % fractile of the draws, the share of the draws that keep the limit, and whether it is kept. The table has no
-// columns for bounds or draws that were not analysed.
+// Returns a table with one line for each limit: the allowed value, the values of the nominal building and of the bound
+// analyses, the 95 % fractile of the draws, the share of the draws that keep the limit, and whether the limit is kept.
+// The table has no columns for bounds or draws that were not analysed.
 std::string limits_text(building::LawAnswer const& law, UnitSystem const& units) {
   if (law.judged.empty()) return {};
   bool const bounds = law.judged.front().bound.has_value(), draws = law.judged.front().p95.has_value();
@@ -143,8 +145,8 @@ std::string limits_text(building::LawAnswer const& law, UnitSystem const& units)
   return text;
 }
 
-// A table of the limits with one column for each law: the largest of the responses that are compared with the limit,
-// and whether the limit is kept.
+// Returns a table with a line for each limit and a column for each law. A cell has the largest response that is
+// compared with the limit, and says whether the limit is kept.
 std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSystem const& units) {
   constexpr int width = 36;
   auto text = fmt::format("{:<32} {:>9}", "", "allowed");
@@ -170,7 +172,8 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
   return text;
 }
 
-// The table of the limits for the first law with a result. If there are several laws, a table of all laws follows.
+// Returns the table of the limits for the first law with a result. If there are several laws, a table of all laws
+// follows it.
 std::string all_limits_text(building::Study const& study, building::Answers const& answers) {
   auto const& units = study.units();
   auto const law = std::ranges::find_if(answers.laws, building::has_result);
@@ -313,7 +316,8 @@ std::string full_name(std::filesystem::path const& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
-// Makes file names absolute. "x.AT2,y.AT2" names two files.
+// Makes the names of motion files absolute. A text such as "x.AT2,y.AT2" holds the names of two files, one for each
+// direction.
 std::vector<std::string> full_names(std::vector<std::string> motions) {
   for (auto& motion : motions) {
     auto const comma = motion.find(',');

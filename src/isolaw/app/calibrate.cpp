@@ -19,7 +19,7 @@ namespace isolaw::app {
 int calibrate(CalibrateArguments const& arguments, std::vector<std::string> const& command_line) {
   CampaignWork work(command_line);
   auto const figures = render::figure_choice(arguments.figures);
-  fit::instruction_set();  // throws if the machine lacks the instruction set asked for, before anything is written
+  fit::instruction_set();  // throws early if this machine lacks the instruction set that the user chose
   auto const lot = lot_of(arguments);
   auto const part = arguments.part ? std::optional(campaign::parse_part(*arguments.part)) : std::nullopt;
   if (part && arguments.json)

@@ -57,7 +57,7 @@ int CampaignWork::write_reports(std::filesystem::path const& file, HowToWork con
   // Makes the summary from the store, as `isolaw report` does, so that both commands print the same.
   auto const summary = study::build_summary(campaign::Store::read(file));
   render::write_outputs(summary, directory);
-  // The time to draw figures is reported separately, because figures are for print and no part of the study.
+  // Reports the time to draw figures separately, because the figures are only for print and not part of the results.
   auto const before_figures = Clock::now();
   double const cpu_s = process_time_s() - cpu_at_start_s_;
   own_.lap(campaign::Phase::report);
@@ -101,7 +101,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
-    return exit_done;  // a part's exit code ignores refusals and failures: the report of the whole campaign has them
+    return exit_done;  // also if devices were refused or runs failed: the report of the campaign says so
   }
   return write_reports(file, how);
 }

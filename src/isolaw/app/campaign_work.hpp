@@ -22,7 +22,8 @@ struct HowToWork {
   bool json = false, details = false;
 };
 
-// A command constructs this object when it starts, because reported times count from the construction.
+// Does the work of a campaign. A command constructs this object when it starts, because all reported times are measured
+// from the construction.
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
@@ -31,7 +32,7 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Returns whether all runs and analyses are there. They may all be there even if the user asked for an interruption.
+  // Returns whether all runs and analyses are complete. This may be so even if the user interrupted the command.
   bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
   int write_reports(std::filesystem::path const& file, HowToWork const& how);
 

@@ -1,4 +1,4 @@
-// `isolaw laws` and `isolaw example`.
+// Implements the commands `isolaw laws` and `isolaw example`.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The commands: each writes results to standard output and messages to standard error, and returns the exit code.
+// Declares the commands and their arguments. Each command writes results to standard output and messages to standard
+// error, and returns the exit code.
 #pragma once
 
 #include <filesystem>
@@ -43,8 +44,8 @@ struct MergeArguments {
 };
 // Merges parts of a campaign. The result is the same as if one machine had computed the whole campaign.
 int merge(MergeArguments const& arguments, std::vector<std::string> const& command_line);
-// True if the parts, or the directory if there are no parts, hold a building study, which merge_buildings() merges.
-// Throws Error if the parts and the directory hold both a campaign and a building study.
+// Returns whether the parts belong to a building study, which merge_buildings() merges, and not to a campaign. If there
+// are no parts, the directory of the result decides. Throws Error if parts or directory hold both kinds.
 bool merges_buildings(MergeArguments const& arguments);
 int merge_buildings(MergeArguments const& arguments);
 
@@ -53,7 +54,7 @@ struct PartsArguments {
   CalibrateArguments calibrate;                   // `inputs` stays empty: `lot` replaces it
   std::optional<std::filesystem::path> campaign;  // if given, `lot` is a building file
   std::vector<std::string> motions;
-  Values stated;                   // options of building::stated_table(), about the motions
+  Values stated;                   // --motion-dt and --motion-unit (building::stated_table())
   std::vector<std::string> given;  // names of all options given
   int count = 0;
   std::string to;  // one of part_script_kinds
@@ -71,10 +72,10 @@ struct InspectArguments {
 int inspect(InspectArguments const& arguments);
 
 struct ConditionsArguments {
-  std::filesystem::path lot;                         // a lot file with a table [conditions], or a campaign of one
+  std::filesystem::path lot;                         // a lot file with [conditions], or a campaign made from one
   std::optional<std::filesystem::path> out;          // for conditions.json
   std::optional<std::filesystem::path> write_rules;  // a new file for the measured factors
-  std::optional<int> devices;                        // in the plan: how many devices test each end of the design range
+  std::optional<int> devices;                        // for the plan: devices to test at each end of the design range
   bool allow_outside = false, json = false, details = false, plan = false, at_reference = false;
 };
 int conditions(ConditionsArguments const& arguments);
@@ -101,7 +102,7 @@ struct SampleArguments {
   std::filesystem::path directory;
   std::string law;
   int count = 100;
-  Values seed;  // an option of campaign::setting_table()
+  Values seed;  // the option --seed, if given
 };
 int sample(SampleArguments const& arguments);
 
@@ -119,7 +120,7 @@ struct SimulateArguments {
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
-  Values read, how;  // how: the options of campaign::setting_table() from integration to dead-band
+  Values read, how;  // how: settings such as --integration and --dead-band
   std::optional<int> refinement;
   std::optional<std::filesystem::path> out;
   std::optional<std::string> bound = {};  // "lower" or "upper": the bound law over the design conditions
@@ -132,7 +133,7 @@ struct BuildingArguments {
   // `file`: BUILDING.toml; `from`: a campaign's directory; `out`: the directory for the results.
   std::optional<std::filesystem::path> file, from, out = {};
   std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
-  Values stated = {};                     // options of building::stated_table(), about the motions
+  Values stated = {};                     // --motion-dt and --motion-unit (building::stated_table())
   std::optional<int> jobs = {};
   std::optional<std::string> part = {};  // such as "3/40"
   std::optional<std::string> report_units = {};
@@ -140,7 +141,8 @@ struct BuildingArguments {
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;
 };
 int building(BuildingArguments const& arguments, std::vector<std::string> const& command_line);
-// Reads the study. Throws Error if no file or campaign is given. One Error lists all faults in them.
+// Reads the building file and the campaign. Throws Error if one of them is not given. A single Error lists all faults
+// in both.
 building::Study building_study(BuildingArguments const& arguments);
 void write_example_building(std::filesystem::path const& directory);
 
@@ -148,8 +150,8 @@ int list_rules(std::string const& name, bool json);
 int check(std::filesystem::path const& directory);
 int bench(bool json);
 int list_laws(std::string const& id, bool json, bool markdown);
-// Prints options as keyword parameters for Python. `which` names single options or whole tables of options; `but` names
-// options that are left out.
+// Prints options as keyword parameters of a Python function. `which` names single options or whole tables of options.
+// `but` names options of these tables that are left out.
 int list_keywords(std::vector<std::string> const& which, std::vector<std::string> const& but);
 // Prints the keys of [[device.test]] as JSON, and what the names of `files` propose for them. The files need not exist.
 int list_test_keys(std::vector<std::filesystem::path> const& files);

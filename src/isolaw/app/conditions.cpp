@@ -1,4 +1,5 @@
-// `isolaw conditions`: how the properties of devices change with temperature, rate, load, ageing and history.
+// Implements `isolaw conditions`, which shows how the properties of devices change with temperature, rate, load, ageing
+// and history.
 #include "isolaw/study/conditions.hpp"
 
 #include "isolaw/api/conditions.hpp"

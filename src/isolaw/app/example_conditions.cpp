@@ -1,5 +1,5 @@
-// The example of `isolaw conditions`: six bearings, whose stiffness and strength change with temperature, frequency,
-// load, ageing and history by closed formulas. Nothing in it is random.
+// Computes the example of `isolaw conditions`: six bearings. Formulas say how their stiffness and strength change with
+// temperature, frequency, load, ageing and history. Nothing is random.
 #include <fmt/format.h>
 
 #include <algorithm>

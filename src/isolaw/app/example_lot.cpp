@@ -77,7 +77,8 @@ std::string decimals(double value, int digits) {
   return fmt::format("{:.{}f}", value, digits);
 }
 
-// Writes time, displacement, force and load as a row's cells. The units are given as their sizes in s, mm and kN.
+// Returns a function that writes time, displacement, force and load of a sample as the cells of a row. The arguments
+// give the size of each unit in s, mm or kN, for example 10.0 for cm.
 auto plain(double disp_unit, double force_unit, double load_unit, int disp_digits, int force_digits,
            double time_unit = 1.0, int time_digits = 2) {
   return [=](Sample const& s, std::size_t) {

@@ -1,6 +1,6 @@
 // Computes the records of the example tests. Three quarters of the force come from power-masing-worn and one quarter
-// from bouc-wen, so that no law of the catalogue fits it without error. Each bearing has its own stiffness. One is 23 %
-// softer than the first, and the load cell of the last test clips.
+// from bouc-wen, so that no law of the catalogue fits the force exactly. Each bearing has its own stiffness. One is
+// 23 % softer than the first, and the load cell of the last test clips.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace isolaw::app {
 namespace {
 
-// How the bearings are tested. The noises are standard deviations.
+// Says how the bearings are tested. The values of noise are standard deviations.
 struct Plan {
   static constexpr double amplitudes_mm[]{60.0, 120.0, 180.0}, frequency_Hz = 0.5, sampling_Hz = 50.0, rest_s = 1.0;
   static constexpr int cycles = 3;

@@ -78,8 +78,8 @@ void print_list(Options const& options) {
                option->get_required() ? " (required)" : "");
 }
 
-// Returns a link to the shared options of a heading and says which of them `command` has, for example
-// "[Reading records](#reading-records) without `--to`". Returns "" if it has none of them.
+// Returns a link to the section of the options that several commands share, and says which of these options `command`
+// has, for example "[Reading records](#reading-records) without `--to`". Returns "" if it has none of them.
 std::string reference_to(Heading heading, Options const& shared, CLI::App const& command) {
   std::vector<std::string> with, without;
   for (auto const* option : shared) {

@@ -1,4 +1,4 @@
-// `isolaw inspect` and `isolaw init`: both show the contents of files before any law is fitted.
+// Implements `isolaw inspect` and `isolaw init`, which show the contents of files before any law is fitted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ int inspect(InspectArguments const& arguments) {
   apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
-  // If the only record cannot be read, reading it again throws an error that holds every complaint.
+  // If the only device cannot be used, its record is read again, because this throws an error with every complaint.
   if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
     for (auto const& test : lot.devices.front().tests)
       for (auto const& file : test.files) data::read_record(file, test.read);
@@ -73,8 +73,8 @@ int inspect(InspectArguments const& arguments) {
 namespace {
 
 // Copies the settings, rules and reading options of another lot file to `lot`. If that file has no common reading
-// options, those of its first device are copied. A column that is read from a separate file is dropped, since that file
-// belongs to the other lot.
+// options, those of its first device are copied. An option that takes a column from a separate file is dropped, because
+// that file belongs to the other lot.
 void take_over(std::filesystem::path const& file, campaign::Lot& lot) {
   auto const other = read_lot(file, {.allow_outside = true, .other_out = true});
   lot.settings = other.settings;
@@ -148,8 +148,8 @@ struct Recognition {
   std::vector<Complaint> complaints = {};  // about files that cannot be read
 };
 
-// Reads a test and prints what was recognised in it. Puts the recognised layout and the facts that the file states
-// about the device into `device`, and adds this to found.devices.
+// Reads a test and prints what was recognised in it. Writes the recognised layout, and the facts that the file states
+// about the device, into `device`. Then it adds `device` to found.devices.
 void recognise(campaign::DeviceInput& device, Recognition& found) {
   auto& test = device.tests.front();
   auto const& file = test.files.front();
@@ -187,11 +187,11 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
   }
 }
 
-// Throws Error if no test can be read.
+// Recognises the tests of all devices. Throws Error if no test can be read.
 Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   Recognition found;
   found.remarks.open_keys = true;
-  std::set<std::filesystem::path> of_sheets;  // files with a sheet that cannot be read, if the user chose no sheet
+  std::set<std::filesystem::path> of_sheets;  // workbooks with an unreadable sheet, if the user chose none
   for (auto& device : lot.devices) {
     auto const& file = device.tests.front().files.front();
     try {

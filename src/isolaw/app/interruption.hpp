@@ -1,4 +1,4 @@
-// Lets a signal end a long command early. Finished work is kept, and the same command continues it.
+// Lets a signal end a long command early. Finished work is kept, and the user continues it with the same command.
 #pragma once
 
 #include <array>
@@ -19,10 +19,10 @@ class SignalGuard {
  private:
   std::array<void (*)(int), 3> previous_{};
 };
-// True if a signal came since the last guard was constructed.
+// Returns whether a signal came after the last SignalGuard was constructed.
 bool interrupted();
 
-// The command line that continues the work: `words` without --fresh.
+// Returns the command line that continues the interrupted work: `words` without --fresh.
 std::string to_continue(std::vector<std::string> words);
 
 }  // namespace isolaw::app

@@ -1,5 +1,5 @@
-// `isolaw keywords`: prints the option tables as keyword parameters for the Python package; `./isolaw.sh docs` copies
-// them to the package's stub file.
+// Implements `isolaw keywords`, which prints tables of options as keyword parameters of Python functions. `./isolaw.sh
+// docs` copies the output into the stub file of the Python package.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,12 +24,13 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// Returns a parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which means
-// that the value from elsewhere, such as the building file, is kept.
+// Returns a parameter as Python text: "runs: int | None = None,". With `in_place` every default is None. The value then
+// stays what a file, such as the building file, says.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});
-  // A default of zero that the limits forbid means that other settings decide the value. Python then gets None.
+  // If the default is 0 although the limits forbid 0, other settings decide the value. The default in Python is then
+  // None.
   if (row.limits && value == 0 && row.limits->least > 0.0) value = Json();
   auto type = row.python_type();
   if (value.is_null() && !type.ends_with(" | None")) type += " | None";

@@ -23,7 +23,7 @@ bool is_lot_file(std::filesystem::path const& path) {
   return path.extension() == ".toml";
 }
 
-// Limits the number of runs, since all of them are listed before the first one starts.
+// Throws Error for a lot with too many devices or runs, because the program lists all runs before the first one starts.
 void refuse_endless(campaign::Lot const& lot) {
   constexpr std::size_t most_runs = 10'000'000;
   auto const runs = static_cast<std::size_t>(lot.settings.runs) * lot.settings.laws.size() * lot.devices.size();
@@ -40,13 +40,15 @@ void refuse_endless(campaign::Lot const& lot) {
                  .advice = "fewer runs, 20 are usual"});
 }
 
-// Makes the path canonical first, because paths such as "." and "records/" do not end in the folder's name.
+// Returns the name of a folder. The path is made canonical first, because paths such as "." and "records/" do not end
+// in the name.
 std::string folder_name(std::filesystem::path const& directory) {
   auto const path = std::filesystem::weakly_canonical(directory);
   return path.filename().string();
 }
 
-// The name of the lot file's folder, of the only input, or of the folder that all inputs share; otherwise "12 records".
+// Returns a name for the lot: that of the lot file's folder, of the only input, or of the folder that all inputs share.
+// Otherwise it is a text such as "12 records".
 std::string name_of(std::vector<std::filesystem::path> const& inputs, std::size_t devices) {
   auto const& first = inputs.front();
   auto const folder = [](std::filesystem::path const& file) {
@@ -70,7 +72,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
   std::vector<std::filesystem::path> files;
   for (auto const& input : inputs) {
     std::error_code none;
-    if (!std::filesystem::is_directory(input, none)) {  // if there is no such file, the error comes when it is read
+    if (!std::filesystem::is_directory(input, none)) {  // a missing file is reported later, when it is read
       files.push_back(input);
       continue;
     }
@@ -78,7 +80,7 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
     std::vector<std::string> passed_over;
     for (auto const& entry : std::filesystem::directory_iterator(input)) {
       auto const name = entry.path().filename().string();
-      // Keeps a link that leads nowhere or in a circle, so that the user gets the error when it is read.
+      // Keeps a symbolic link that leads nowhere or in a circle. The user then gets an error when the program reads it.
       bool const is_dead_link = entry.is_symlink(none) && !entry.exists(none);
       if ((!entry.is_regular_file(none) && !is_dead_link) || name.starts_with('.')) continue;
       if (data::is_record_name(name))
@@ -106,8 +108,8 @@ std::vector<std::filesystem::path> records_of(std::vector<std::filesystem::path>
 
 namespace {
 
-// An option that may be repeated does not replace the lot file's list of values. Its values are added to the list, and
-// each replaces a value of the list that is for the same parameter.
+// Returns the values of an option that may be repeated, such as --set. The values from the command line are added to
+// those of the lot file. A value replaces the lot file's value for the same parameter.
 Json added(Json const& there, Json const& given) {
   auto const parameter = [](std::string const& text) { return text.substr(0, text.find('=')); };
   auto const words = given.get<std::vector<std::string>>();
@@ -147,7 +149,7 @@ void apply_vertical(std::vector<std::string> const& given, campaign::Lot& lot) {
   std::vector<Complaint> complaints;
   std::set<std::string> named;
   for (auto const& text : given) {
-    // A device name may contain "=", so the longest name that fits is taken.
+    // The name of a device may contain "=". So if several names fit, the longest one is taken.
     campaign::DeviceInput* found = nullptr;
     for (auto& device : lot.devices)
       if (text.starts_with(device.name + "=") && (found == nullptr || device.name.size() > found->name.size()))
@@ -189,7 +191,7 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
   }
   auto lot = from_file ? read_lot(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
-  if (same_device) campaign::make_one_device(lot);  // compares no facts of records, since none has been read yet
+  if (same_device) campaign::make_one_device(lot);  // compares no facts in the records, which are not read yet
   return lot;
 }
 

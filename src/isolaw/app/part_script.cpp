@@ -14,8 +14,8 @@
 namespace isolaw::app {
 namespace {
 
-// Factor on estimated times, because processors may be slower, searches may take longer, and other jobs may run on the
-// same machine.
+// Estimated times are multiplied by this factor, because the processors may be slower, searches may take longer, and
+// other jobs may run on the same machine.
 constexpr double time_margin = 3.0;
 constexpr double least_minutes = 10.0;
 

@@ -31,8 +31,8 @@ struct PartScript {
 
 inline constexpr std::array<std::string_view, 3> part_script_kinds{"slurm", "make", "parallel"};
 
-// File names may contain blanks, quotes and dollar signs. Throws Error for an unknown kind, and for a name with a line
-// break, which no Makefile can hold.
+// Returns the text of a script. `kind` is one of part_script_kinds. File names may contain blanks, quotes and dollar
+// signs. Throws Error for an unknown kind, and for a file name with a line break, which a Makefile cannot hold.
 std::string part_script(std::string_view kind, PartScript const& script);
 
 }  // namespace isolaw::app

@@ -41,7 +41,8 @@ std::vector<std::string> words_again(CalibrateArguments const& given) {
   return words;
 }
 
-// A part needs about as much memory as this process, because both read the whole lot. Each thread adds a little.
+// Returns the memory that a part needs. It is about that of this process, because both read the whole lot, and a little
+// more for each thread.
 std::uint64_t memory_bytes(int jobs) {
   constexpr double margin = 1.5;
   constexpr std::uint64_t around = 128U << 20, thread = 16U << 20;
@@ -53,7 +54,8 @@ std::string program_of(std::string const& word) {
   return word.find('/') == std::string::npos ? word : std::filesystem::absolute(word).lexically_normal().string();
 }
 
-// Refuses options that would have no effect: building options without a building file, and lot options with one.
+// Refuses options that would have no effect: options of building studies if the input is a lot file, and options of
+// lots if the input is a building file.
 void require_used(PartsArguments const& arguments) {
   if (!arguments.campaign && (!arguments.motions.empty() || !arguments.stated.empty()))
     throw Error({.where = arguments.motions.empty() ? "--" + arguments.stated.begin()->first : "--motion",

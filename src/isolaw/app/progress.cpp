@@ -34,7 +34,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   auto const now = Clock::now();
   auto const* what = progress.analysis ? "analyses" : "runs";
   bool const last = progress.done == progress.total;
-  // A log file gets a line every 30 s, to show that a long search is still running.
+  // If standard error is a log file, it gets a line every 30 s, which shows that a long search is still running.
   auto const pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::seconds(30);
   if (terminal_ ? !last && now - last_ < pause : now - last_ < pause) return;
   last_ = now;
@@ -53,7 +53,8 @@ void ProgressLine::show(campaign::Progress const& progress) {
                           progress.total, what);
   if (!progress.law.empty()) line += " " + std::string(laws::called(progress.law));
   if (!progress.device.empty()) line += " on " + printable(progress.device);
-  // A line of more than 80 columns would be tiring to read. The line never breaks: a name is cut between its letters.
+  // The line is cut to the width of the terminal or 80 columns, so that it does not wrap. It is cut between characters,
+  // even if this is within a name.
   auto const width = std::min(terminal_width(StandardStream::error), 80) - 1;
   std::size_t end = 0;
   for (int letters = 0; letters < width && end < line.size(); ++letters)

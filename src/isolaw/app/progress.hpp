@@ -1,5 +1,5 @@
-// The progress line: share of all work done, time left, count of runs or analyses, and law and device of the latest run
-// or analysis.
+// Shows the progress line: the share of all work that is done, the time left, the number of finished runs or analyses,
+// and the law and device of the latest one.
 #pragma once
 
 #include <chrono>

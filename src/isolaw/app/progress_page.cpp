@@ -1,4 +1,4 @@
-// The browser version's progress lines, about five times per second. page/engine/progress.js reads them in this form:
+// Prints the progress lines of the browser version, about five times per second. page/engine/progress.js reads them:
 //   run LAW OBJECTIVE DEVICE       once for each finished run, also of an earlier start; DEVICE counts from 0
 //   progress SHARE SECONDS_LEFT DONE TOTAL runs|analyses
 #include <fmt/format.h>

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double usual_C = 20.0;  // the temperature at which most tests are made
 
-// Returns the test that suits best as the reference. Tests that are not aged, have counted cycles and state a
-// temperature come first; among them the one from which most other tests differ in at most one condition.
+// Returns the test that suits best as the reference. It prefers tests of devices that are not aged, with counted cycles
+// and a stated temperature. Among these it takes the one from which most other tests differ in at most one condition.
 RecognisedTest const& reference_of(std::vector<RecognisedTest> const& tests,
                                    std::vector<campaign::ProposedTest> const& proposed) {
   conditions::Tolerance const tolerance;
@@ -65,7 +65,7 @@ void propose_conditions(campaign::Lot const& lot, std::vector<RecognisedTest> te
     auto& test = proposed[i];
     if (!test.temperature_C) test.temperature_C = at.temperature_C;
     at.temperature_C = test.temperature_C;
-    // A lot file states the load only of a record that has no channel for it.
+    // A lot file states a load only for a record without a channel of the load.
     if (at.load_kN) test.load_kN.reset();
     if (test.load_kN) at.load_kN = test.load_kN;
     if (test.is_aged) at.ageing = conditions::Ageing{};

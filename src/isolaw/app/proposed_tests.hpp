@@ -15,9 +15,9 @@ struct RecognisedTest {             // a record as `isolaw init` has read it
   int cycles = 0;  // number of counted cycles
 };
 
-// Adds to `remarks` what the names of the records propose, and a reference that one of the tests agrees with. Adds
-// nothing if no name states a condition, or if no two records would be of one device. `tests` has an entry for each
-// device of `lot`.
+// Adds to `remarks` the devices and conditions that the names of the records suggest, and reference conditions under
+// which one of the tests was made. Adds nothing if no name suggests a condition, or if no two records belong to the
+// same device. `tests` has an entry for each device of `lot`.
 void propose_conditions(campaign::Lot const& lot, std::vector<RecognisedTest> tests, campaign::LotFileRemarks& remarks);
 
 }  // namespace isolaw::app

@@ -67,7 +67,7 @@ int report(ReportArguments const& arguments) {
   auto contents = campaign::Store::read(directory / store_name);
   apply(arguments.acceptance, contents.acceptance);
   auto const summary = study::build_summary(contents);
-  // Results are printed even if the files cannot be written, for example when the store is on read-only media.
+  // Prints the results even if the files cannot be written, for example because the store is on a read-only disk.
   std::optional<Error> not_written;
   try {
     render::write_outputs(summary, arguments.out.value_or(directory));

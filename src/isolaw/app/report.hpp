@@ -12,8 +12,8 @@
 
 namespace isolaw::app {
 
-// Says how many outdated figures were removed and how many figures were not drawn, and why. The data files of figures
-// that were not drawn are written, and the command `again` draws them.
+// Tells the user how many outdated figures were removed, and how many figures were not drawn and why. The data files of
+// the latter exist, and the user can draw them with the command `again`.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
@@ -21,13 +21,13 @@ struct Printed {
   bool json = false, details = false;
   std::optional<std::filesystem::path> campaign = {};  // the campaign's directory, if the report is in another one
 };
-// Prints one screen or all details, then the verdicts of a rule set. With `json`, prints summary.json and adds
-// `profile`, the times of the campaign's phases.
+// Prints the answer on one screen, or all details, then the verdicts of a rule set. With `json` it instead prints the
+// content of summary.json, with `profile` (the times of the campaign's phases) added.
 void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
            std::string_view profile = {});
 
 // Returns 1 if a device or its compression test was refused, a law could not be fitted, a run failed, or a limit of the
-// rules is not kept.
+// rules is not kept; otherwise 0.
 int exit_code(study::Summary const& summary);
 
 void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);

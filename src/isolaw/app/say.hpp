@@ -14,8 +14,9 @@
 
 namespace isolaw::app {
 
-// Flushes standard output first: if both streams go to one file, a message then never interrupts a line of results.
-// Ignores failures, so that a campaign ends in good order after its terminal was closed.
+// Prints a message to standard error. It flushes standard output first, so that a message never stands within a line of
+// results if both streams go to the same file. It ignores failures, so that a campaign still ends properly after its
+// terminal was closed.
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
   fmt::memory_buffer text;  // a message of usual length needs no allocation, which could fail when memory is full
@@ -24,7 +25,7 @@ void say(fmt::format_string<Args...> format, Args&&... args) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-inline bool has_printed = false;  // set by print(); JSON of an error is then not printed after the results
+inline bool has_printed = false;  // set by print(). If true, an error is not printed as JSON after the results
 
 inline void print(std::string_view text) {
   has_printed = true;
@@ -32,7 +33,7 @@ inline void print(std::string_view text) {
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
 }
 
-// A file name for use in a message. Control characters are spelled out.
+// Returns a file name for use in a message, with control characters as visible codes.
 inline std::string shown(std::filesystem::path const& path) {
   return printable(path.string());
 }

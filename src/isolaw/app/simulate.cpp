@@ -1,4 +1,4 @@
-// `isolaw simulate`: the force of a law under any displacement history.
+// Implements `isolaw simulate`, which computes the force of a law under any displacement history.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +49,8 @@ struct Chosen {
   std::string origin;                 // "device 'a'" or "the lot"; empty if the law is not from a campaign
   std::vector<std::string> changes;   // values given with --set; the law then differs from the campaign's
   std::optional<Finding> bound = {};  // if the simulated law is a bound law: the finding that describes it
-  // Only for a law fitted to one device, without changes: the record and box of its fit.
+  // The record and the search box of the fit. They are set only if the law was fitted to one device and --set changed
+  // nothing.
   struct Fit {
     data::FitRecord record;
     fit::SearchBox box;
@@ -57,7 +58,8 @@ struct Chosen {
   std::optional<Fit> fit = {};
 };
 
-// Replaces the fitted law by the bound law. Springs around the circle then also get the parameters of the bound law.
+// Replaces the fitted law by the bound law: the same law with parameters for the lower or upper bound over the design
+// conditions. Springs around the circle then get these parameters too.
 void take_bound(SimulateArguments const& a, study::Summary const& summary, laws::LawEntry const& law, Chosen& chosen) {
   if (*a.bound != "lower" && *a.bound != "upper")
     throw Error({.where = "--bound", .found = *a.bound, .allowed = "lower or upper"});
@@ -122,7 +124,8 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
     return std::ranges::find(changes, value.name, &NamedValue::name) != changes.end();
   });
   values.insert(values.end(), changes.begin(), changes.end());
-  // Limits on several parameters together are not checked for an unchanged fit: a search box may reach beyond them.
+  // For a fit that --set did not change, limits on several parameters together are not checked, because a search box
+  // may reach beyond such limits.
   auto& taken = chosen.law;
   taken.parameters =
       parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
@@ -207,7 +210,7 @@ std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& ch
   return lines;
 }
 
-// Numbers have enough digits that reading them gives the same doubles again.
+// Returns the result as CSV. Numbers have so many digits that reading them gives the same doubles again.
 std::string csv_text(std::string_view law, std::vector<std::string> const& known, data::TestRecord const& motion,
                      data::FitRecord const& path, std::vector<double> const& force_kN) {
   std::string text;
@@ -227,7 +230,7 @@ std::string csv_text(std::string_view law, std::vector<std::string> const& known
 struct TwoDirections {
   laws::Bidirectional how;
   laws::plane::Softening softening;
-  bool as_given;  // if true, springs have the law's own parameters, not parameters fitted to springs
+  bool as_given;  // true: springs use the law's own parameters; false: parameters fitted for springs
   std::string second_disp;
 };
 std::optional<TwoDirections> two_directions(SimulateArguments const& a) {
@@ -317,7 +320,7 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
-  // The comparison below needs the law's own parameters, which differ from those that were fitted for springs.
+  // The comparison below needs the law's own parameters. Springs may have other ones, which were fitted for springs.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
   // A sine of the period `cycle` is as fast as the user's motion. A figure of eight of the same period would be sqrt(2)
   // times as fast, so its period is taken sqrt(2) times as long.

@@ -1,5 +1,5 @@
-// `isolaw test-keys`: prints for isolaw's web page what a lot file can state about a test, and what the names of
-// records propose.
+// Implements `isolaw test-keys`, which isolaw's web page calls. It prints what a lot file can state about a test, and
+// which of these values the names of record files suggest.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -17,7 +17,7 @@
 namespace isolaw::app {
 namespace {
 
-// A row as the page shows it: "temperature-C" has the label "Temperature" and the unit "°C".
+// Describes a key as the page shows it: "temperature-C" gets the label "Temperature" and the unit "°C".
 Json described(OptionInfo const& row) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> units{
       {{"-C", "°C"}, {"-kN", "kN"}, {"-h", "h"}}};

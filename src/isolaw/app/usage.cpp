@@ -20,7 +20,8 @@ std::vector<std::string> names_of_options(CLI::App const& command) {
   return names;
 }
 
-// A command without a group is only for developers of isolaw and is not shown.
+// Returns the names of the commands. A command without a group is only for developers of isolaw and is left out, except
+// with `hidden_too`.
 std::vector<std::string> names_of_commands(CLI::App& app, bool hidden_too = false) {
   std::vector<std::string> names;
   for (auto const* command :

@@ -1,4 +1,5 @@
-// Texts on the program's usage: --help, docs/cli.md, and errors of usage in our own words.
+// Makes texts on the usage of the program: --help, docs/cli.md, and isolaw's own messages for wrong usage in place of
+// those of CLI11.
 #pragma once
 
 #include <memory>
@@ -16,7 +17,7 @@ class ParseError;
 
 namespace isolaw::app {
 
-// The footer of a command's help is this mark and an example.
+// The help of a command ends with this mark, followed by an example.
 inline constexpr std::string_view example_mark = "Example: ";
 
 // Lists options under the headings of base/option.hpp, in their order. A command with few options has a single heading.

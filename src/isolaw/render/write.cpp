@@ -48,7 +48,7 @@ constexpr Output outputs[] = {
     {"report.html", html},
 };
 
-// Written only if the lot file has a table [conditions].
+// A file that is written only if the lot file has a table [conditions].
 struct ConditionsOutput {
   char const* name;
   std::string (*text)(ConditionsResult const&, UnitSystem const&);

@@ -1,5 +1,5 @@
-// Writes and removes the page, JSON and tables of a report, an inspection, tests under conditions or a building study.
-// The functions that write create `dir` if necessary and throw Error on failure.
+// Writes and removes the output files (page, JSON and tables) of a report, an inspection, a study of conditions or a
+// study of a building. The functions that write create `dir` if necessary and throw Error on failure.
 #pragma once
 
 #include <filesystem>
@@ -18,14 +18,15 @@ namespace isolaw::render {
 
 void write_outputs(Summary const& summary, std::filesystem::path const& dir);
 void write_inspection(Summary const& summary, std::filesystem::path const& dir);
-// conditions.json and its tables.
+// Writes conditions.json and the tables of the study of conditions.
 void write_conditions_outputs(ConditionsResult const& result, UnitSystem const& units,
                               std::filesystem::path const& dir);
 void write_building_outputs(building::Study const& study, building::Answers const& answers,
                             std::filesystem::path const& dir);
-// The files that write_outputs() writes: names relative to `dir`, and texts.
+// Returns the files that write_outputs() writes, as pairs of name, relative to `dir`, and text.
 std::vector<std::pair<std::string, std::string>> output_texts(Summary const& summary);
-// Removes run.json, figures and files of write_outputs(). They must not stay beside the results of another campaign.
+// Removes run.json, the figures and the files of write_outputs(), because they must not stay beside the results of
+// another campaign.
 void remove_outputs(std::filesystem::path const& dir);
 void remove_building_outputs(std::filesystem::path const& dir);
 // Removes the unfinished files that a killed process left in `dir` and in its folders of tables and figures.

@@ -1,4 +1,4 @@
-// Makes the figures of a report on an isolated building. They have the look of the figures on a campaign.
+// Makes the figures of a report on an isolated building, in the same style as the figures of a campaign.
 #pragma once
 
 #include <filesystem>

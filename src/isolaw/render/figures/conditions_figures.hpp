@@ -1,4 +1,4 @@
-// The figures of `isolaw conditions` for print.
+// Makes the figures of `isolaw conditions` for print.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,15 @@
 
 namespace isolaw::render {
 
-// The factor on K_eff, and on damping below it, over each condition: every device, the mean with its intervals, and the
-// range of the design. Nothing without a tested level.
+// Draws the factor on K_eff, and below it the factor on damping, over each condition (temperature, rate, ...). The
+// figure shows every device, their mean with its intervals, and the design range. Returns nothing if no level was
+// tested.
 MaybeFigure conditions_figure(ConditionsResult const& result, UnitSystem const& units = record_units);
-// The largest and the smallest factor of each effect over the design conditions, as bars. Nothing without a design.
+// Draws the largest and the smallest factor of each effect over the design conditions, as bars. Returns nothing if the
+// lot states no design conditions.
 MaybeFigure factors_figure(ConditionsResult const& result);
 
-// Both figures, those that exist.
+// Returns those of the two figures that can be made.
 std::vector<Figure> conditions_figures(ConditionsResult const& result, UnitSystem const& units = record_units);
 
 }  // namespace isolaw::render

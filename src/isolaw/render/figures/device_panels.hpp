@@ -1,4 +1,5 @@
-// Panels that each show one quantity over the devices of the lot, with error bars and the difference from the mean.
+// Draws panels over the devices of the lot. Each panel shows one quantity, with error bars and the difference from the
+// mean.
 #pragma once
 
 #include <functional>
@@ -32,7 +33,7 @@ void write_block(DataTable& table, DevicePanel const& panel);
 
 struct PanelsOverDevices {
   double height_mm = 30.0;
-  Margins margins;  // margins of a panel; the bottom excludes the devices' names
+  Margins margins;  // margins of a panel; room for the devices' names comes on top of `bottom`
   int columns = 3;
   std::string setting = {};  // a line of gnuplot's script that stands before the panels
 };

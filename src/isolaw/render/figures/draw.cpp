@@ -37,7 +37,8 @@ class Scratch {
   fs::path path_;
 };
 
-// Cairo writes the time into a PDF. A fixed time of equal length replaces it, so that equal results give equal files.
+// gnuplot's library Cairo writes the current time into a PDF. A fixed time of the same length replaces it, so that
+// equal results give equal files.
 void remove_date(std::string& pdf) {
   constexpr std::string_view before = "/CreationDate (D:";
   auto const at = pdf.find(before);
@@ -59,7 +60,8 @@ bool take_over(fs::path const& from, fs::path const& to, std::string const& name
   return has_svg && has_pdf;
 }
 
-// Number of figures in a batch. The temporary files of a batch take disk space until all of its figures are drawn.
+// Largest number of figures that one process of gnuplot draws. Their temporary files take disk space until all of them
+// are drawn.
 constexpr std::size_t figures_per_process = 64;
 
 // Draws `names` in one process. If a figure fails, a new process draws the next ones. Copies finished figures to `dir`.

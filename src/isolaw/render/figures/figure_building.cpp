@@ -131,7 +131,7 @@ Figure variance_figure(building::Answers const& answers) {
 }  // namespace
 
 std::vector<Figure> building_figures(building::Answers const& answers, UnitSystem const& units) {
-  // Both figures show draws, so there are none without draws.
+  // Both figures show random draws of the building. If no law has any, there are no figures.
   if (std::ranges::none_of(answers.laws, [](auto const& law) { return law.draws > 0; })) return {};
   return {histograms_figure(answers, units), variance_figure(answers)};
 }

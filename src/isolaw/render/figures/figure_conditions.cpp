@@ -18,7 +18,7 @@ constexpr std::array shown_effects{Effect::temperature, Effect::rate, Effect::lo
 constexpr std::array<std::pair<rules::Quantity, std::string_view>, 2> shown_quantities{
     {{rules::Quantity::K_eff, "{/:Italic K}_{eff} factor"}, {rules::Quantity::damping, "Damping factor"}}};
 
-// The content of a panel: one effect on one property.
+// Holds the data of a panel, which shows one effect (such as temperature) on one property (such as K_eff).
 struct ConditionPanel {
   Effect effect;
   double factor = 1.0;  // converts the condition from its stored unit to the unit shown
@@ -29,8 +29,8 @@ struct ConditionPanel {
   std::optional<double> reference = {};
   std::optional<campaign::ConditionRange> design = {};
 
-  // Returns the x of a level. Levels of ageing are not values of one quantity, so they stand at 1, 2, ..., and the
-  // reference stands at 0.
+  // Returns the x coordinate of a level. A level of ageing is not a single number, so the levels of ageing stand at 1,
+  // 2, ... and the reference at 0.
   double place(std::size_t level) const {
     return effect == Effect::ageing ? static_cast<double>(level + 1) : factor * levels[level]->factor.at;
   }
@@ -92,7 +92,8 @@ Range range_of_factors(std::vector<ConditionPanel> const& panels) {
   return range;
 }
 
-// Writes the blocks of a panel and returns the commands that plot them. `block` is the index of the next block.
+// Writes the data of a panel as blocks of gnuplot's data file and returns the commands that plot them. `block` is the
+// index of the next block in the file.
 std::vector<std::string> write_panel(DataTable& table, ConditionPanel const& panel, std::string const& file,
                                      std::size_t& block, Range const& range) {
   std::vector<std::string> plots;

@@ -66,7 +66,7 @@ FactorBars bars_of(ConditionsResult const& result, BoundRow const& bound) {
   return all;
 }
 
-// A property's symbol, such as K_eff, or its name.
+// Returns the symbol of a property, such as K_eff, or its name if it has no symbol.
 std::string title_of(rules::Quantity quantity) {
   auto const name = rules::name(quantity);
   bool const is_symbol = name.find('_') != std::string_view::npos;
@@ -76,7 +76,7 @@ std::string title_of(rules::Quantity quantity) {
 }  // namespace
 
 MaybeFigure factors_figure(ConditionsResult const& result) {
-  constexpr std::size_t most = 2;  // K_eff and energy decide the bounds
+  constexpr std::size_t most = 2;  // number of properties drawn: the first two, K_eff and energy
   std::vector<FactorBars> panels;
   for (auto const& bound : result.bounds)
     if (panels.size() < most) panels.push_back(bars_of(result, bound));

@@ -61,7 +61,8 @@ std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> point
   return line;
 }
 
-// Returns the laws of the published study, named 1, 2, ... as there. The study has results for FrontView::runs only.
+// Returns the laws of the published study as points. They are named 1, 2, ... as in the study, which has results for
+// FrontView::runs only.
 std::vector<FrontPoint> published_points(Summary const& summary, FrontView view) {
   std::vector<FrontPoint> points;
   auto const known = view == FrontView::runs ? study::published(summary) : std::nullopt;

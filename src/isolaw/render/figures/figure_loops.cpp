@@ -76,7 +76,7 @@ void draw_absence(Script& script, LoopPanel const& panel, double width_mm) {
   for (std::size_t i = 0; i < lines.size(); ++i) script.line("unset label {}", i + 2);
 }
 
-// Draws the device's name and the key in a strip over the whole width, since the key is wider than any panel.
+// Draws the device's name and the key of the curves in a strip above all panels, because the key is wider than a panel.
 void draw_head(Script& script, Grid const& grid, std::string const& device, std::size_t law) {
   constexpr double key_mm = 45.0;
   script.margins(grid.margins.left, grid.margins.right, grid.height_mm() - grid.head_mm, 0.5);
@@ -98,7 +98,8 @@ std::string loops_script(UnitSystem const& units, std::string const& name, std::
   Range disp, force;
   for (double const x : device.record.disp_mm) disp.add(units.from_mm(x));
   for (double const f : device.record.force_kN) force.add(units.from_kN(f));
-  // The axis extends beyond the measured forces by half their range on each side. A law with larger forces is cut off.
+  // The axis extends beyond the measured forces by half their range on each side. The loop of a law with larger forces
+  // is cut off there.
   double const spare = 0.5 * (force.high - force.low), lowest = force.low - spare, highest = force.high + spare;
   for (auto const& panel : panels)
     if (panel.fit != nullptr)

@@ -43,8 +43,8 @@ ObjectiveRanges ranges_of(std::vector<DevicePanel> const& laws) {
   return ranges;
 }
 
-// Returns gnuplot's expression for the x of a device. Law number k has the interval around k on the axis, in which the
-// devices stand side by side.
+// Returns gnuplot's expression for the x coordinate of a device. Law number k has an interval around k on the axis. The
+// devices stand side by side in this interval.
 std::string place_in_law(std::size_t law, std::size_t devices) {
   return fmt::format("({}+0.8*($1-{})/{})", law + 1, number((static_cast<double>(devices) + 1.0) / 2.0), devices);
 }

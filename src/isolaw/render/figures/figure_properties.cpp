@@ -6,8 +6,8 @@
 namespace isolaw::render {
 namespace {
 
-// Returns the values that the rule set assesses (one, or one for each side). If there are none, returns the value of
-// the cycle that counting_cycle() (study/acceptance.hpp) chooses, usually the third.
+// Returns the values of a device that the rule set assesses: one value, or one for each side of the loop. Without such
+// values it returns the value of the cycle that counting_cycle() (study/acceptance.hpp) chooses, usually the third.
 std::vector<double> property_values(DeviceResult const& device, rules::Quantity quantity) {
   std::vector<double> values;
   for (auto const& assessment : device.acceptance.assessments)

@@ -1,4 +1,5 @@
-// The campaign beside Table A.5 of Cucuzza et al. 2025. Both give standard deviations over runs as shares of |mean|.
+// Makes figures that compare the campaign with Table A.5 of Cucuzza et al. 2025. For both, the standard deviation over
+// the runs is shown as a share of |mean|.
 #include <algorithm>
 #include <cmath>
 
@@ -81,8 +82,8 @@ std::vector<Beside> laws_beside(Summary const& summary) {
   return laws;
 }
 
-// Returns gnuplot's expression for the x of a device. The campaign's devices fill the left half of a law's interval on
-// the axis, the published study's devices the right half.
+// Returns gnuplot's expression for the x coordinate of a device. The campaign's devices fill the left half of a law's
+// interval on the axis, the published study's devices the right half.
 std::string place_in_half(std::size_t law, std::size_t devices, bool printed) {
   return fmt::format("({}+0.38*($1-0.5)/{})", number(static_cast<double>(law + 1) + (printed ? 0.04 : -0.42)), devices);
 }
@@ -105,7 +106,8 @@ struct BesidePanel {
   Spreads here, printed;
 };
 
-// Returns the largest magnitude of `value` over the devices of campaign and study. It sets the end of the axis.
+// Returns the largest magnitude of `value` over the devices of both the campaign and the published study. The axis ends
+// there.
 double largest_of(BesidePanel const& panel, MaybeNumber DeviceSpread::*value) {
   double largest = 0.0;
   for (auto const* spreads : {&panel.here, &panel.printed})

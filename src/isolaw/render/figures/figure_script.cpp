@@ -28,7 +28,7 @@ std::string log_tics(Range const& range) {
     for (int decade = first; decade <= last; ++decade)
       for (double const digit : {1.0, 2.0, 5.0}) add(digit * std::pow(10.0, decade));
   }
-  if (values.size() < 3) {  // for less than about a decade, evenly spaced tics
+  if (values.size() < 3) {  // the axis spans less than about a decade, so tics are evenly spaced
     values.clear();
     double const step = nice_step(range.high - range.low, 4);
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) values.push_back(k * step);
@@ -80,7 +80,8 @@ Script::Script(std::string_view name, std::string_view about, double width_mm, d
   line("  set terminal pdfcairo size {}cm,{}cm enhanced font 'Sans,{}' fontscale 0.75 linewidth 0.75",
        to_text(width_mm / 10.0, 5), to_text(height_mm / 10.0, 5), to_text(font_pt, 3));
   line("}}");
-  // gnuplot measures offsets in letters, whose size differs between SVG and PDF. These variables correct for it.
+  // gnuplot measures offsets in letter sizes, which differ between SVG and PDF. These variables correct for the
+  // difference.
   line("raise = kind eq 'svg' ? 0.75 : 0.35; inward = kind eq 'svg' ? 1.4 : 0.8");
   line("set output '{}.'.kind", name);
   for (std::size_t i = 0; i < law_look_count; ++i)
@@ -142,8 +143,8 @@ void Range::add(std::optional<double> const& value) {
 
 Range Range::padded(double share) const {
   double const length = high - low;
-  // Numbers in scripts have six digits. With these the ends of a shorter range could be equal, and gnuplot draws no
-  // axis of zero length.
+  // Numbers in scripts have six digits. The ends of a shorter range could therefore be written as the same number, and
+  // gnuplot refuses an axis of length zero.
   double const least = 1e-4 * std::max(std::abs(low), std::abs(high));
   double const by = length > least ? share * length : low != 0.0 ? 0.05 * std::max(std::abs(low), std::abs(high)) : 1.0;
   return {low - by, high + by, false};

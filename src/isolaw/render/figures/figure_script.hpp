@@ -1,5 +1,5 @@
-// The look of the figures: size and fonts for print, colours that colour-blind readers tell apart (Okabe, Ito 2008),
-// markers and dashes that stay distinct in grey print, panels on a grid, device names on an axis.
+// Defines how the figures look: sizes and fonts for print, colours that colour-blind readers can tell apart (Okabe, Ito
+// 2008), markers and dashes that differ even in grey print, a grid of panels, and an axis with the names of devices.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,14 +20,15 @@ inline constexpr double single_column_mm = 84.0, double_column_mm = 174.0;
 inline constexpr double letter_mm = 1.5;           // mean width of a letter at 7 pt
 inline constexpr std::size_t most_samples = 4000;  // most points on a curve; more cannot be seen
 
-// The numbers of gnuplot's line styles that every script defines: 1, 2, ... for the looks (colour and marker) of laws,
-// followed by black and grey.
+// These are numbers of gnuplot line styles, which every script defines. The styles 1, 2, ... are the looks of laws
+// (colour and marker); black and grey follow them.
 inline constexpr int blue = 1, vermillion = 2, green = 3, sky = 6, black = law_look_count + 1, grey = black + 1;
 constexpr int style_of(std::size_t law) {
   return static_cast<int>(look_of(law)) + 1;
 }
 std::string marked_style(std::size_t law);
-// The first words of every script. isolaw removes a figure only if its script begins with them.
+// Every script begins with these words. isolaw removes a figure only if its script begins so, which shows that isolaw
+// made it.
 inline constexpr std::string_view script_mark = "# A figure of isolaw: ";
 
 struct Margins {
@@ -45,7 +46,8 @@ struct Grid {
   double height_mm() const { return head_mm + rows * row_mm(); }
 };
 
-// The distance of ticks: one, two or five times a power of ten, so that at most `steps` fit into the length.
+// Returns the distance between ticks of an axis: one, two or five times a power of ten, so that at most `steps`
+// distances fit into the length.
 double nice_step(double length, int steps);
 // A single panel is as wide as one column of a printed page; several panels share two columns.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
@@ -86,24 +88,27 @@ struct Range {
   bool empty = true;
 
   void add(std::optional<double> const& value);
-  Range padded(double share) const;      // for linear axes; the length is above zero
+  Range padded(double share) const;      // for linear axes; the result has a length above zero
   Range padded_log(double share) const;  // for logarithmic axes
 };
 
-// Large and small values are drawn as multiples of a power of ten, which the axis label states.
+// A scale of an axis. Very large and very small values are drawn as multiples of a power of ten, which the label of the
+// axis states.
 struct Scale {
   double factor = 1.0;
   std::string label;  // for gnuplot, with the unit: 'K1 (10^{3} N/m)'
 };
 Scale scale_for(Range const& range, std::string_view name, std::string_view unit);
-// A law's name below an axis, as a quoted string. The part in brackets goes to a second line.
+// Returns the name of a law for its place below an axis, as a quoted string. A part of the name in brackets goes to a
+// second line.
 std::string law_tic(std::string name);
 // Draws an x axis on which law number k has the interval around k, with the law's name below it.
 void draw_law_axis(Script& script, std::vector<std::string> const& laws);
 // Makes the y axis logarithmic. Tics are at the decades, or closer together if the axis spans only a few decades.
 void set_log_axis(Script& script, Range const& range);
 
-// An x axis with an interval for each device. It shows the devices' names, or numbers where the names are too long.
+// An x axis with an interval for each device. Below it stand the devices' names, or their numbers if the names are too
+// long.
 struct DeviceAxis {
   std::size_t count = 0;
   bool names = false, upright = false;

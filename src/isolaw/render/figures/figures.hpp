@@ -1,5 +1,6 @@
-// The figures of a report for print. Each consists of its data (NAME.dat), a gnuplot script (NAME.gp) and drawings
-// (NAME.svg, NAME.pdf). Figure numbers 4 to 14 refer to Cucuzza et al. 2025. docs/figures.md lists the figures.
+// Makes the figures of a report for print. The files of a figure are its data (NAME.dat), a gnuplot script (NAME.gp)
+// and drawings (NAME.svg, NAME.pdf). Figure numbers 4 to 14 refer to Cucuzza et al. 2025. docs/figures.md lists the
+// figures.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@
 namespace isolaw::render {
 
 enum class FigureChoice { none, lot, all };  // lot: loops of one device as an example; all: loops of every device
-// Throws Error for any name but "none", "lot" and "all".
+// Returns the choice with this name. Throws Error for any name other than "none", "lot" and "all".
 FigureChoice figure_choice(std::string_view name);
 
 struct Figure {
@@ -22,11 +23,12 @@ struct Figure {
   std::string data, script;
 };
 
-// Passes one figure after another to `use`, because all figures of 160 devices would fill the memory. Skips empty ones.
+// Makes one figure after another and passes it to `use`, because all figures of 160 devices at once would fill the
+// memory. Skips figures without data.
 void for_each_figure(Summary const& summary, FigureChoice choice, std::function<void(Figure const&)> const& use);
-// Makes file names of letters, digits, '.', '-' and '_'. They are short enough for a file system and differ even if it
-// ignores case. A stem with an underscore and one of `endings` after it never equals another stem, so that files whose
-// names are made in this way do not collide.
+// Returns a file name without extension (a stem) for each name. Stems consist of letters, digits, '.', '-' and '_', are
+// short enough for a file system, and differ even if it ignores case. A stem followed by an underscore and one of
+// `endings` never equals another stem. Files named in this way therefore do not overwrite one another.
 std::vector<std::string> file_stems(std::vector<std::string> const& names,
                                     std::vector<std::string> const& endings = {});
 
@@ -37,9 +39,10 @@ struct FigureOutcome {
   std::string reason;  // why some figures were not drawn
 };
 
-// Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes isolaw's figures that are
-// not chosen. For `none` it writes and draws nothing. It then only removes isolaw's figures whose data differ from
-// those of `summary`, so that no figure contradicts the reports beside it. Throws Error if it cannot write.
+// Writes data and scripts into dir/figures, draws missing figures with gnuplot, and removes those of isolaw's figures
+// in this folder that `choice` does not include. If `choice` is `none`, it writes and draws nothing. It then only
+// removes isolaw's figures whose data differ from `summary`, so that no figure contradicts the reports beside it.
+// Throws Error if it cannot write.
 FigureOutcome write_figures(Summary const& summary, FigureChoice choice, std::filesystem::path const& dir);
 
 FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
@@ -47,7 +50,7 @@ FigureOutcome write_figures(std::vector<Figure> const& figures, std::filesystem:
 FigureOutcome add_figures(std::vector<Figure> const& figures, std::filesystem::path const& dir);
 // Removes isolaw's figures from dir/figures, and no other file. It recognises them by the first line of their scripts.
 void remove_figures(std::filesystem::path const& dir);
-// The data files of the lot's figures: name relative to the report's directory, and text.
+// Returns the data files of the lot's figures as pairs of name, relative to the report's directory, and text.
 std::vector<std::pair<std::string, std::string>> figure_data(Summary const& summary);
 
 }  // namespace isolaw::render

@@ -14,7 +14,7 @@
 namespace isolaw::render {
 namespace {
 
-// Finds gnuplot's reason, `"front.gp" line 7: reason`. It is the last of the lines that gnuplot prints about an error.
+// Finds in the output of gnuplot why it failed: the last line of the form `"front.gp" line 7: reason`.
 std::string error_in(std::string const& messages) {
   auto const at = messages.rfind(" line ");
   if (at == std::string::npos) return {};
@@ -80,7 +80,7 @@ std::string DataTable::take() {
 
 GnuplotEnd run_gnuplot(std::vector<std::string> const& scripts, std::filesystem::path const& directory,
                        std::chrono::seconds limit) {
-  std::vector<std::string> words{gnuplot_program(), "-d"};  // -d: without the user's settings
+  std::vector<std::string> words{gnuplot_program(), "-d"};  // -d: gnuplot ignores the user's settings file
   words.insert(words.end(), scripts.begin(), scripts.end());
   auto const end = run_program(words, directory, limit);
   switch (end.how) {

@@ -11,14 +11,16 @@
 
 namespace isolaw::render {
 
-// A single-quoted string, in which gnuplot replaces nothing, with control characters spelled out. In a drawing it needs
-// `noenhanced`, so that _, ^, {, }, @, & and ~ are printed as they are.
+// Returns the text as a single-quoted string, in which gnuplot replaces nothing. Control characters become visible
+// codes. A label with this string needs the option `noenhanced`, so that _, ^, {, }, @, & and ~ are drawn as they are.
 std::string gnuplot_string(std::string_view text);
-// isolaw's own text, for labels in gnuplot's enhanced mode: "N/m^3" gets a raised exponent.
+// Returns a text of isolaw itself for labels in gnuplot's enhanced mode, in which for example "N/m^3" gets a raised
+// exponent.
 std::string gnuplot_text(std::string_view text);
 std::string gnuplot_label(std::string_view text);
 
-// A data file: rows of numbers and quoted words, separated by spaces. Two empty lines end a block (gnuplot's `index`).
+// Builds the text of a data file: rows of numbers and quoted words, separated by spaces. Two empty lines end a block,
+// which gnuplot's `index` selects.
 class DataTable {
  public:
   DataTable& comment(std::string_view text);

@@ -36,7 +36,8 @@ void remove_figure(fs::path const& dir, std::string const& name) {
   for (auto const* extension : {".dat", ".gp"}) fs::remove(figure_file(dir, name, extension), ignored);
 }
 
-// Removes drawings of other data or of another script first, so that a drawing always fits the data file beside it.
+// Writes data and script of a figure, if they have changed. It first removes the old drawings, so that a drawing always
+// fits the data file beside it.
 void write_sources(fs::path const& dir, Figure const& figure) {
   auto const data = figure_file(dir, figure.name, ".dat"), script = figure_file(dir, figure.name, ".gp");
   if (text_of(data) == figure.data && text_of(script) == figure.script) return;
@@ -53,7 +54,7 @@ bool is_drawn(fs::path const& dir, std::string const& name) {
 
 using Use = std::function<void(Figure const&)>;
 
-enum class Others { removed, kept };  // isolaw's figures in the same folder that were not asked for
+enum class Others { removed, kept };  // what happens to isolaw's other figures in the same folder
 
 FigureOutcome write_each(fs::path const& dir, Others others, std::function<void(Use const&)> const& for_each) {
   FigureOutcome outcome;
@@ -75,15 +76,15 @@ FigureOutcome write_each(fs::path const& dir, Others others, std::function<void(
   return outcome;
 }
 
-// Removes the figures that show other results than `summary`, so that none of them contradicts the reports beside it.
-// Returns how many it removed.
+// Removes figures whose results differ from those in `summary`, so that no figure contradicts the reports beside it.
+// Returns how many figures it removed.
 std::size_t remove_outdated(Summary const& summary, fs::path const& dir) {
   auto const folder = dir / "figures";
   auto const own = own_figures(folder);
   std::set<std::string> outdated(own.begin(), own.end());
   for (auto const choice : {FigureChoice::lot, FigureChoice::all})
-    // After comparison with the figures of `lot`, `outdated` is usually empty. The many figures of single devices need
-    // then not be made.
+    // After the comparison with the figures of the choice `lot`, `outdated` is usually empty. The many figures of the
+    // choice `all` then need not be made.
     if (!outdated.empty())
       for_each_figure(summary, choice, [&](Figure const& figure) {
         if (outdated.contains(figure.name) && text_of(figure_file(folder, figure.name, ".dat")) == figure.data)

@@ -9,7 +9,7 @@
 
 namespace isolaw::render {
 
-// Writes the members of building.json into the open object.
+// Writes the members of building.json into the JSON object that `out` has open.
 void write_building(JsonWriter& out, building::Study const& study, building::Answers const& answers, Digits digits);
 inline constexpr std::string_view from_calibration = "From the calibration: ";
 std::vector<std::string> building_warnings(building::Answers const& answers, UnitSystem const& units = record_units);

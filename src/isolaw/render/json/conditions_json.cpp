@@ -50,7 +50,7 @@ void write_combined(JsonWriter& out, conditions::Combined const& all) {
   });
 }
 
-// A range is an array of its two ends.
+// Writes the design conditions. A range becomes an array of its two ends.
 void write_design(JsonWriter& out, campaign::StatedConditions const& stated) {
   auto const& design = stated.design;
   auto const range = [&](std::string_view key, std::optional<campaign::ConditionRange> const& of) {

@@ -8,7 +8,7 @@
 
 namespace isolaw::render {
 
-// The text of conditions.json; docs/conditions.md describes it.
+// Returns the text of conditions.json, which docs/conditions.md describes.
 std::string conditions_json(study::ConditionsResult const& result);
 // Writes the member "conditions" of a summary or an inspection, if the lot has a table [conditions]; or
 // "no_conditions", the reason why its tests cannot be compared.

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int inspection_schema = 1;
 
-// Writes the choices that the reader of the file made, for a program that lets the user change them. The member
-// `recognised` has a sentence for each choice.
+// Writes what isolaw decided when it read the file (columns, units and so on), for a program that lets the user change
+// these decisions. The member `recognised` has a sentence for each decision.
 void write_decisions(JsonWriter& out, data::TestRecord const& raw) {
   out.key("decisions").objects(raw.recognised, [&](Finding const& finding) {
     out.member("kind", wording::row(finding.kind).key);
@@ -31,7 +31,7 @@ void write_decisions(JsonWriter& out, data::TestRecord const& raw) {
   });
 }
 
-// Writes the first samples and the range of each channel, for a person who compares them with the file.
+// Writes the first samples and the range of each channel, so that a user can compare them with the file.
 void write_values_read(JsonWriter& out, data::TestRecord const& raw) {
   auto const write = [&](std::string_view key, std::vector<double> const& values) {
     if (values.empty()) return;

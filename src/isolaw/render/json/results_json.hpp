@@ -1,4 +1,5 @@
-// Writes results as members of a JSON object. A row of study/results.hpp gives the key, unit and value of one result.
+// Writes results as members of a JSON object. For each result a row in study/results.hpp says its key, its unit and how
+// its value is obtained.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,8 @@
 
 namespace isolaw::render {
 
-// How many digits numbers get. `all`: enough that reading them gives the same double again. `shown`: as many as the
-// result's row in study/results.hpp sets, which is enough for plots.
+// Says how many digits numbers get. `all`: so many that reading them gives the same double again. `shown`: as many as
+// the row of the result in study/results.hpp says, which is enough for plots.
 enum class Digits { all, shown };
 
 inline constexpr int shown_digits = 9;
@@ -34,7 +35,8 @@ void write_members(JsonWriter& out, std::string_view key, T const& value, Rest c
   if constexpr (sizeof...(rest) > 0) write_members(out, rest...);
 }
 
-// Writes every row's key and value. If the value is an object or array (Nested), `nested` writes it after the key.
+// Writes the key and the value of every row. If the value is itself an object or an array, the function `nested` writes
+// it.
 template <class Object, std::size_t count, class Nested>
 void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object const& object, Digits digits,
                    Nested const& nested) {
@@ -66,8 +68,8 @@ void write_settings(JsonWriter& out, study::Summary const& summary);
 // reader all of them.
 using UnitSystems = std::span<UnitSystem const>;
 inline constexpr UnitSystems stored_units(unit_systems.data(), 1);
-// Writes the text that `say` returns for each system of units: one text if it is the same for all, otherwise
-// {"said": [...]} with a text for each.
+// Writes a text that may depend on the units. `say` returns the text for a system of units. If all texts are equal, it
+// writes one text, otherwise {"said": [...]} with a text for each system.
 template <class Say>
 void write_said(JsonWriter& out, UnitSystems systems, Say const& say) {
   std::vector<std::string> texts;
@@ -77,13 +79,14 @@ void write_said(JsonWriter& out, UnitSystems systems, Say const& say) {
   else
     out.object([&] { out.member("said", texts); });
 }
-// Writes an array with the remark of each finding.
+// Writes an array with one text for each finding.
 void write_remarks(JsonWriter& out, std::vector<Finding> const& findings, UnitSystems systems = stored_units);
 
 void write_recommendation(JsonWriter& out, study::Summary const& summary,
                           std::optional<study::Recommendation> const& recommendation,
                           UnitSystems systems = stored_units);
-// Writes "published", the comparison with the published study; null if the campaign has too few of the study's laws.
+// Writes the member "published", which compares the campaign with the published study. It is null if the campaign has
+// too few of the study's laws.
 void write_published(JsonWriter& out, study::Summary const& summary, Digits digits);
 // Writes an array with one object for each sentence. One sentence may join several findings of a kind. The object has
 // the sentence, its kind, topic, severity and action, whether it is on the certificate, and its laws, devices,

@@ -1,4 +1,4 @@
-// Writes run.json: everything that differs between two runs of one campaign with the same inputs and settings.
+// Writes run.json. It has everything that differs if the same campaign is computed twice, such as times.
 #pragma once
 
 #include <ctime>
@@ -19,7 +19,7 @@ struct RunFacts {
 };
 
 std::string run_json(RunFacts const& facts);
-// An array with one object for each phase of a campaign, with the time that the phase took.
+// Returns a JSON array with one object for each phase of a campaign, which says how long the phase took.
 std::string profile_json(campaign::Profile const& profile);
 
 }  // namespace isolaw::render

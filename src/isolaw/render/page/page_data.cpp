@@ -38,8 +38,9 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Rounds each value to a whole number of steps and writes the differences between neighbours. These are integers, so
-// adding them up causes no error. A value that is not finite repeats the one before it.
+// Rounds each value to a whole number of steps and writes the differences between neighbours. The differences are
+// integers, so a reader can add them up without error. In place of a value that is not finite it writes the previous
+// value again.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -163,7 +164,7 @@ void write_device(JsonWriter& out, LotAcceptance const& lot, DeviceResult const&
   });
 }
 
-// The results of a parameter that are the same on every device. They are written once for each law.
+// The results of a parameter that are the same on every device are written only once for each law.
 constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_name"});
 
 // Writes one array for each property of the parameters, so that a fit does not repeat the properties' names.
@@ -255,7 +256,8 @@ void write_lot_law(JsonWriter& out, LotLaw const& lot) {
   });
 }
 
-// Covariances are left out, since the page draws only correlations.
+// Writes the population of a law's parameters over the devices, without covariances, because the page draws only
+// correlations.
 void write_population(JsonWriter& out, lot::Population const& population) {
   out.member("devices", std::uint64_t{population.devices}).member("parameters", population.names);
   write_values(out.key("medians"), population.medians, shown_digits);
@@ -444,8 +446,8 @@ void write_units(JsonWriter& out, UnitSystem const& shown) {
 
 void write_notation(JsonWriter& out, Notation const& of) {
   out.key("symbols").array(law_looks, [&](auto const& look) { out.value(look.symbol); });
-  // True for a name with a digit, such as "a10", unless a device has this name. In a sentence it can only mean the
-  // parameter, because no English word looks like it.
+  // Returns whether the name can only mean a parameter where it stands in a sentence. This is so for a name with a
+  // digit, such as "a10", because no English word has one, unless a device has the same name.
   auto const is_no_other_word = [&](std::string_view name) {
     return name.size() > 1 && std::ranges::any_of(name, is_digit) && !of.devices.contains(name);
   };

@@ -1,4 +1,5 @@
-// The data block of the page: everything report.html draws and prints, as compact JSON for the modules in script/.
+// Makes the data block of report.html: everything that the page draws and prints, as compact JSON for the JavaScript
+// modules in script/.
 #pragma once
 
 #include <set>

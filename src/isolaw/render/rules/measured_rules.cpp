@@ -71,8 +71,9 @@ std::string status_of(Factor const& factor) {
   return fmt::format("{} on {}", name(factor.status), counted(static_cast<std::size_t>(factor.devices), "device"));
 }
 
-// True if the measured factor of an effect rests on this test: the test was made for the effect, or it is the reference
-// test of a device that has such a test. Scragging and the effect of cycles are measured in reference tests alone.
+// Returns whether the measured factor of an effect depends on this test. This is so if the test was made for the
+// effect, or if it is the reference test of a device that also has a test for the effect. Scragging and the effect of
+// cycles are measured in reference tests alone.
 bool is_behind(study::ConditionsResult const& result, Effect effect, study::ConditionsTest const& test) {
   if (test.role == study::TestRole::effect) return test.effect == effect;
   if (test.role != study::TestRole::reference) return false;
@@ -117,7 +118,8 @@ std::string measured_rules(study::ConditionsResult const& result, std::string_vi
     add_text(text, "one = {}\n", reference.first_cycle);
   else
     add_text(text, "mean_of = [{}, {}]\n", reference.first_cycle, reference.last_cycle);
-  // The form "asce" needs numbers from other tables of its rule set, which this file does not have. It is left out.
+  // The way of combination is left out if it is "asce", because this form needs numbers from other tables of its rule
+  // set, which the new file does not have.
   if (auto const& how = result.combined; how.form != rules::Form::asce) {
     add_text(text, "\n[combination]\nform = \"{}\"\n", rules::name(how.form));
     if (how.form == rules::Form::sum)

@@ -7,12 +7,14 @@
 
 namespace isolaw::render {
 
-// A row for each law and quantity: bound and nominal analyses, fractiles of the draws, scatter by its causes.
+// Returns a table with a row for each law and quantity. The columns are the results of the bound and nominal analyses,
+// fractiles of the draws, and the scatter divided by its causes.
 std::string building_csv(building::Study const& study, building::Answers const& answers);
 std::string coverage_csv(building::Study const& study, building::Answers const& answers);
-// A row for each law and motion, for the nominal building: implicit integration, checks, equivalent linear analysis.
+// Returns a table about the nominal building with a row for each law and motion. The columns are the results of
+// implicit integration, of checks, and of an equivalent linear analysis.
 std::string building_checks_csv(building::Study const& study, building::Answers const& answers);
-// A LaTeX table of the main numbers of building_csv() and coverage_csv(), one law after another.
+// Returns a LaTeX table with the main numbers of building_csv() and coverage_csv(), one law after another.
 std::string building_tex(building::Study const& study, building::Answers const& answers);
 
 }  // namespace isolaw::render

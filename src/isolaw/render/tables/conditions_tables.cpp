@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view all_effects = "all together";
 
-// The columns about the test in the table of observations. The values of the cycle follow them.
+// The first columns of the table of observations, which describe the test. The columns with the values of the cycle
+// follow them.
 constexpr auto of_test = columns(study::conditions_test_results,
                                  {"device", "test", "order", "block", "temperature_C", "frequency_Hz", "load_kN",
                                   "strain_percent", "aged_days", "aged_at_C", "rest_h", "role", "effect"});
@@ -31,14 +32,14 @@ std::string latex_cells(conditions::Factor const& factor) {
   return latex_cells(factor.lambda(), interval(factor, conditions::About::mean), study::status_word(factor));
 }
 
-// `at_end` ("at least" or "at most") is written before the factor if an effect is missing in it, because the complete
-// factor can only be farther from 1.
+// Returns the cells for the factor of all effects together. If the factor lacks an effect, `at_end` ("at least" or "at
+// most") is written before it, because the complete factor can only be farther from 1.
 std::string latex_cells(conditions::Combined const& all, std::string_view at_end) {
   if (!all.complete()) return fmt::format("{} {:.3f} & NOT COVERED", at_end, all.factor);
   return latex_cells(all.factor, all.interval, name(all.status));
 }
 
-// A property's symbol, such as K_eff, or its name.
+// Returns the symbol of a property, such as K_eff, or its name if it has no symbol.
 std::string latex_property(rules::Quantity quantity) {
   auto const name = rules::name(quantity);
   bool const is_symbol = name.find('_') != std::string_view::npos;
@@ -72,7 +73,8 @@ std::string conditions_csv(ConditionsResult const& result, UnitSystem const& uni
     design_row(row.quantity, name(row.effect), largest, row.max);
     design_row(row.quantity, name(row.effect), smallest, row.min);
   }
-  // A bound of all effects together fills only the columns of the factor, its status and the interval of the mean.
+  // Adds the row of a bound for all effects together. It fills only the columns of the factor, its status and the
+  // interval of the mean.
   auto const bound_row = [&](rules::Quantity quantity, std::string_view side, conditions::Combined const& all) {
     table.add(quantity, all_effects, side).empty(of_level.size() - 3);
     table.add(all.complete() ? std::optional(all.factor) : std::nullopt, name(all.status)).empty(3);

@@ -1,4 +1,4 @@
-// Tables of `isolaw conditions`, with the columns of study/conditions_results.hpp.
+// Makes the tables of `isolaw conditions`. study/conditions_results.hpp lists their columns.
 #pragma once
 
 #include <string>
@@ -7,12 +7,14 @@
 
 namespace isolaw::render {
 
-// A row for each property, effect and tested level, then the largest and the smallest factor over the design conditions
-// for each property and effect, and for all effects together.
+// Returns a table with a row for each property, effect and tested level. Further rows have the largest and the smallest
+// factor over the design conditions, for each property and effect and for all effects together.
 std::string conditions_csv(ConditionsResult const& result, UnitSystem const& units);
-// A row for each counted cycle of each block of each test, with what the device had gone through before it.
+// Returns a table with a row for each counted cycle of each block of each test. A row also says what the device had
+// gone through before this cycle.
 std::string observations_csv(ConditionsResult const& result, UnitSystem const& units);
-// The largest and the smallest factor of every effect over the design conditions, as LaTeX (booktabs). It has no units.
+// Returns a LaTeX table (booktabs) with the largest and the smallest factor of every effect over the design conditions.
+// Factors have no units, so `units` changes nothing.
 std::string conditions_tex(ConditionsResult const& result, UnitSystem const& units);
 
 }  // namespace isolaw::render

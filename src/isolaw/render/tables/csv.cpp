@@ -36,7 +36,7 @@ std::string csv_cell(std::string_view text) {
   std::string cell;
   bool const starts_formula =
       text.size() > 1 && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
-  // A number alone or with a unit, such as "-20 C", is no formula.
+  // A text that is only a number, with or without a unit, is no formula, for example "-20 C".
   auto const unit = text.substr(std::min(text.find(' '), text.size()));
   bool const is_measure = number_in<double>(text.substr(0, text.size() - unit.size())).has_value() &&
                           std::ranges::all_of(unit, [](char c) { return c == ' ' || is_letter(c); });

@@ -1,5 +1,5 @@
-// A CSV table that is written cell by cell, after RFC 4180. Numbers have six significant digits. Columns made from rows
-// of results show their values in the table's units.
+// Builds the text of a CSV table (RFC 4180) cell by cell. Numbers have six significant digits. Columns that are made
+// from rows of results show their values in the units of the table.
 #pragma once
 
 #include <array>
@@ -36,7 +36,8 @@ class CsvTable {
       }
     return *this;
   }
-  // `unit` is for columns whose unit differs from row to row: it is the unit of their values in this row.
+  // Adds the cells of an object, one or more for each column. `unit` is the unit of this row in columns whose unit
+  // differs from row to row.
   template <class Of, std::size_t count>
   CsvTable& cells(std::array<Result<Of>, count> const& columns, Of const& object, std::string_view unit = {}) {
     for (auto const& column : columns) {

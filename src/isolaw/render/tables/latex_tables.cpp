@@ -22,8 +22,8 @@ constexpr std::string_view packages_of_long =
     "% Needs in the preamble: \\usepackage{booktabs,longtable}; with names beyond ASCII \\usepackage[T1]{fontenc} too.\n";
 
 constexpr std::string_view after_backslash = "&%$#_{}";
-// Replacements for signs that LaTeX does not print as they are. It prints a backquote before ? as another letter, and
-// reads [ or * after a line break as an option.
+// Replacements for characters that LaTeX does not print as they are. For example, it prints ?` as another character,
+// and it takes [ or * after a line break for an option.
 constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {'^', "\\textasciicircum{}"},
                                                     {'\\', "\\textbackslash{}"},
@@ -36,7 +36,7 @@ constexpr std::pair<char, std::string_view> signs[]{{'~', "\\textasciitilde{}"},
                                                     {']', "{]}"},
                                                     {'*', "{*}"}};
 
-// The letters beyond Latin-1 that pdfLaTeX sets from UTF-8 without further packages.
+// Letters outside Latin-1 that pdfLaTeX can print from UTF-8 without further packages.
 constexpr std::string_view known_letters = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
 
 std::string latex_of_letter(std::string_view sequence) {
@@ -82,7 +82,8 @@ std::string block_head(std::vector<std::string> const& devices, std::size_t colu
   return names + "\\\\*\n" + rules + "\\nopagebreak\n" + words + " \\\\*\n\\midrule\\nopagebreak\n";
 }
 
-// Returns the power of ten that divides the numbers of a row to make them short. The row's unit includes this power.
+// Returns the power of ten by which the numbers of a row are divided, so that they become short. The unit of the row
+// states this power.
 int power_of(LawResult const& law, Quantity const& quantity) {
   double largest = 0.0;
   for (auto const& fit : law.devices) {

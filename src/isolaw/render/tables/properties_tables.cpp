@@ -10,7 +10,8 @@
 namespace isolaw::render {
 namespace {
 
-// A row of the table shows `strain`, then the frequency of the cycle's block, then `of_cycles`.
+// Each row of the table of cycles has the column `strain`, then the frequency of the cycle's block, then the columns
+// `of_cycles`.
 constexpr auto strain = columns(cycle_results, {"strain_percent"});
 constexpr auto of_cycles = columns(cycle_results, {"period_s",
                                                    "amplitude_mm",

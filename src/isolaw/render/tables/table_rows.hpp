@@ -1,4 +1,4 @@
-// The rows of tables that exist both as CSV and as LaTeX.
+// Declares the rows of those tables that exist both as CSV and as LaTeX.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ std::vector<Quantity> quantities_of(LawResult const& law);
 // Returns empty values if there is no result.
 Statistic statistic_of(DeviceFit const& fit, Quantity const& quantity);
 Statistic statistic_of(LawResult const& law, std::string const& device, Quantity const& quantity);
-// The laws by rising objective, as points of Fig. 14 of Cucuzza et al. 2025.
+// Returns the laws, sorted by rising objective, as points of a plot like Fig. 14 of Cucuzza et al. 2025.
 std::vector<FrontPoint> by_accuracy(Summary const& summary, FrontView view);
 
 }  // namespace isolaw::render

@@ -20,7 +20,8 @@ std::string devices_at_bound(LawResult const& law, std::size_t parameter) {
   return joined(devices, "; ");
 }
 
-// Search boxes that are scaled from each record differ between devices. The table then says "per device".
+// Returns the bound of a parameter if it is the same for all devices. Boxes that are scaled from each record differ
+// between devices; the function then returns "per device".
 Value common_bound(LawResult const& law, std::size_t parameter, double ParameterFit::*bound) {
   std::optional<double> common;
   for (auto const& fit : law.devices) {

@@ -26,8 +26,8 @@ void append(std::string& text, fmt::format_string<Args...> format, Args&&... arg
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
-// If tests cover only part of the design range of an effect, the factor they show is written after ">" or "<". The
-// bounds contain this factor, although the effect counts as not covered.
+// Returns a factor as text. If the tests cover only a part of the design range of an effect, the effect counts as not
+// covered. The factor that the tests show is then written after ">" or "<", and the bounds include it.
 std::string factor_text(Factor const& factor) {
   if (factor.status != Status::not_covered) return fmt::format("{:.3f}", factor.lambda());
   return factor.ln == 0.0 ? "-" : fmt::format("{}{:.3f}", factor.ln > 0.0 ? ">" : "<", factor.lambda());
@@ -74,7 +74,8 @@ std::string bound_text(conditions::Combined const& all, std::string_view at_end)
   return text;
 }
 
-// For these properties the text without --details has the bounds, but not the effects that make up the bounds.
+// Returns whether the property is shown briefly. Without --details, the text then has its bounds, but not the effects
+// that were combined to the bounds.
 bool is_short(rules::Quantity quantity) {
   return quantity == rules::Quantity::Q_d || quantity == rules::Quantity::K_d;
 }
@@ -97,7 +98,7 @@ std::string value_text(double value) {
   return value < large ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
 }
 
-// Adds the value at reference and the bounds in the unit of the property.
+// Adds the value under the reference conditions and the bounds, in the unit of the property.
 void add_values(std::string& text, study::BoundRow const& row) {
   if (row.devices == 0) return;
   auto const unit = rules::unit(row.quantity);
@@ -178,7 +179,7 @@ std::string condition_text(conditions::Condition const& at) {
   return text;
 }
 
-// Says why a value at reference, or its interval, is missing. Empty if both are there.
+// Returns the reason why a value under the reference conditions, or its interval, is missing. Returns "" if both exist.
 std::string why_not(study::AtReferenceRow const& row) {
   if (!row.not_comparable.empty())
     return fmt::format("no value at reference, because the test cannot be compared: {}", row.not_comparable);
@@ -299,7 +300,7 @@ void add_plan(std::string& text, study::ConditionsResult const& result) {
   else
     text += "No factor is assumed, so none turns from assumed into shown.\n";
 }
-// The title, and the reference that all numbers are compared with.
+// Returns the title, and a line about the reference conditions to which all numbers are compared.
 std::string heading(study::ConditionsResult const& result) {
   std::string text;
   std::set<std::string> devices;

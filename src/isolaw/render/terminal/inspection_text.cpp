@@ -45,7 +45,7 @@ std::string number(std::optional<double> const& value, int decimals) {
   return value ? fmt::format("{:.{}f}", *value, decimals) : "-";
 }
 
-// The number of decimals that gives a value of this size four significant digits.
+// Returns how many decimals a value of this size needs to have four significant digits.
 int decimals_for(double size) {
   if (!(size > 0.0)) return 2;
   return std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 8);

@@ -7,9 +7,10 @@
 
 namespace isolaw::render {
 
-// One device is printed in full: recognised columns, channels, every cycle, stability, assessments, warnings, notes.
-// Several devices get a line each, and the lot follows. `details` adds tables for each device: its skeleton curve, the
-// bilinear loop of each block, and how work, residual displacement and stiffness go on from cycle to cycle.
+// Returns the output. If there is one device, it has all about the device: recognised columns, channels, every cycle,
+// stability, assessments, warnings and notes. If there are several, each device gets a line, and the results of the lot
+// follow. `details` adds tables for each device: its skeleton curve, the bilinear loop of each block, and how work,
+// residual displacement and stiffness go on from cycle to cycle.
 std::string inspection_text(Summary const& summary, bool details);
 
 }  // namespace isolaw::render

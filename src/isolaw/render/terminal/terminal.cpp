@@ -19,8 +19,8 @@
 namespace isolaw::render {
 namespace {
 
-// The number of columns that a text takes on a terminal. Every character counts as one column: the names of devices and
-// laws are in scripts whose letters are one column wide.
+// Returns the number of columns that a text takes on a terminal. Every character counts as one column, although letters
+// of some scripts, such as Chinese, are two columns wide.
 int columns(std::string_view text) {
   return static_cast<int>(character_count(text));
 }
@@ -50,7 +50,7 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
-// A standard deviation too small for the printed digits must not look like zero.
+// Returns a standard deviation as text. One that is too small for the printed digits must not look like zero.
 std::string spread(std::optional<double> const& std) {
   constexpr double least = 1e-4;
   if (!std || *std >= least / 2.0) return fixed(std, 4);

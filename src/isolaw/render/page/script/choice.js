@@ -13,7 +13,8 @@ export function choose(changes) {
   for (const follow of followers) follow(changes);
 }
 
-// A drop-down list of `options`, [value, text], for the choice `key`. `follow` is called with the chosen value.
+// Makes a drop-down list for the choice `key`. `options` is a list of [value, text]. When the reader chooses a value,
+// `follow` is called with it.
 export function chooser(id, title, options, key, follow = (value) => choose({ [key]: value })) {
   const option = ([value, text]) => element('option', { value, selected: value === chosen[key] }, text);
   const select = element('select', { id, change: () => follow(select.value) }, options.map(option));

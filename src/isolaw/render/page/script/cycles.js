@@ -3,7 +3,8 @@ import { headingOf, headingText, report, resultColumns } from './report.js';
 import { THIN, isNumber, printed, significant } from './text.js';
 import { MM } from './units.js';
 
-// The properties that the page shows from cycle to cycle. A cycle's object names them by `key`, a rule set by `name`.
+// The properties that the page follows from cycle to cycle. `key` is the name of a property in the object of a cycle,
+// and `name` its name in a rule set.
 export const FOLLOWED = report.followed.map(({ name, key }) => {
   const heading = headingOf('cycles', key);
   const text = (value) => printed(value, heading) + THIN + heading.unit;
@@ -43,7 +44,7 @@ export const isReported = (device, block, cycle) =>
 export const reportedCycle = (device) =>
   device.blocks.flatMap((block) => block.cycles.filter((cycle) => isReported(device, block, cycle)))[0] ?? null;
 
-// The cycle whose values represent a block: its third counted cycle, or the last one if it has fewer.
+// Returns the cycle whose values represent a block: its third counted cycle, or its last counted cycle if it has fewer.
 export function countingCycle(block) {
   const some = counted(block);
   return some[Math.min(some.length, 3) - 1] ?? null;

@@ -27,7 +27,7 @@ export const isPrinting = () => 'printing' in document.documentElement.dataset;
 // Returns an empty text when printing, since a printed page has no controls or downloads that the text could explain.
 export const onScreen = (text) => (isPrinting() ? '' : text);
 
-// A command line with a button that copies it.
+// Returns a command line with a button that copies it.
 export function commandLine(command) {
   const code = element('code', { class: 'command', tabindex: '0' }, command);
   const copy = ({ currentTarget: pressed }) => {

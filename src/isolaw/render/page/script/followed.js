@@ -36,7 +36,8 @@ export function designOf(name, assessments) {
   return { nominal: own?.nominal ?? lot?.nominal ?? null, band: limitBand(own) ?? limitBand(lot) };
 }
 
-// The axis spans at least a tenth of the values' size, so that a property that hardly changes over cycles looks steady.
+// Returns the range of the axis. It spans at least a tenth of the largest value, so that a property that hardly changes
+// from cycle to cycle looks steady.
 function steadyRange(values) {
   const [low, high] = paddedRange(values, 0.08);
   const missing = Math.max(0, 0.1 * Math.max(...values.map(Math.abs)) - (high - low));

@@ -1,4 +1,4 @@
-const MARKER = 8, // a point's marker reaches this many pixels from its centre
+const MARKER = 8, // half the width of a point's marker in pixels
   LETTERS = 16; // height of a label in pixels
 
 const meet = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
@@ -60,7 +60,8 @@ export function labelPlaces(points, stair, width, height, others = []) {
   return points.map(({ label }) => label);
 }
 
-// The positions nearest to `wanted` (ascending), between `low` and `high`, for labels that are at least `gap` apart.
+// Returns positions for labels. They are as near as possible to the `wanted` positions (ascending), lie between `low`
+// and `high`, and are at least `gap` apart.
 export function spread(wanted, gap, low, high) {
   const most = high - (wanted.length - 1) * gap;
   const groups = [];

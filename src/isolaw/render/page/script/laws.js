@@ -2,7 +2,7 @@ import { element, strong } from './dom.js';
 import { doesNotPredict, laws, report } from './report.js';
 import { enumerate } from './text.js';
 
-// A badge beside the name of a law that does not predict.
+// Makes the badge beside the name of a law whose predictions are bad.
 function predictionBadge(law, name = '') {
   return element(
     'span',

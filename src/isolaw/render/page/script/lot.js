@@ -4,7 +4,8 @@ import { THIN, count, isNumber, mean, trimmed } from './text.js';
 import { isConverted } from './units.js';
 import { concerns, worstVerdict } from './verdicts.js';
 
-// The lot's quantities. Each gets one verdict for all limits on its mean, or none if the rule set has no such limit.
+// The quantities of the lot. The verdict of a quantity covers all limits on its mean; there is none if the rule set has
+// no such limit.
 export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   ({ mean_limits: limits, lambda_test: test, without, ...quantity }) => ({
     ...quantity,
@@ -19,8 +20,8 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
   }),
 );
 
-// Returns the value that the rule set assesses, as the mean over both sides. If there is none, returns the value of the
-// vertical test or of the cycle that stands for the device.
+// Returns the value of a device that the rule set assesses, as the mean over both sides of the loop. If the rule set
+// assesses none, returns the value of the compression test, or of the cycle that stands for the device.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)
@@ -34,8 +35,8 @@ export function deviceValue(device, quantity) {
   return isNumber(value) ? { value, verdict: 'not assessed' } : null;
 }
 
-// The design values as text: with the digits in which the user gave them, or with five digits if the page converts them
-// to other units. Empty without design values.
+// Returns the design values as text, with the digits that the user gave, or with five digits if the page converts them
+// to other units. Returns an empty text if there are no design values.
 export const designText = () =>
   (report.assessment?.design ?? []).map(({ name, value, unit }) => name + ' ' + (isConverted ? trimmed(value, 5) : value) + THIN + unit).join(', ');
 

@@ -112,7 +112,7 @@ function buildPage() {
   });
 }
 
-// While runs are missing, the recommendation may still change.
+// Returns the notice for a report with missing runs or analyses, whose recommendation may still change.
 const incomplete = () =>
   'Not complete: ' +
   [[report.missing_runs, 'run', 'runs'], [report.missing_analyses, 'analysis', 'analyses']]

@@ -2,7 +2,8 @@ import { inFigure } from './symbols.js';
 import { isNumber, plain, significant } from './text.js';
 import { data } from './units.js';
 
-// If there are more laws than colours, colours and symbols repeat, with open symbols and dashed lines in the key.
+// Each law has a colour and a symbol. If there are more laws than colours, the colours and symbols repeat. The repeated
+// ones have open symbols, and dashed lines in the key.
 export const SYMBOLS = data.symbols;
 const COLOURS = SYMBOLS.length;
 export const colourOf = (law) => 'law-' + ((law.index % COLOURS) + 1);
@@ -83,7 +84,7 @@ export function textWidth(look, text, size) {
   return pen.measureText(text).width;
 }
 
-// An axis of categories of equal width, with at most `most` names below it.
+// Returns an axis with an interval of equal width for each name. At most `most` of the names stand below it.
 export function namedAxis(names, most) {
   const every = Math.ceil(names.length / most);
   const tickvals = names.map((_, i) => i).filter((i) => i % every === 0);
@@ -98,7 +99,8 @@ export const panelHeading = (look, x, y, text, size = 12) => ({
   font: { size, color: look.colour('ink') },
 });
 
-// Ticks of a logarithmic axis at 1, 2 and 5 times powers of ten, or only at the powers if the axis spans many.
+// Returns the ticks of a logarithmic axis. They are at 1, 2 and 5 times powers of ten, or only at the powers of ten if
+// the axis spans many of them.
 export function decadeTicks(values) {
   const some = values.filter((value) => isNumber(value) && value > 0);
   if (some.length === 0) return {};

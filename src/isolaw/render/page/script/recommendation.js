@@ -1,5 +1,5 @@
-// The program's recommendation: the law to use, if it names one, and how every law ranks. An inspection has no
-// recommendation.
+// The recommendation of the program: which law to use, if it recommends one, and how all laws rank. A report of `isolaw
+// inspect` has no recommendation.
 
 import { laws, lawsByObjective, report } from './report.js';
 

@@ -4,7 +4,8 @@ import { data } from './units.js';
 export const report = data;
 export const devices = report.devices.map((device, index) => ({ ...device, index }));
 
-// The data block has one array for each property. This function makes an object for each parameter from them.
+// In the data block of the page, the parameters of a fit are stored as one array for each property. This function makes
+// one object for each parameter from these arrays.
 function rowsOf(columns) {
   const names = Object.keys(columns);
   return columns[names[0]].map((_, i) => Object.fromEntries(names.map((name) => [name, columns[name][i]])));
@@ -19,7 +20,7 @@ export const laws = report.laws.map((law, index) => {
   return { ...law, index, devices: fits, fitOn: new Map(fits.map((fit) => [fit.device, fit])) };
 });
 
-// The files of a device's tests, each with its SHA-256. A device with one test has one row.
+// Returns a row for each test of a device, with the file and its SHA-256. A device with one test has one row.
 export const recordsOf = (device) => (device.tests.length > 0 ? device.tests : [device]).map(({ file, sha256 }) => ({ device, file, sha256 }));
 
 export const usable = devices.filter((device) => device.status === 'ok');
@@ -32,7 +33,7 @@ export const lawsByObjective = report.by_objective.map((index) => laws[index]);
 
 export const examinedLaws = lawsByObjective.filter((law) => law.devices.some((fit) => fit.determination !== null));
 export const lotLaws = lawsByObjective.filter((law) => law.lot !== null);
-// True if the law predicts the blocks that it was not fitted to badly.
+// Returns whether the law predicts badly those blocks of the tests that it was not fitted to.
 export const doesNotPredict = (law) => law.prediction_grade === 'poor' || law.prediction_grade === 'unusable';
 export const predictedLaws = lawsByObjective.filter((law) => law.predicted_objective !== null);
 export const predictedByFit = [...predictedLaws].sort((a, b) => a.predicted_objective - b.predicted_objective);
@@ -58,8 +59,8 @@ export function resultColumns(kind, keys = Object.keys(report.headings[kind])) {
   };
 }
 
-// The data of a table. An element of `rows` holds the leading cells of a row and, as its last item, the object with the
-// results for the row's other cells.
+// Returns the data of a table. An element of `rows` has the first cells of a row and, as its last item, an object. The
+// results in this object become the other cells of the row.
 export function resultData(kind, rows, lead = [], keys = undefined) {
   const { columns, cells } = resultColumns(kind, keys);
   return { columns: [...lead, ...columns], rows: rows.map((row) => [...row.slice(0, -1), ...cells(row.at(-1))]) };
@@ -77,7 +78,7 @@ export function numberColumn(kind, key, more = {}) {
   return { title: atTheHead(title), unit, number: true, text: (of) => printed(of[key], heading), ...more };
 }
 
-// The values of a curve of the data block, which are decoded once.
+// curve() returns the values of a curve in the data block. It decodes each curve only once and keeps the values here.
 const decodedCurves = new WeakMap();
 
 export function curve(coded) {

@@ -43,15 +43,15 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
   onChoice(redrawDependents);
   for (const figure of drawn.keys()) if (figure.draw) reserve(figure);
   markCurrentSection(main, contents);
-  // The address may name a section, and after a question mark what its reader chose. The section can be scrolled to only
-  // now that it exists.
+  // The address of the page may name a section, followed by a question mark and the reader's choices. The page is
+  // scrolled to the section here, because the section exists only now.
   const [section] = location.hash.slice(1).split('?');
   if (section) document.getElementById(section)?.scrollIntoView();
 }
 
-// Buttons that write units into the address; followAddress() then loads the page in these units. Inside the page of the
-// program (page/), a report comes from a blob in a sandboxed frame and cannot change its address. It then asks the page
-// of the program to open it again in these units.
+// Makes buttons that write a system of units into the address; followAddress() then loads the page again in these
+// units. Inside the page of the program (page/), a report comes from a blob in a sandboxed frame and cannot change its
+// address. It then asks the page of the program to open it again in these units.
 function unitsChooser() {
   const press = ({ currentTarget: { value } }) => {
     const [section, rest] = location.hash.slice(1).split('?');

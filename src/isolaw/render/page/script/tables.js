@@ -143,7 +143,8 @@ function rowOfColumns(row, places) {
   return copy;
 }
 
-// Paper does not scroll, so a table wider than the paper is printed in parts. Every part repeats the first column.
+// Divides each table that is wider than the paper into parts, because a printed table cannot be scrolled. Every part
+// repeats the first column.
 export function partTables() {
   for (const whole of document.querySelectorAll('.scroll > table')) {
     const room = whole.parentNode.clientWidth;

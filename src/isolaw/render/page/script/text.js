@@ -2,7 +2,8 @@ export const MINUS = '\u2212';
 export const THIN = '\u202f';
 export const DASH = '\u2013';
 
-// Plotly reads markup in labels, but a name from a file must remain plain text.
+// Returns a text for a label of Plotly. Plotly interprets markup in labels, but a name from a file must remain plain
+// text.
 export function plain(text) {
   return String(text)
     .replace(/[\u0000-\u001f\u007f]/g, ' ')
@@ -87,8 +88,8 @@ export const spanText = (values, digits, text = fixed) => {
   return low === high ? low : low + ' to ' + high;
 };
 
-// "0.150 to 0.200 kN/mm": three significant digits, or as many as the two numbers need to differ, up to six. Numbers
-// that still agree are written as one.
+// Returns a range as text, such as "0.150 to 0.200 kN/mm". Its numbers have three significant digits, or as many as
+// they need to differ, up to six. If they still look equal, only one is written.
 export function rangeText([low, high], unit) {
   for (let digits = 3; digits < 7; ++digits)
     if (low === high || significant(low, digits) !== significant(high, digits))
@@ -99,7 +100,8 @@ export function rangeText([low, high], unit) {
 export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
 export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
 
-// A standard deviation too small for the printed digits must not look like zero. Zero itself is not printed.
+// Returns the standard deviation as text. One that is too small for the printed digits must not look like zero, and
+// zero itself is not printed.
 export function spreadText(std, decimals) {
   if (std === 0) return '';
   const least = 10 ** -decimals;
@@ -116,7 +118,8 @@ export function enumerate(names, most = 5) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-// Sets a sentence of the program: a number stays with its percent sign, and a negative number has a minus sign.
+// Prepares a sentence of the program for the page: no line break comes between a number and its percent sign, and
+// negative numbers get a real minus sign in place of a hyphen.
 export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%').replace(/(^|[\s(])-(?=\d)/g, '$1' + MINUS);
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');
 

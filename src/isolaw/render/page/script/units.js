@@ -17,10 +17,10 @@ export const UNITS = UNIT_SYSTEMS[place];
 export const isOtherThanReported = UNITS !== chosen;
 export const isConverted = place > 0; // false: values are shown in the units in which they were given
 
-// The number of decimals that shows a converted value as precisely as `decimals` show it in the stored unit.
+// Returns how many decimals a converted value needs to be as precise as with `decimals` decimals in the stored unit.
 export const decimalsIn = (unit, decimals) => Math.max(0, decimals - Math.round(Math.log10(system[unit]?.factor ?? 1)));
 export const inUnits = (value, unit) => value * (system[unit]?.factor ?? 1);
-// A number in a plot's label: "%{x:.1f} mm".
+// Returns Plotly's format for a number with its unit in a label, such as "%{x:.1f} mm".
 export const hovered = (axis, unit, decimals) => '%{' + axis + ':.' + decimalsIn(unit, decimals) + 'f} ' + unitShown(unit);
 export const LOOP_HOVER = hovered('x', 'mm', 1) + ', ' + hovered('y', 'kN', 1);
 

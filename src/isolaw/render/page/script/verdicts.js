@@ -7,7 +7,8 @@ export const isVerified = () => Boolean(report.assessment?.rule_set?.verified_by
 export const worstVerdict = (verdicts) =>
   ['fail', 'pass', 'information', 'not assessed'].find((verdict) => verdicts.includes(verdict)) ?? null;
 
-// True if the assessment is of the property itself, on one or both sides, and not of its change over cycles or loads.
+// Returns whether an assessment is about the value of the property itself, on one or both sides of the loop, and not
+// about how it changes over cycles or loads.
 export const concerns = (assessment, property) => assessment.property === property && assessment.subject === 'device';
 
 // The looks of verdicts. Each verdict has a shape of its own, so that a reader can tell them apart without colour.
@@ -25,7 +26,7 @@ export const VERDICTS = {
 };
 export const WORDS = { PASS: { tone: 'good', verdict: 'pass' }, FAIL: { tone: 'poor', verdict: 'fail' }, INCOMPLETE: { tone: 'care', verdict: 'not assessed' } };
 
-// The lot's verdict as people read it: a PASS that rests on corrections by hand says so.
+// Returns the word of the overall verdict for readers. A PASS that depends on corrections made by the user says so.
 export const wordOf = ({ word, as_corrected: corrected }) => (corrected ? word + ' as corrected' : word);
 
 export function verdictBadge(verdict, text = verdict) {

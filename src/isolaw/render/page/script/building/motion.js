@@ -1,5 +1,5 @@
-// The building in motion: its plan with the slab and the bearings where they are at one moment, and the loop of one
-// bearing with a dot at the same moment. A slider and a button that plays move both.
+// Shows the building in motion. One figure is the plan with the slab and the bearings at a moment, the other the loop
+// of one bearing with a dot at the same moment. A slider and a button "Play" change the moment.
 import { choose, chosen, onChoice } from '../choice.js';
 import { button, element } from '../dom.js';
 import { drawn } from '../figure.js';
@@ -14,7 +14,8 @@ const { loops } = first,
 
 export const nameOf = ({ x_m: x, y_m: y }, i) => 'Bearing ' + (i + 1) + ' at ' + numberText(x) + ', ' + numberText(y) + ' m';
 
-// Displacement over time of a place in plan, from the motion of the base's centre of mass.
+// Returns the displacement over time of a point of the plan, computed from displacement and rotation of the base's
+// centre of mass.
 export function wayOf(law, { x_m, y_m }) {
   const { x_mm: x, y_mm: y, rotation_rad: turned } = law.loops;
   const dx = MM_IN_M * (x_m - centre.x_m),
@@ -22,7 +23,7 @@ export function wayOf(law, { x_m, y_m }) {
   return { x: x.map((mm, i) => mm - dy * turned[i]), y: y.map((mm, i) => mm + dx * turned[i]) };
 }
 
-// The corners of the slab in the order of its outline, closed.
+// Returns the corners of the slab in the order of its outline. The first corner is repeated at the end.
 export function outline() {
   const middle = ['x_m', 'y_m'].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / corners.length);
   const angle = ({ x_m, y_m }) => Math.atan2(y_m - middle[1], x_m - middle[0]);
@@ -66,7 +67,7 @@ export const motionFigures = [
   },
 ];
 
-// The axis along which the bearing moves farther.
+// Returns the axis, 'x' or 'y', along which the chosen bearing moves farther.
 function axis() {
   const largest = (way) => way.reduce((most, mm) => Math.max(most, Math.abs(mm)), 0);
   const { x, y } = bearingWays[chosen.bearing];

@@ -6,9 +6,10 @@ export const study = data;
 export const laws = study.laws.map((law, index) => ({ ...law, index }));
 // The law that the verdict is about: the first law whose analyses gave numbers.
 export const first = laws.find(({ id }) => id === study.answer[0]?.law) ?? laws[0];
-export const isDrawn = study.draws !== null; // whether any bearing is a draw of the lot
-// bound() writes the factors on the force at the lower or upper bound. A bound from the design conditions is a law of
-// its own with elastic and hysteretic factors; the page states the factors for the law that the verdict is about.
+export const isDrawn = study.draws !== null; // whether parameters of any bearing are drawn from the lot
+// bound() returns the factors on the force at the lower or upper bound as text. A bound may come from the design
+// conditions. It is then a separate law with an elastic and a hysteretic factor, and the page states the factors for
+// the law that the verdict is about.
 const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower one first
 function bound(factor, place) {
   if (isNumber(factor)) return String(factor);
@@ -18,13 +19,14 @@ function bound(factor, place) {
 }
 export const BOUNDS = bound(study.lower_factor, 0) + '; ' + bound(study.upper_factor, -1);
 const fromConditions = ['lower', 'upper'].filter((side) => study[side + '_factor'] === null);
-// A note beside the responses at bounds: says which bounds are laws from the design conditions, not factors on force.
+// This note stands beside the responses at the bounds. It says which bounds are laws for the design conditions and not
+// factors on the force.
 export const FROM_CONDITIONS = fromConditions.length === 0 ? '' : ' From the design conditions: the ' + fromConditions.join(' and the ') + ' bound.';
 export const grouped = (number) => number.toLocaleString('en');
 
 export const quantityOf = (key) => study.quantities.find((quantity) => quantity.key === key);
 export const unitOf = ({ unit }) => (unit === '-' ? '' : unit);
-// The cells of the columns 'quantity' and 'unit' of a CSV.
+// Returns the cells of the columns 'quantity' and 'unit' of a CSV file.
 export const nameAndUnit = (key) => [quantityOf(key).title, quantityOf(key).unit];
 export const axisTitle = (quantity) => quantity.title + (unitOf(quantity) ? ' [' + unitText(quantity.unit) + ']' : '');
 export const valueText = (value, quantity) => withUnit(value, unitText(quantity.unit), 3);

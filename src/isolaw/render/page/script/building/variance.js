@@ -53,7 +53,7 @@ function draw(look) {
   };
 }
 
-// The scatter between laws belongs to no single law and is known for the displacement only. It is drawn as a line.
+// Draws the scatter between laws as a line, because it belongs to no single law. It is known for the displacement only.
 function betweenLaws(look) {
   if (study.law_std_ln === null || chosen.quantity !== 'isolator_mm') return {};
   const x = 100 * study.law_std_ln;

@@ -8,7 +8,7 @@ const KEY = 'isolator_mm';
 const WORDS = { yes: ['kept', 'good'], no: ['not kept', 'poor'], open: ['too few draws to tell', 'care'] };
 const TESTED = 'tested_mm';
 // A limit is compared with the mean response over the motions, or with the largest response if there are fewer motions
-// than codes ask for before a mean may be used.
+// than design codes require for the use of a mean.
 const IS_MEAN = study.motions.length >= study.motions_for_a_mean;
 
 export const verdictSection = {

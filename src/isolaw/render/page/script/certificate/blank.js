@@ -4,7 +4,8 @@ import { element } from '../dom.js';
 export const blank = (label, more = {}) =>
   element('span', { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label, ...more });
 
-// Makes a line like blank(). What is typed into it is repeated on other pages of the certificate, by echo().
+// Holds the lines made by echoed(), which makes a line like blank(). echo() repeats on other pages of the certificate
+// what is typed there.
 const lines = new Map(); // label -> {line, echoes}
 export function echoed(label) {
   const echoes = [];

@@ -14,7 +14,8 @@ import { letterhead } from './letterhead.js';
 import { loopDrawing } from './loop.js';
 import { signatures } from './signatures.js';
 
-// A page for each device. The screen shows the page of the device that is chosen, and the printed certificate has all.
+// A page of the certificate for each device. The screen shows only the page of the chosen device; the printed
+// certificate has all pages.
 export const certificateDeviceFigure = {
   id: 'certificate-device',
   title: 'A page for each device',

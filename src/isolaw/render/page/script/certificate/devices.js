@@ -30,14 +30,15 @@ const certificateProperties = () =>
         value: (device) => assessedCycle(device)?.[key],
       }));
 
-// The quantities in which a device is an outlier of the lot. A certificate does not mention outliers of fitted laws.
+// Returns the measured quantities in which a device is an outlier of the lot. Outliers in the parameters of fitted laws
+// are not for a certificate.
 const apart = (device) =>
   lotQuantities.length > 0
     ? report.assessment.lot.outliers.filter((outlier) => outlier.device === device.name).map((outlier) => outlier.quantity)
     : [];
 
-// Doubts about the test, such as friction of the rig, that would change a value if they are true. Each gets a letter,
-// which the caption explains.
+// Lists doubts about the tests, such as friction of the rig. If a doubt is true, a value would be different. Each doubt
+// gets a letter, which the caption explains.
 const conditions = [...new Set(devices.flatMap((device) => device.doubts.map(({ condition }) => condition)))];
 const letter = (condition) => String.fromCharCode(97 + conditions.indexOf(condition));
 const doubtsOf = (device, quantity) =>
@@ -92,8 +93,8 @@ function certificateTable() {
     const below = remark ? element('small', {}, remark) : null;
     return element('td', { class: 'reasoned' }, verdict ? verdictBadge(verdict, device.verdict_brief) : DASH, below);
   };
-  // A letter after a value stands for a doubt that would change the value. With one device, the other value stands
-  // below it. With several, the page of each device gives the other values.
+  // A letter after a value stands for a doubt that would change the value. If there is one device, the changed value
+  // stands below it. If there are several, the changed values are on the page of each device.
   const doubted = (device, quantity, value) => {
     const doubts = doubtsOf(device, quantity);
     return element(

@@ -1,7 +1,8 @@
 import { element } from '../dom.js';
 import { report } from '../report.js';
 
-// The laboratory's letterhead as a picture or as lines of text, in which no symbols are typeset. Null without a file.
+// Returns the letterhead of the laboratory as a picture, or as lines of text without typeset symbols. Returns null if
+// the user gave no file for it.
 export function letterhead() {
   const { letterhead: given } = report;
   if (!given) return null;

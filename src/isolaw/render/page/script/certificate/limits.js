@@ -4,7 +4,7 @@ import { tableOf } from '../tables.js';
 import { DASH, THIN, deviation, enumerate, isNumber, limitText, spanText, trimmed, unitText } from '../text.js';
 import { verdictBadge } from '../verdicts.js';
 
-// A table of every requirement of the rule set, including those that were not tested.
+// This table lists every requirement of the rule set, including those that were not tested.
 export const certificateLimitsFigure = {
   id: 'certificate-limits',
   title: 'Requirements',
@@ -12,7 +12,8 @@ export const certificateLimitsFigure = {
   build: limitsTable,
 };
 
-// The assessments that decide whether a requirement is met: one for each side of each device, or one of the lot.
+// Returns the assessments that decide whether a requirement is met: one for each device or for each side of its loop,
+// or one for the lot.
 function assessmentsOf({ name }) {
   const { lot } = report.assessment;
   const all = [...devices.flatMap((device) => device.assessments.map((a) => ({ ...a, device: device.name }))), ...(lot ? [lot.sample] : [])];

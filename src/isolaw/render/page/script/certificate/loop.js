@@ -17,7 +17,7 @@ const WIDE = 330,
   HIGH = 250,
   BELOW = 34;
 
-// Round values from -most to most, about three on each side of zero.
+// Returns round numbers for an axis from -most to most, about three on each side of zero.
 function ticks(most) {
   const rough = most / 2.5,
     power = 10 ** Math.floor(Math.log10(rough));
@@ -26,7 +26,8 @@ function ticks(most) {
   return Array.from({ length: 2 * count + 1 }, (_, i) => (i - count) * step);
 }
 
-// The measured loop of a device as a drawing for paper: the cycle that counts black, all others grey.
+// Draws the measured loop of a device for paper. The cycle whose values stand for the device is black, all other cycles
+// are grey.
 export function loopDrawing(device) {
   const { raw } = device;
   const x = curve(raw.disp_mm),

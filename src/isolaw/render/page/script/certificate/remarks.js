@@ -10,8 +10,8 @@ export const certificateRemarksFigure = {
   build: () => sentences(certificateRemarks().map(sentence)),
 };
 
-// The signer must know the doubts about the records, the corrections, and what the user told isolaw about the records.
-// Doubts about single records are on the pages of their devices.
+// Lists what a signer must know: doubts about the tests, corrections of records, and what the user told isolaw about
+// the records. If there are several devices, doubts about a single record are on the page of its device.
 function certificateRemarks() {
   // "all devices" replaces the list of names if the lot has at least `fewest` devices.
   const withDevices = (textsOf, fewest) => {
@@ -20,7 +20,8 @@ function certificateRemarks() {
     for (const device of devices) for (const text of textsOf(device)) found.set(text, [...(found.get(text) ?? []), device.name]);
     return [...found].map(([text, names]) => (all(names) ? 'all devices' : enumerate(names)) + ': ' + text);
   };
-  // Lists how options or the lot file told isolaw to read a record, without the corrections, which are listed apart.
+  // Returns what options or the lot file said about how to read a record. Corrections are left out, because the
+  // certificate lists them separately.
   const told = ({ recognised, corrections }) =>
     recognised.map(({ option, sentence }) => (option ? sentence : '')).filter((text) => text && !corrections.includes(text));
   return [

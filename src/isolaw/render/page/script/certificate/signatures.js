@@ -18,8 +18,8 @@ export const certificateRecordsFigure = {
   build: recordsTable,
 };
 
-// Lines for signatures. A certificate with a grey mark must not be signed, so it gets no lines. One with a red mark has
-// tests that did not pass, and may be signed.
+// Makes the lines for signatures. A certificate with a grey mark must not be signed, so it gets no lines. A certificate
+// with a red mark has tests that did not pass, and may be signed.
 export function signatures() {
   const signer = (role) =>
     element(

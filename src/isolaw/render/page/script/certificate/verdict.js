@@ -10,8 +10,8 @@ export function deviceVerdict(device) {
 
 export const sameRecord = (device) => (device.copy_of ? 'the same record as ' + device.copy_of : '');
 
-// The quantities that are "not assessed" on every device that was assessed at all. The certificate names them once
-// instead of in every row. The list is empty if no device passes, because only rows of passing devices name such
+// Returns the quantities that are "not assessed" on every device that has any assessment. The certificate names them
+// once instead of in every row. The list is empty if no device passes, because only rows of passing devices name such
 // quantities.
 export function commonlyOpen() {
   const judged = devices.filter((device) => device.assessments.length > 0 && !device.copy_of);

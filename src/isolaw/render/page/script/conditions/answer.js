@@ -63,7 +63,8 @@ function assumed() {
 
 const withCycle = (text, cycle) => [text, cycle].filter(Boolean).join(', ');
 
-// A bound that lacks the factor of an effect is incomplete: with this factor it could only be farther from 1.
+// Returns a bound as text. If the factor of an effect is missing in it, the bound is incomplete and gets "at least" or
+// "at most", because with this factor it could only be farther from 1.
 const boundText = (side, { complete, factor }) => (complete ? '' : side === 'max' ? 'at least ' : 'at most ') + factorText(factor);
 
 function headline({ quantity, unit, devices, value_at_reference: value, max, min }) {

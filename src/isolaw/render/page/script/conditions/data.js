@@ -10,7 +10,7 @@ export const conditions = report.conditions ?? null;
 // The warnings about the conditions.
 export const findings = report.findings.warnings.filter(({ topic }) => topic === 'conditions');
 
-// The effects whose condition is a number. Ageing and history have none.
+// The effects whose condition is a number. The conditions of ageing and history are not single numbers.
 const CONDITIONS = {
   temperature: { key: 'temperature_C', title: 'temperature', unit: '\u00b0C' },
   rate: { key: 'frequency_Hz', title: 'frequency', unit: 'Hz', log: true },
@@ -31,8 +31,9 @@ const IN_CAPITALS = ['assumed', 'not covered'];
 export const statusWord = (status) => (IN_CAPITALS.includes(status) ? status.toUpperCase() : status);
 export const factorText = (value) => fixed(value, 3);
 export const intervalText = (interval) => factorText(interval.low) + ' to ' + factorText(interval.high);
-// A factor that no device shows and that is neither assumed nor "not covered" is the factor 1 of the reference itself.
-// `all` is given for the bound of all effects together, which has no devices of its own.
+// Returns the status of a factor as text. If no device shows the factor and it is neither assumed nor "not covered", it
+// is the factor 1 of the reference itself. `all` is given for the bound of all effects together, which has no devices
+// of its own.
 export const statusText = ({ status, devices, all = null }) =>
   devices === 0 && !all && !IN_CAPITALS.includes(status)
     ? 'reference'

@@ -4,7 +4,8 @@ import { tableOf } from '../tables.js';
 import { DASH, isNumber, plain } from '../text.js';
 import { conditions, factorText, factorTicks, intervalText, statusText, statusWord, statusesAmong, toneOf } from './data.js';
 
-// The first two properties with bounds, which the head of the section also states.
+// Returns the properties that the figure shows: the first two that have bounds. The head of the section states the same
+// two.
 const shown = () => conditions.bounds.slice(0, 2).map(({ quantity }) => quantity);
 const rowsOf = (quantity) => {
   const bound = conditions.bounds.find((one) => one.quantity === quantity);

@@ -22,7 +22,8 @@ const quantity = () => chosenProperties()[0];
 const tests = () => conditions.tests.filter(({ role, cycles }) => role === 'reference' && cycles.length > 1);
 const isNew = ({ cycles }) => cycles[0].history === 'virgin';
 
-// The property in each cycle of a test, divided by the test's value in the reference cycles: [{number, ratio}].
+// Returns the chosen property in each cycle of a test, divided by its value in the reference cycles of the same test:
+// [{number, ratio}].
 function ratiosOf(test) {
   const key = KEYS[quantity()];
   return test.cycles.filter((cycle) => isNumber(cycle[key]) && isNumber(test[key])).map(({ number, [key]: value }) => ({ number, ratio: value / test[key] }));

@@ -35,7 +35,8 @@ export const panelsFigure = {
 
 const effects = () => SHOWN.filter((effect) => allLevels.some((level) => level.effect === effect));
 
-// The table behind the figure: for each level a row with the mean and its intervals, and a row for each device.
+// Returns the data of the figure as a table. Each level has a row with the mean and its intervals, and a row for each
+// device.
 function panelData() {
   const ofLevel = resultColumns('conditions_levels'), ofFactor = resultColumns('conditions_factors');
   const none = { low: null, high: null };
@@ -111,7 +112,8 @@ function rangeOfFactors(quantity) {
 
 const levelsOfAll = (quantity) => effects().flatMap((effect) => levelsOf(effect, quantity));
 
-// At which ends of the axis an interval of a factor is cut: [] at none, [0] at the lower, [1] at the upper, or [0, 1].
+// Returns the ends of the axis at which an interval of the factor is cut: 0 stands for the lower end and 1 for the
+// upper. For example, [] means that no interval is cut.
 const cutEnds = ({ mean, device }, [low, high]) =>
   [0, 1].filter((end) => [mean, device].some((of) => of && (end === 0 ? Math.log(of.low) < low : Math.log(of.high) > high)));
 
@@ -130,8 +132,8 @@ function ofCondition(effect, quantity) {
   };
 }
 
-// The same for ageing. Its levels are not values of one quantity, so they stand side by side at 1, 2, ..., and devices
-// that were not aged stand at 0.
+// Returns the same for ageing. A level of ageing is not a single number, so the levels stand side by side at 1, 2, ...,
+// and devices that were not aged stand at 0.
 function ofAgeing(quantity) {
   const levels = levelsOf('ageing', quantity);
   const points = [{ at: 0, reference: true }, ...levels.map((level, i) => ({ ...level, at: i + 1 }))];

@@ -56,7 +56,7 @@ function next() {
   );
 }
 
-// The warnings about the answer come first; the others are behind one line.
+// Shows first the warnings that concern the answer. All others are hidden behind one line, which the reader can open.
 function warnings() {
   const all = report.findings.warnings;
   const first = report.findings.answer_warnings.slice(0, MOST_WARNINGS).map((place) => all[place]);

@@ -19,9 +19,9 @@ const CAPTION = 'An error is the mean misfit of the force, as a share of the mea
 const NEW_DEVICE = ' Another device: one set of parameters, fitted to all other devices.';
 const PLACES = { taken: 'taken', ties: 'as good', behind: '', 'ruled out': 'ruled out' };
 
-// The columns of errors. A column is shown if at least one law has such an error. In a column with `plain` the numbers
-// have no bars. All bars have one scale, which ends at the latest at twice the largest error of the laws that are not
-// ruled out. Longer bars are cut.
+// The columns of errors. A column is shown if at least one law has such an error. Each number has a bar beside it,
+// except in columns with `plain`. All bars have the same scale. It ends at the largest error or, if this is smaller, at
+// twice the largest error of the laws that are not ruled out. Longer bars are cut.
 const ERRORS = [
   { key: 'fits', title: 'Fits', of: ({ fits }) => fits },
   { key: 'new_device', title: 'Another device', of: ({ law }) => law.loo_objective },

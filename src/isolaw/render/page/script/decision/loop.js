@@ -24,8 +24,8 @@ export const answerLoopFigure = {
   below: timeSlider,
 };
 
-// The times [from, to] of the parts of the record that are drawn in black: one cycle of each block. Null if the record
-// has no cycles; the whole record is then drawn in black.
+// Returns the times [from, to] of the parts of the record that are drawn in black: one cycle of each block. Returns
+// null if the record has no cycles; the whole record is then drawn in black.
 export function cyclesShown(device) {
   const axis = rawTime(device);
   const cycles = device.blocks.map(countingCycle).filter(Boolean);

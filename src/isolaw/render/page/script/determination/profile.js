@@ -48,7 +48,8 @@ function profileData() {
   };
 }
 
-// The axis is logarithmic if the values have one sign and differ by a factor above 20. Otherwise it is linear.
+// Returns the axis of a parameter. It is logarithmic if all values have the same sign and differ by a factor above 20.
+// Otherwise it is linear.
 function parameterAxis({ name, unit }, values) {
   const sizes = values.map(Math.abs),
     largest = Math.max(...sizes),

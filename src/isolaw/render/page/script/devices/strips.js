@@ -31,7 +31,7 @@ const stripRows = () =>
     }))
     .filter(({ points }) => points.length > 0);
 
-// A strip is a horizontal axis for one quantity of the lot, with a mark for each device.
+// Sizes in pixels. A strip is a horizontal axis for one quantity of the lot, with a mark for each device.
 const STRIP_HEIGHT = 62;
 const STRIP_BETWEEN = 52;
 

@@ -83,7 +83,8 @@ function frontCaption() {
   );
 }
 
-// The points of the published study, one for each law. The study has numbers only for the means over the runs.
+// Returns the points of the published study, one for each law. The study has numbers only for the view of the means
+// over the runs.
 function publishedPoints(view) {
   if (view.id !== 'runs' || report.published === null) return [];
   return report.published.laws.filter(({ number }, i, all) => all.findIndex((one) => one.number === number) === i);

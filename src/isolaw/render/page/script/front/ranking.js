@@ -26,7 +26,8 @@ function rankingData() {
   const ofLaw = resultColumns('laws', ['id', 'objective', 'beta', 'on_front', 'success_share']);
   const errors = resultColumns('fits', ['K_eff_error_percent', 'energy_error_percent']);
   return {
-    // The error of a fit has a sign. The error of a law is therefore the mean of the magnitudes over the devices.
+    // The errors of fits have signs, which could cancel. The error of a law is therefore the mean of their magnitudes
+    // over the devices.
     columns: [...ofLaw.columns, ...errors.columns.map((column) => 'mean magnitude of ' + column)],
     rows: lawsByObjective.map((law) => [...ofLaw.cells(law), ...errors.cells(law)]),
   };

@@ -21,7 +21,8 @@ export const convergedFigure = {
 
 export const verdictsFigure = { id: 'verdicts', width: 'narrow', title: '', wanted: () => VIEWS.length > 0, depends: ['view'], build: verdictList };
 
-// In the view of the runs, the list tells each law's verdict. In other views it tells the two numbers drawn.
+// Lists the laws. In the view of the runs, the list says the verdict on each law. In the other views it says the two
+// numbers that the plot shows for each law.
 function verdictList() {
   const view = VIEWS.find(({ id }) => id === chosen.view);
   const runs = view.id === 'runs';

@@ -17,7 +17,8 @@ export const energyFigure = {
   draw: drawEnergy,
 };
 
-// The work of the drawn force between two times, which may lie between samples; null if the record does not reach them.
+// Returns the work of the drawn force between two times, which may lie between samples. Returns null if the record does
+// not reach the two times.
 function energy({ t, x }, F, from, to) {
   const spare = 1.5 * (t[1] - t[0]);
   if (from < t[0] - spare || to > t[t.length - 1] + spare) return null;

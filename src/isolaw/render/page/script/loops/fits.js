@@ -36,8 +36,8 @@ export const isScored = (device, time) =>
 
 export const isLargeSwing = (device, time) => device.large_swings.some(({ from, to }) => time >= from && time <= to);
 
-// The range of forces to draw. It holds all measured forces, and computed forces that lie beyond them by at most half
-// of the measured range. Computed forces farther out are cut off.
+// Returns the range of forces to draw. It includes all measured forces. Computed forces extend it by at most half of
+// the measured range on each side; computed forces beyond it are cut off.
 export function forceRange(measured, computed) {
   const low = Math.min(...measured),
     high = Math.max(...measured),
@@ -46,7 +46,7 @@ export function forceRange(measured, computed) {
   return paddedRange(all.map((force) => Math.min(Math.max(force, low - spare), high + spare)), 0.06);
 }
 
-// The chosen device, its record, the fits of laws to it, and the range of forces to draw.
+// Returns the chosen device, its record, the fits of the laws `among` to it, and the range of forces to draw.
 export function shownLoops(among = chosenLaws()) {
   const device = devices[chosen.device],
     measured = record(device),

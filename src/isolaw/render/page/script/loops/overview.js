@@ -19,7 +19,8 @@ export const loopOverviewFigure = {
   draw: drawOverview,
 };
 
-// The layout of the panels in pixels. All panels have the same size and a heading. A row has as many as fit.
+// The layout of the panels in pixels. All panels have the same size and a heading. A row has as many panels as fit, at
+// most four.
 const OVERVIEW_MARGIN = { l: 50, r: 8, t: 8, b: 44 };
 
 function overviewGrid(panels, width) {

@@ -89,7 +89,8 @@ function drawPanels(look, width) {
       { factor, exponent } = rowFormat(entries.map(({ row }) => row.mean));
     const values = entries.flatMap(({ row }) => [(row.mean - (row.std ?? 0)) / factor, (row.mean + (row.std ?? 0)) / factor]);
     const range = atLeast(0.02 * Math.abs(lot / factor), paddedRange([...values, lot / factor], 0.08));
-    // The percentage falls from the bottom of the axis to the top if the mean is negative.
+    // Returns the difference from the lot's mean in percent. If the mean is negative, the percentages fall from the
+    // bottom of the axis to the top.
     const percent = (value) => (lot !== 0 ? 100 * ((value * factor) / lot - 1) : 0);
     layout['xaxis' + x] = {
       ...abscissa, domain: [left, left + wide], anchor: 'y' + y, tickfont: { size: 10.5 }, automargin: false,

@@ -52,8 +52,8 @@ function drawRemainder(look) {
     found = device.remainder,
     axis = rawTime(device);
   const { name, values, unit, shown } = found ? channelOf(found) : { name: '', values: [], unit: 'kN', shown: KN };
-  // The first half of the first cycle, in which the device goes from rest to the loop, has large values. They do not
-  // set the scale of the axis.
+  // The values are large in the first half of the first cycle, in which the device goes from rest to its steady loop.
+  // The scale of the axis ignores them.
   const { first, last } = found ? device.blocks[found.block - 1].cycles.find((cycle) => !cycle.partial) : {};
   const later = values.filter((value, k) => value !== null && indexOf(found, k) > (first + last) / 2);
   return {

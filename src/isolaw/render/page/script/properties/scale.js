@@ -1,4 +1,5 @@
-// Plotly's colour scale for cycles, from the first cycle of a block, 0, to the last, 1.
+// Returns a function that gives the colour of a cycle. Its argument runs from 0, the first cycle of a block, to 1, the
+// last.
 export function cycleScale(look) {
   const stops = ['first', 'middle', 'last'].map((name) =>
     [1, 3, 5].map((i) => parseInt(look.colour('cycle-' + name).slice(i, i + 2), 16)),
