@@ -1306,13 +1306,13 @@ class Conditions(_Unchanging):
 
     @property
     def at_reference(self):
-        """Acceptance tests under other conditions, as measured and converted to the reference: a list of dicts."""
+        """Values of acceptance tests not made at the reference, as measured and converted to it: a list of dicts."""
         return self.results["at_reference"]
 
     def plan(self, devices=None):
-        """The tests still to be made until enough devices are tested at every end of the design range: a list of dicts.
+        """The tests still needed so that ``devices`` devices are tested at every extreme of the design: a list of dicts.
 
-        devices: how many are enough, as in ``isolaw conditions --plan --devices``; the default is that of the command.
+        devices: as in ``isolaw conditions --plan --devices``; the default is that of the command.
         """
         if devices is None:
             return self.results["plan"]

@@ -229,7 +229,7 @@ void add_inspect(Commands& commands) {
   add_same_device(c, a.same_device);
   add_acceptance(c, a.acceptance);
   add_vertical(c, a.vertical);
-  c.add_option("--out", a.out, "directory for a page with drawn loops, tables and JSON");
+  c.add_option("--out", a.out, "directory in which to write a page with the loops, tables and inspection.json");
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print inspection.json instead of text");
   c.add_flag(
@@ -247,15 +247,18 @@ void add_conditions(Commands& commands) {
   add_allow_outside(c, a.allow_outside);
   c.add_flag("--json", a.json, "print conditions.json instead of text");
   c.add_flag("--details", a.details, "also list every test and how it is used");
-  c.add_flag("--plan", a.plan, "print the tests that are missing until enough devices show every end of the design");
+  c.add_flag(
+      "--plan", a.plan,
+      "print which tests are still needed so that enough devices are tested at every extreme of the design conditions");
   c.add_option("--devices", a.devices,
-               fmt::format("how many devices the plan has for every end: 1 to {} (default: {})",
+               fmt::format("with --plan: how many devices are to be tested at every extreme, 1 to {} (default: {})",
                            study::most_planned_devices, study::usual_planned_devices))
       ->check(CLI::Range(1, study::most_planned_devices).description(""));
-  c.add_flag("--at-reference", a.at_reference,
-             "print the values of acceptance tests under other conditions, as measured and at reference");
+  c.add_flag(
+      "--at-reference", a.at_reference,
+      "print the values of acceptance tests that were not made at the reference conditions, as measured and converted to these conditions");
   c.add_option("--write-rules", a.write_rules,
-               "new file for the measured factors, as a rule file that other lots can take them from");
+               "write the measured factors into this new rule file, for use with other lots");
 }
 
 void add_report(Commands& commands) {
@@ -280,7 +283,7 @@ void add_merge(Commands& commands) {
       "directories of the parts, in any order. Without parts, merge makes the analyses and reports of the campaign in the directory, once all of its runs are there; for a building study it prints the verdict");
   c.add_option(
       "--part", a.part,
-      "K/N, such as 3/40: analyse only the third of 40 shares of the devices. When all devices are analysed, the same option fits only a share of the laws to the whole lot");
+      "K/N, such as 3/40: analyse only the third of 40 shares of the devices; if all devices are analysed already, fit only the third of 40 shares of the laws to the whole lot");
   add_jobs(c, a.jobs);
   add_figures(c, a.figures);
   c.add_flag("--copy-only", a.copy_only,
@@ -299,15 +302,17 @@ void add_parts(Commands& commands) {
       });
   c.add_option("lot", a.lot, "a lot file (.toml), or a directory of records; with --campaign a building file")
       ->required();
-  c.add_option("count", a.count, "number of parts; two or three for each thread are usual")->required();
-  c.add_option("--to", a.to,
-               "program that runs the parts: " + joined(part_script_kinds) +
-                   " (here --to is not the end of the time that is read; for that, use the key `to` of a lot file)")
+  c.add_option("count", a.count, "number of parts, usually two or three for each processor core that computes them")
+      ->required();
+  c.add_option(
+       "--to", a.to,
+       "program that runs the parts: " + joined(part_script_kinds) +
+           " (this --to does not limit the time that is read from records; for that, use the key `to` of a lot file)")
       ->required();
   c.add_option("--campaign", a.campaign,
                "for a building file: directory of the campaign whose lot supplies the bearings");
   c.add_option("--motion", a.motions,
-               "for a building file: motions to use instead of the file's, as in isolaw building");
+               "for a building file: ground motions to use instead of those of the file, as in isolaw building");
   for (auto const& option : building::stated_table()) add_option(c, option, a.stated);
   add_campaign(c, a.calibrate);
 }
@@ -331,7 +336,9 @@ void add_export(Commands& commands) {
   c.add_option("--device", a.options.device,
                "name of the device, or the word lot for the law that was fitted to all devices together")
       ->required();
-  c.add_option("--to", a.options.to, joined(programs::targets() | std::views::transform(&programs::Target::name)))
+  c.add_option("--to", a.options.to,
+               "program or form for which the law is written: " +
+                   joined(programs::targets() | std::views::transform(&programs::Target::name)))
       ->required();
   add_acceptance(c, a.options.acceptance, false);
   c.add_option("--units", a.options.units,
@@ -342,7 +349,7 @@ void add_export(Commands& commands) {
                            programs::longest_name));
   c.add_option(
       "--motion", a.options.motions,
-      "ground motions under which a re-fitted material is compared with the law: AT2 files, or columns with units "
+      "ground motions under which isolaw compares the law with a material that was fitted to replace it: AT2 files, or text with columns that name their units "
       "(default: --ground-motion, or artificial motions)");
   for (auto const& option : building::stated_table()) add_option(c, option, a.options.stated);
   for (auto const& option : programs::model_table()) add_option(c, option, a.options.model);
@@ -366,7 +373,7 @@ void add_simulate(Commands& commands) {
                "with --from: name of the device, or the word lot for the law that was fitted to all devices together");
   c.add_option(
       "--bound", a.bound,
-      "with --from, if the campaign's lot file has a table [conditions]: the bound law over the design conditions, lower or upper");
+      "lower or upper: compute the law that bounds stiffness and energy over the design conditions; with --from, if the campaign's lot file has a table [conditions]");
   c.add_option("--parameters", a.parameters,
                "instead of --from: file of parameters, name = value in TOML or JSON, in the law's units");
   c.add_option("--set", a.set, "change a parameter of the file or campaign: K1=2.5; may be repeated")
@@ -374,9 +381,10 @@ void add_simulate(Commands& commands) {
   add_reading(c, a.read, false);
   for (auto const* key : {"integration", "turning-points", "dead-band"}) {
     auto option = *campaign::find_setting(key);
-    option.help = option.key == "dead-band" ? "ignore reversals smaller than this, in mm, 0 to 10000 (default 0; with "
-                                              "--from that of the campaign)"
-                                            : option.help + "; with --from the default is that of the campaign";
+    option.help = option.key == "dead-band"
+                      ? "laws that remember turning points ignore movements smaller than this, in mm, 0 to "
+                        "10000 (default 0; with --from that of the campaign)"
+                      : option.help + "; with --from the default is that of the campaign";
     add_option(c, option, a.how);
   }
   auto const add = [&command = c](Heading heading, char const* name, auto& value, char const* help) {
@@ -387,11 +395,11 @@ void add_simulate(Commands& commands) {
   add(Heading::plane, "--bidirectional", a.bidirectional,
       "compute the force in two directions: coupled, from the law's own form for two directions, refused if it has none; springs, from springs around a circle, each of which follows the law (default: one direction only)");
   add(Heading::plane, "--second-disp", a.second_disp,
-      "column of the displacement in the second direction; --columns names that in the first");
+      "column of the displacement in the second direction (--columns names the column of the first direction)");
   add(Heading::plane, "--softening", a.softening,
       "with --bidirectional coupled: the force softens with the largest distance from the origin so far (distance, default), or with the largest displacement so far along each axis (axis)");
   add(Heading::plane, "--springs", a.springs,
-      "with --bidirectional springs: the springs have parameters fitted for springs (fitted) or the law's own (given); default: fitted if the campaign of --from has such a fit and --set changes nothing, otherwise given");
+      "with --bidirectional springs: fitted, the springs have parameters that were fitted for springs; given, they have the law's own parameters. Default: fitted if the campaign of --from has such a fit and --set changes nothing, otherwise given");
   c.add_option("--out", a.out, "file to write (default: standard output)");
   c.add_flag("--anyway", a.anyway,
              "with --from: simulate even if the law's prediction is unusable or its force is not possible");
@@ -418,9 +426,10 @@ void add_building(Commands& commands) {
                "which figures for print to write, with data and gnuplot scripts: lot (default), or none");
   c.add_flag(
       "--nominal", a.nominal,
-      "compute only the nominal building: whether it alone keeps the limits, and its response to every motion over time as CSV");
-  c.add_flag("--arrange", a.arrange,
-             "also print where to put each tested device so that the eccentricity of stiffness is smallest");
+      "compute only the nominal building, in which the lot's median parameters replace random ones: whether it keeps the limits, and its response to every motion over time as CSV");
+  c.add_flag(
+      "--arrange", a.arrange,
+      "also print where to put each tested device so that the centre of stiffness is nearest to the centre of mass");
   c.add_flag("--fresh", a.fresh, "start over, even if the directory holds runs of another building");
   c.add_flag("--template", a.print_template, "print a commented building file");
   c.add_flag("--json", a.json, "print building.json");

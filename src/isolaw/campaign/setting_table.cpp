@@ -93,7 +93,7 @@ Setting dead_band() {
   auto const place = at(&S::clean, &Clean::dead_band_mm);
   return number_or(
       "auto", "float | Literal[\"auto\"]", place,
-      number<S>("dead-band", "ignore reversals smaller than this, in mm", place,
+      number<S>("dead-band", "laws that remember turning points ignore movements smaller than this, in mm", place,
                 {.least = 0, .most = 1e4, .words = "0 to 10000, or auto (default): 3 times the noise of each record"}));
 }
 
@@ -130,11 +130,11 @@ std::vector<Setting> make_settings() {
         set_laws}},
       {word<S>(
           "method",
-          "how parameters are searched: best (default), by descents from many starts; ga, by the genetic algorithm of the paper",
+          "how parameters are searched: best (default), by local searches from many starting points; ga, by the genetic algorithm of Cucuzza et al. 2025",
           at(&S::method), methods)},
       {word<S>(
           "integration",
-          "how laws are integrated: converged (default), independent of the sampling; paper, by one Runge-Kutta step per sample",
+          "how the equations of laws are integrated: converged (default), so finely that the force does not depend on the sampling; paper, by one Runge-Kutta step per sample, as in Cucuzza et al. 2025",
           at(&S::integration), integrations)},
       {word<S>(
           "turning-points",
@@ -144,7 +144,8 @@ std::vector<Setting> make_settings() {
                  {.least = 1, .most = 1e5}, "2; with --method ga 20")},
       // The upper limits keep the number of evaluations within an int. The limit of selection_pressure keeps the
       // weights above zero with which the genetic algorithm selects parents.
-      {number<S>("population", "with --method ga: number of individuals", at(&S::genetic, &Ga::population),
+      {number<S>("population", "with --method ga: number of individuals (sets of parameters)",
+                 at(&S::genetic, &Ga::population),
                  {.least = 4, .most = 1e5, .words = "an even number from 4 to 100000", .step = 2}),
        ga},
       {number<S>("generations", "with --method ga: number of generations, counting the initial one",
@@ -178,14 +179,14 @@ std::vector<Setting> make_settings() {
              "fix a parameter (bilinear.K2=0.6), limit it (bilinear.K2=0.5:0.7), search it although it is fixed by default (=free), or give it the value of another (=K1); may be repeated"},
         [](S const& s) { return texts_of(s.overrides); },
         set_overrides}},
-      {number<S>("smooth", "smooth records by a centred moving average", at(&S::clean, &Clean::smooth),
+      {number<S>("smooth", "width of the centred moving average that smooths records", at(&S::clean, &Clean::smooth),
                  {.least = 1, .most = largest, .words = "an odd number of samples, 1 for none", .step = 2})},
       thinning(),
       {flag<S>("center", "remove the offset of displacement and force", at(&S::clean, &Clean::center))},
       dead_band(),
       {word<S>(
            "weights",
-           "what a sample counts by in the fit: time, the time between samples; swing, that time weighted by the size of the swing (the way between two turning points), so that a large swing counts more than small ones; travel, the distance moved between samples; auto (default), which is time if all swings are alike within 10 %, or with --method ga, or with --box published, and otherwise swing",
+           "weight of a sample in the fit: time, the time between samples; swing, that time weighted by the size of the swing (the way between two turning points), so that a large swing counts more than small ones; travel, the distance moved between samples; auto (default): time if all swings are alike within 10 %, with --method ga or with --box published, otherwise swing",
            at(&S::clean, &Clean::weights), weightings),
        {},
        false,
@@ -202,16 +203,18 @@ std::vector<Setting> make_settings() {
              &data::Selection::predicted),
       {word<S>(
            "analysis",
-           "full (default): also find which parameters the tests determine, their intervals, one law for the lot, and errors on devices left out of the fit; or none",
+           "full (default): also find which parameters the tests determine, the confidence intervals of the parameters, one law for the lot, and errors on devices left out of the fit; or none",
            at(&S::analysis), analyses)
            .under(Heading::analysis)},
       // A 95 % interval leaves out 2.5 % of the replicates at each end: one replicate of 40, so at least 40 are needed.
-      {number<S>("replicates", "number of bootstrap fits for the intervals", at(&S::replicates),
+      {number<S>("replicates",
+                 "number of fits to resampled records (bootstrap) for the confidence intervals of the parameters",
+                 at(&S::replicates),
                  {.least = 40, .most = 1e5, .words = "0 for none, or 40 to 100000", .or_zero = true})
            .under(Heading::analysis)},
       {word<S>(
            "bidirectional",
-           "springs: also fit spring models, which isolaw building uses, for laws that have no coupled two-dimensional form; or none (default)",
+           "springs: for laws that have no form of their own in two directions, also fit springs around a circle, which isolaw building then uses; or none (default)",
            at(&S::springs), in_the_plane)
            .under(Heading::analysis),
        {},
@@ -293,8 +296,8 @@ std::vector<Option<Acceptance>> make_acceptance() {
       alike("alike-load-percent", "vertical load, in percent", &Alike::load_percent, Alike::own_load_percent),
       alike("alike-amplitude-percent", "amplitude, in percent", &Alike::amplitude_percent,
             Alike::own_amplitude_percent),
-      alike("alike-earlier-cycles", "earlier cycles as large as those that count, in cycles", &Alike::earlier_cycles,
-            Alike::own_earlier_cycles),
+      alike("alike-earlier-cycles", "the number of earlier cycles that are as large as the counting cycles",
+            &Alike::earlier_cycles, Alike::own_earlier_cycles),
   };
 }
 

@@ -110,7 +110,7 @@ Reading date_order() {
 
 Reading footer() {
   return one_of(
-      "footer", "skip: ignore text below the rows, such as statistics or a signature", {"skip"},
+      "footer", "the word skip: ignore text below the rows of numbers, such as statistics or a signature", {"skip"},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.skip_footer ? std::optional<std::string_view>("skip") : std::nullopt;
       },
@@ -171,7 +171,7 @@ constexpr std::string_view spikes_word = "spikes";
 
 Reading repair() {
   auto row = one_of(
-      "repair", "spikes: replace single-sample spikes by interpolation", {spikes_word},
+      "repair", "the word spikes: replace spikes of a single sample by interpolation", {spikes_word},
       [](ReadOptions const& from) -> std::optional<std::string_view> {
         return from.corrections.repair_spikes ? std::optional(spikes_word) : std::nullopt;
       },
@@ -196,8 +196,9 @@ std::vector<Reading> make_table() {
                  {.least = std::numeric_limits<double>::min(), .words = "a positive number of seconds"})
            .under(Heading::reading)},
       rows(),
-      time_limit("from", "read only from this time on, in seconds of the file", &R::from_s, "from_s", "motion-from"),
-      time_limit("to", "read only up to this time, in seconds of the file", &R::to_s, "to_s", "motion-to"),
+      time_limit("from", "read only from this time on, in seconds of the file's own time", &R::from_s, "from_s",
+                 "motion-from"),
+      time_limit("to", "read only up to this time, in seconds of the file's own time", &R::to_s, "to_s", "motion-to"),
       footer(),
       missing(),
       thousands(),
@@ -209,19 +210,20 @@ std::vector<Reading> make_table() {
           "for a file that holds several tests: the number of the one to read, or all to join them one after another",
           Kind::whole, &R::test, [](std::string const& text) { return parse_test(text); }),
       {flag<R>("flip-force", "reverse the sign of the force", at(&R::flip_force)).under(Heading::reading), true},
-      {flag<R>("half-cycles", "count each swing that belongs to no full cycle as a half cycle, with twice its energy",
-               at(&R::half_cycles))
+      {flag<R>(
+           "half-cycles",
+           "count each swing (from one turning point to the next) that belongs to no full cycle as a half cycle, and take twice its energy",
+           at(&R::half_cycles))
            .under(Heading::reading),
        true},
       repair(),
       skew(),
-      correction("rig-friction", "subtract a friction force of the rig of this size, in kN", &C::friction_kN,
-                 "rig_friction_kN"),
+      correction("rig-friction", "subtract the friction force of the test rig, which has this size in kN",
+                 &C::friction_kN, "rig_friction_kN"),
       correction("rig-friction-coefficient",
-                 "subtract a friction force of the rig that is this share of the vertical load, such as 0.005",
+                 "subtract the friction force of the test rig, which is this share of the vertical load, such as 0.005",
                  &C::friction_coefficient),
-      correction("moving-mass",
-                 "subtract the inertia force of this mass, which moves between device and load cell, in kg",
+      correction("moving-mass", "mass in kg that moves between device and load cell; its inertia force is subtracted",
                  &C::moving_mass_kg, "moving_mass_kg"),
       correction("force-factor", "multiply the force by this number, such as 0.5 if the rig shears two devices at once",
                  &C::force_factor),

@@ -157,23 +157,25 @@ std::vector<Option<ModelOptions>> const& model_table() {
       words("mass", "mass or weight on the isolators, such as 1200t or 12000kN (default: the layout's loads)",
             &ModelOptions::mass),
       words("gyration",
-            "radius of gyration of the mass, such as 8.5m (default: as for a rectangle around the bearings)",
+            "radius of gyration of the mass, such as 8.5m (default: that of a uniform rectangle around the bearings)",
             &ModelOptions::gyration),
       words("axial",
             "vertical stiffness of a bearing, for example 1200kN/mm (default: from the layout or compression tests)",
             &ModelOptions::axial),
-      words("ground-motion", "ground acceleration along x: an AT2 file, or columns with units",
+      words("ground-motion",
+            "file of the ground acceleration along x: AT2 (PEER), or text with columns that name their units",
             &ModelOptions::ground_motion),
-      words("ground-motion-y", "ground acceleration along y: a file like that of --ground-motion",
+      words("ground-motion-y", "file of the ground acceleration along y, in the same form as that of --ground-motion",
             &ModelOptions::ground_motion_y),
       std::move(dt).under(Heading::model),
       std::move(unit).under(Heading::model),
       number<ModelOptions>("scale", "factor on the ground acceleration", at(&ModelOptions::scale),
                            {.least = 1e-6, .most = 1e6})
           .under(Heading::model),
-      number<ModelOptions>("draws",
-                           "number of buildings to analyse with bearings drawn from the lot, in place of the bounds",
-                           at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
+      number<ModelOptions>(
+          "draws",
+          "number of buildings to analyse whose bearings are drawn at random from the lot, in place of the lower and upper bound",
+          at(&ModelOptions::draws), {.least = 0, .most = most_drawn_sets})
           .under(Heading::model)};
   return table;
 }
