@@ -196,8 +196,8 @@ std::vector<BestKnown> read_best_known(std::string_view text, std::string const&
 
 std::string best_known_text(std::span<BestKnown const> entries) {
   std::string text =
-      "# The least objectives known, pooled over every method ever tried; bench/optimum --update adds and lowers them.\n"
-      "# key: what decides the objective, see bench/best_known.hpp. Parameters in the law's own units.\n";
+      "# The least objective known for each problem, from all methods that were tried. bench/optimum --update adds problems\n"
+      "# and lowers objectives. The key names the problem (bench/best_known.hpp). Parameters are in the units of the law.\n";
   for (auto const& entry : entries) {
     fmt::format_to(std::back_inserter(text),
                    "\n[[best]]\nrecord = {}\nsettings = {}\nlaw = \"{}\"\nkey = \"{}\"\nobjective = {}\n"

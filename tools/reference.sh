@@ -13,7 +13,7 @@ mkdir -p "$docs" "$2/${stub%/*}"
 written=$(
   keep=yes
   while IFS= read -r line; do
-    case $line in *'# the end of what it wrote') keep=yes ;; esac
+    case $line in *'# end of the keywords that the command above wrote') keep=yes ;; esac
     [ $keep = yes ] && printf '%s\n' "$line"
     case $line in *'# isolaw keywords '*)
       keep=no

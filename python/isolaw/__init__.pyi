@@ -78,7 +78,7 @@ def read_record(
     rig_friction_coefficient: float | None = None,
     moving_mass_kg: float | None = None,
     force_factor: float | None = None,
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
 ) -> Record: ...
 def read_motion(
     path: _Path,
@@ -98,7 +98,7 @@ def read_motion(
     date_order: Literal["dmy", "mdy"] | None = None,
     sheet: str | int | None = None,
     test: str | int | None = None,
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
 ) -> Record: ...
 def record(
     disp_mm: ArrayLike,
@@ -124,7 +124,7 @@ def force(
     # isolaw keywords integration turning_points
     integration: Literal["converged", "paper"] = "converged",
     turning_points: Literal["sampled", "interpolated"] = "sampled",
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
     refinement: int = 1,
     out: _Floats | None = None,
 ) -> _Floats: ...
@@ -146,7 +146,7 @@ class Model:
         weights: Literal["auto", "time", "swing", "travel"] = "auto",
         fit_blocks: str = "all",
         fit_cycles: str = "all",
-        # the end of what it wrote
+        # end of the keywords that the command above wrote
     ) -> None: ...
     @property
     def law(self) -> str: ...
@@ -276,7 +276,7 @@ class Campaign(Mapping[str, LawFits]):
         ground_motion_unit: str | None = None,
         scale: float | None = None,
         draws: int | None = None,
-        # the end of what it wrote
+        # end of the keywords that the command above wrote
     ) -> Export: ...
     def sample(self, law: str, count: int = 100, *, seed: int | None = None) -> dict[str, _Floats]: ...
     def write(self, directory: _Path) -> None: ...
@@ -317,7 +317,7 @@ def calibrate(
     alike_load_percent: float | None = None,
     alike_amplitude_percent: float | None = None,
     alike_earlier_cycles: float | None = None,
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
     vertical: Mapping[str, _Vertical] | None = None,
     jobs: int = 0,
     out: _Path | None = None,
@@ -353,7 +353,7 @@ def inspect(
     alike_load_percent: float | None = None,
     alike_amplitude_percent: float | None = None,
     alike_earlier_cycles: float | None = None,
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
 ) -> dict[str, Any]: ...
 @overload
 def rules(name: None = None) -> list[dict[str, Any]]: ...
@@ -404,7 +404,7 @@ def building(
     rest_s: float | None = None,
     motion_dt: float | None = None,
     motion_unit: str | None = None,
-    # the end of what it wrote
+    # end of the keywords that the command above wrote
     jobs: int = 0,
     out: _Path | None = None,
     fresh: bool = False,
@@ -468,7 +468,7 @@ class Test(dict[str, Any]):
         started: str | None = None,
         stands_for: bool | Literal["dependence", "acceptance"] | None = None,
         temperature_of: Literal["core", "surface", "chamber"] | None = None,
-        # the end of what it wrote
+        # end of the keywords that the command above wrote
     ) -> None: ...
 
 def conditions(
