@@ -279,7 +279,7 @@ void use(campaign::Contents const& contents) {
     building::Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 900.0, -900.0, 0.0}};
     auto file = building::read_building_text(building::building_template(), "b.toml", {}, {.motions = {motion}});
     file.settings.laws = {"bilinear"};
-    possible(building_study(std::move(file), contents, "store"));
+    checked_model(building_study(std::move(file), contents, "store"));
   });
 }
 

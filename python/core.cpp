@@ -169,8 +169,8 @@ Json described(Rows const& rows) {
     if constexpr (std::is_same_v<Row, data::Reading>) one["of_test"] = row.of_test;
     if constexpr (std::is_same_v<Row, campaign::Setting>) {
       campaign::Settings settings;
-      settings.method = row.of.value_or(settings.method);
-      one["method"] = row.of ? campaign::find_setting("method")->get(settings) : Json();
+      settings.method = row.only_method.value_or(settings.method);
+      one["method"] = row.only_method ? campaign::find_setting("method")->get(settings) : Json();
       one["stored_only"] = row.stored_only;
     }
   }
@@ -261,9 +261,9 @@ std::vector<NamedValue> named_values(nb::dict const& given) {
 
 // Returns a law's parameters in the law's order. The caller gives them as a dict by name or as values in that order.
 std::vector<double> parameters_of(laws::LawEntry const& law, nb::object const& given,
-                                  Together together = Together::checked) {
+                                  JointLimits joint_limits = JointLimits::checked) {
   if (nb::isinstance<nb::dict>(given))
-    return parameters_in_order(law, named_values(nb::cast<nb::dict>(given)), "parameters", together);
+    return parameters_in_order(law, named_values(nb::cast<nb::dict>(given)), "parameters", joint_limits);
   auto const values =
       values_of(rows_of(given, "parameters", "a dict by name, or numbers in the law's order"), "parameters");
   if (values.size() != law.parameters.size())
@@ -275,7 +275,7 @@ std::vector<double> parameters_of(laws::LawEntry const& law, nb::object const& g
   std::vector<NamedValue> named;
   for (std::size_t i = 0; i < values.size(); ++i)
     named.push_back({.name = std::string(law.parameters[i].name), .value = values[i]});
-  return parameters_in_order(law, named, "parameters", together);
+  return parameters_in_order(law, named, "parameters", joint_limits);
 }
 
 struct Result {
@@ -323,7 +323,7 @@ class Model {
   data::FitRecord const& record() const { return *record_; }
 
   double objective(nb::object const& parameters) const {
-    auto const values = parameters_of(law(), parameters, Together::left);
+    auto const values = parameters_of(law(), parameters, JointLimits::unchecked);
     std::vector<double> work;
     return model_.objective(values, work);
   }
@@ -357,7 +357,7 @@ class Model {
   }
 
   nb::object residual(nb::object const& parameters) const {
-    auto residuals = model_.force_kN(parameters_of(law(), parameters, Together::left));
+    auto residuals = model_.force_kN(parameters_of(law(), parameters, JointLimits::unchecked));
     auto const spreads_kN = model_.spreads_kN();
     auto const weights = model_.residual_weights();
     for (std::size_t i = 0; i < residuals.size(); ++i)
@@ -693,12 +693,13 @@ nb::dict law_for_opensees(std::string const& law_id, nb::object const& source, s
   if (nb::isinstance<Campaign>(source)) {
     auto const& campaign = nb::cast<Campaign const&>(source);
     auto const subject = programs::make_subject(campaign.contents, campaign.summary, law_id, device);
-    study::require_taken(subject.doubts,
-                         study::whose(law_id, subject.lot ? std::nullopt : std::optional<std::string_view>(device)),
-                         anyway);
+    study::require_no_objection(
+        subject.doubts,
+        study::law_and_device_text(law_id, subject.lot ? std::nullopt : std::optional<std::string_view>(device)),
+        anyway);
     warnings = wording::sentences(subject.doubts.findings, wording::with_law);
     if (subject.doubts.objection) warnings.push_back(wording::remark(*subject.doubts.objection));
-    warnings.insert(warnings.end(), subject.beyond.begin(), subject.beyond.end());
+    warnings.insert(warnings.end(), subject.beyond_tests.begin(), subject.beyond_tests.end());
     parameters = subject.parameters;
     dead_band_mm = subject.dead_band_mm;
     refinement = subject.refinement;
@@ -951,7 +952,7 @@ void add_calibration(nb::module_& m) {
         require_jobs(jobs);
         CalibrateOptions options{.directory = std::move(out), .fresh = fresh, .title = std::move(title)};
         options.run.jobs = jobs;
-        if (part) options.part = {.number = part->first, .of = part->second};
+        if (part) options.part = {.number = part->first, .total = part->second};
         return calibrated(records, given, vertical, std::move(options), progress);
       },
       nb::arg("records"), nb::arg("given"), nb::arg("vertical"), nb::arg("jobs"), nb::arg("out"), nb::arg("fresh"),

@@ -54,7 +54,7 @@ inline campaign::Settings with(campaign::Setting const& setting, Json const& val
   campaign::Settings settings;
   settings.laws = campaign::parse_laws("all");
   if (setting.key == "score-blocks") campaign::find_setting("fit-blocks")->set(settings, "1");
-  if (setting.of) settings.method = *setting.of;
+  if (setting.only_method) settings.method = *setting.only_method;
   setting.set(settings, value);
   settings.complete();
   return settings;

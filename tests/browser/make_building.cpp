@@ -36,7 +36,7 @@ void write(std::filesystem::path const& dir, int laws) {
   study.file.frame.base.centre = {600.0, 0.0};
   study.file.motions[1].name = "<b>a motion</b> with a long name";
   study.file.bearings[0] = {
-      .at = study.file.bearings[0].at, .stands = building::Stands::device, .device = "constructor"};
+      .at = study.file.bearings[0].at, .kind = building::BearingKind::device, .device = "constructor"};
   study.laws[0].tested_mm = 10.0;
   study.laws[0].devices["constructor"] = study.laws[0].median;
   if (laws > 1) {

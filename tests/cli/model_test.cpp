@@ -188,7 +188,7 @@ TEST_F(ExportedModel, vertical_stiffness_comes_from_the_compression_tests) {
 TEST_F(ExportedModel, hostile_names_stay_names) {
   calibrate("bilinear");
   write("evil [exec touch HACKED].csv", "name,x [m],y [m]\n\"A\"\"; } [exec touch HACKED] $evil\",0,0\nB,6,0\n");
-  for (auto const to : programs::targets_where(&programs::Target::of_model)) {
+  for (auto const to : programs::targets_where(&programs::Target::needs_building)) {
     auto const o = exported("bilinear", std::string(to),
                             {"--layout", "evil [exec touch HACKED].csv", "--mass", "320t", "--axial", "900kN/mm",
                              "--ground-motion", "x.csv"});

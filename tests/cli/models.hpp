@@ -21,7 +21,7 @@ inline std::string ground_motion(double amplitude_m_s2 = 1.0, double step_s = 0.
 // Writes the files that this target needs to `folder` and returns the options that name them. Most targets need none of
 // these files.
 inline Words needed_by(programs::Target const& target, fs::path const& folder) {
-  if (!target.of_model) return {};
+  if (!target.needs_building) return {};
   write_file(folder / "layout.csv", "name,x [m],y [m]\nA,0,0\nB,6,0\nC,0,4\nD,6,4\n");
   write_file(folder / "ground.csv", ground_motion());
   return {"--layout", "layout.csv", "--mass", "240t", "--axial", "500kN/mm", "--ground-motion", "ground.csv"};

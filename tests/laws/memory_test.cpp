@@ -50,13 +50,13 @@ void keep_all(laws::Path& path) {
   for (std::size_t i = 0; i < path.steps.size(); ++i) {
     auto& memory = path.memory[i];
     double const x = path.steps[i].x1, direction = memory.direction;
-    memory.kept = memory.turns ? turned.size() : laws::Memory::none;
-    memory.dropped = laws::Memory::none;
+    memory.turn_index = memory.turns ? turned.size() : laws::Memory::none;
+    memory.first_dropped = laws::Memory::none;
     if (memory.turns) turned.push_back(before);
     path.deepest = std::max(path.deepest, turned.size());
     while (turned.size() >= 2 && direction * (x - turned[turned.size() - 2]) >= 0.0) turned.resize(turned.size() - 2);
     if (turned.size() == 1 && direction * (x + turned[0]) >= 0.0) turned.clear();
-    memory.branch = turned.empty() ? laws::Memory::none : turned.size() - 1;
+    memory.branch_index = turned.empty() ? laws::Memory::none : turned.size() - 1;
     memory.branch_x = turned.empty() ? 0.0 : turned.back();
     before = x;
   }

@@ -28,7 +28,7 @@ std::vector<double> series(std::size_t length, double correlation, std::uint32_t
 }
 
 double block_length(std::vector<double> const& series) {
-  return serial(series, num::moments(series).mean).block;
+  return serial_correlation(series, num::moments(series).mean).block;
 }
 
 double mean_block_length(std::size_t length, double correlation) {

@@ -16,7 +16,7 @@ namespace {
 SwingModels models_of(laws::LawEntry const& law, data::FitRecord const& record) {
   std::array const tests{record};
   auto const sizes = data::swing_sizes(tests, data::Weighting::time);
-  EXPECT_TRUE(sizes.tell);
+  EXPECT_TRUE(sizes.shows_larger_swings);
   return swing_models(law, tests, sizes, laws::Integration::converged, laws::TurningPoints::as_sampled, 1);
 }
 

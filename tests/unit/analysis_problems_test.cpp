@@ -67,9 +67,9 @@ std::vector<double> residuals_of(opt::DeviationProblem const& problem, opt::Poin
   return residuals;
 }
 
-TEST(Reweighted, HasTheResidualsAndTheNewWeights) {
+TEST(ReweightedProblem, HasTheResidualsAndTheNewWeights) {
   Plain const base(2);
-  Reweighted const other(base, {0.5, 0.0, 0.5});
+  ReweightedProblem const other(base, {0.5, 0.0, 0.5});
   EXPECT_EQ(other.dimension(), 2u);
   EXPECT_EQ(std::vector(other.weights().begin(), other.weights().end()), (std::vector{0.5, 0.0, 0.5}));
   auto const at = points(2, {0.3, 0.5, 0.0, 0.0});
@@ -79,16 +79,16 @@ TEST(Reweighted, HasTheResidualsAndTheNewWeights) {
   EXPECT_NEAR(values[1], 0.5 * 0.1, 1e-15);
 }
 
-TEST(Reweighted, APointWithoutAForceIsInfinite) {
+TEST(ReweightedProblem, APointWithoutAForceIsInfinite) {
   Plain const base(2);
-  Reweighted const other(base, {0.5, 0.0, 0.5});
+  ReweightedProblem const other(base, {0.5, 0.0, 0.5});
   EXPECT_EQ(values_of(other, points(2, {0.95, 0.5}))[0], std::numeric_limits<double>::infinity());
 }
 
-TEST(Held, TheCoordinateStaysWhereverItStands) {
+TEST(HeldCoordinateProblem, TheCoordinateStaysWhereverItStands) {
   Plain const base(3);
   for (std::size_t k = 0; k < 3; ++k) {
-    Held const held(base, k, 0.25);
+    HeldCoordinateProblem const held(base, k, 0.25);
     EXPECT_EQ(held.dimension(), 2u);
     EXPECT_EQ(held.weights().size(), base.weights().size());
     auto all = std::vector{0.6, 0.7};
@@ -110,10 +110,10 @@ void expect_the_same_side_by_side(opt::DeviationProblem const& problem, opt::Poi
     for (std::size_t j = 0; j < samples; ++j) EXPECT_EQ(rows[j * stride + i], expected[i * samples + j]);
 }
 
-TEST(Held, ResidualsSideBySide) {
+TEST(HeldCoordinateProblem, ResidualsSideBySide) {
   Plain const base(3);
   expect_the_same_side_by_side(base, points(3, {0.1, 0.2, 0.3, 0.6, 0.7, 0.8}));
-  expect_the_same_side_by_side(Held(base, 1, 0.25), points(2, {0.1, 0.2, 0.6, 0.7}));
+  expect_the_same_side_by_side(HeldCoordinateProblem(base, 1, 0.25), points(2, {0.1, 0.2, 0.6, 0.7}));
 }
 
 // The outline, a coarser problem for the first steps of a search, must have nearly the objective of the problem itself.
@@ -140,13 +140,13 @@ TEST(Outline, OfWhatIsMadeOfOthers) {
   double sum = 0.0;
   for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] *= j < weights.size() / 2 ? 2.0 : 0.0;
   for (double& weight : weights) weight /= sum;
-  Reweighted const reweighted(problem, weights);
+  ReweightedProblem const reweighted(problem, weights);
   expect_an_outline_of_it(reweighted, at);
-  Held const held(problem, 1, 0.4);
+  HeldCoordinateProblem const held(problem, 1, 0.4);
   expect_an_outline_of_it(held, points(2, {0.3, 0.6}));
-  expect_an_outline_of_it(Held(reweighted, 1, 0.4), points(2, {0.3, 0.6}));
+  expect_an_outline_of_it(HeldCoordinateProblem(reweighted, 1, 0.4), points(2, {0.3, 0.6}));
   fit::LawOnRecord const* const models[]{&model, &model, &model};
-  Joint const joint(models, twin.box, std::vector{0.5, 0.0, 0.5});
+  SeveralRecordsProblem const joint(models, twin.box, std::vector{0.5, 0.0, 0.5});
   expect_an_outline_of_it(joint, at);
   expect_the_same_side_by_side(joint, points(3, {0.3, 0.4, 0.6, 0.1, 0.2, 0.9}));
 }
@@ -172,7 +172,7 @@ class JointProblem : public testing::Test {
 
 TEST_F(JointProblem, IsTheWeightedMeanOfTheObjectives) {
   std::vector const shares{0.3, 0.7};
-  Joint const joint(pointers_, box(), shares);
+  SeveralRecordsProblem const joint(pointers_, box(), shares);
   EXPECT_EQ(joint.dimension(), 3u);
   EXPECT_EQ(joint.weights().size(), models_[0].samples() + models_[1].samples());
   EXPECT_NEAR(std::accumulate(joint.weights().begin(), joint.weights().end(), 0.0), 1.0, 1e-12);
@@ -188,7 +188,7 @@ TEST_F(JointProblem, IsTheWeightedMeanOfTheObjectives) {
 }
 
 TEST_F(JointProblem, ResidualsOfARecordLieTogetherPointAfterPoint) {
-  Joint const joint(pointers_, box(), std::vector{0.5, 0.5});
+  SeveralRecordsProblem const joint(pointers_, box(), std::vector{0.5, 0.5});
   auto const at = points(3, {0.5, 0.5, 0.5, 0.2, 0.9, 0.4});
   auto const both = residuals_of(joint, at);
   for (std::size_t d = 0; d < 2; ++d) {
@@ -202,7 +202,7 @@ TEST_F(JointProblem, ResidualsOfARecordLieTogetherPointAfterPoint) {
 
 TEST_F(JointProblem, ARecordWithoutAShareIsNotComputed) {
   pointers_[0] = nullptr;
-  Joint const joint(pointers_, box(), std::vector{0.0, 1.0});
+  SeveralRecordsProblem const joint(pointers_, box(), std::vector{0.0, 1.0});
   EXPECT_EQ(joint.weights().size(), models_[1].samples());
   auto const at = points(3, {0.2, 0.9, 0.4});
   EXPECT_EQ(residuals_of(joint, at), residuals_of(fit::IdentificationProblem(models_[1], box()), at));

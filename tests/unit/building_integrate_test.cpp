@@ -78,7 +78,7 @@ TEST(BuildingIntegrate, rotation_in_plan) {
     if (i == static_cast<std::size_t>(Measure::balance)) continue;
     EXPECT_NEAR(after.measured[i], before.measured[i], 1e-12 * std::abs(before.measured[i])) << i;
   }
-  EXPECT_GT(before.of(Measure::rotation), 1e-6);
+  EXPECT_GT(before.value(Measure::rotation), 1e-6);
 }
 
 TEST(BuildingIntegrate, bearings_at_one_place_may_be_exchanged) {
@@ -114,11 +114,12 @@ TEST(BuildingIntegrate, scales) {
   }
   auto const heavier =
       run(heavy, plan, equal_bearings(4, "bilinear", {10.0 * values[0], 10.0 * values[1], values[2]}), shaking());
-  EXPECT_NEAR(heavier.of(Measure::isolator), base.of(Measure::isolator), 1e-9 * base.of(Measure::isolator));
-  EXPECT_NEAR(heavier.of(Measure::shear), 10.0 * base.of(Measure::shear), 1e-8 * base.of(Measure::shear));
+  EXPECT_NEAR(heavier.value(Measure::isolator), base.value(Measure::isolator), 1e-9 * base.value(Measure::isolator));
+  EXPECT_NEAR(heavier.value(Measure::shear), 10.0 * base.value(Measure::shear), 1e-8 * base.value(Measure::shear));
   auto const larger = run(frame, plan, equal_bearings(4, "bilinear", {values[0], values[1], 10.0 * values[2]}),
                           shaking(0.01, 12.0, 1.5));
-  EXPECT_NEAR(larger.of(Measure::isolator), 10.0 * base.of(Measure::isolator), 1e-8 * base.of(Measure::isolator));
+  EXPECT_NEAR(larger.value(Measure::isolator), 10.0 * base.value(Measure::isolator),
+              1e-8 * base.value(Measure::isolator));
 }
 
 TEST(BuildingIntegrate, energy_and_order) {
@@ -128,9 +129,9 @@ TEST(BuildingIntegrate, energy_and_order) {
                {.longest_step_s = step_s});
   };
   auto const coarse = at(0.005), half = at(0.0025), fine = at(0.0025 / 16);
-  EXPECT_LT(std::abs(coarse.of(Measure::balance)), 1e-3);
-  EXPECT_LT(std::abs(half.of(Measure::balance)), 0.5 * std::abs(coarse.of(Measure::balance)));
-  EXPECT_GT(coarse.of(Measure::input), 0.0);
+  EXPECT_LT(std::abs(coarse.value(Measure::balance)), 1e-3);
+  EXPECT_LT(std::abs(half.value(Measure::balance)), 0.5 * std::abs(coarse.value(Measure::balance)));
+  EXPECT_GT(coarse.value(Measure::input), 0.0);
   auto const told = richardson(coarse, half);
   for (auto const which : {Measure::isolator, Measure::shear}) {
     auto const i = static_cast<std::size_t>(which);
@@ -202,7 +203,7 @@ TEST(BuildingIntegrate, what_does_not_converge_is_an_outcome) {
   bearings.push_back(std::make_unique<Nothing>());
   auto const response = run(three_floors(), {.bearings = {{0.0, 0.0}}}, bearings, shaking());
   EXPECT_EQ(response.outcome, Outcome::not_converged);
-  EXPECT_NE(response.why.find("no equilibrium at"), std::string::npos) << response.why;
+  EXPECT_NE(response.stop_reason.find("no equilibrium at"), std::string::npos) << response.stop_reason;
   EXPECT_GT(response.halvings, 0u);
 }
 
@@ -236,9 +237,9 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
       Bearings bearings;
       for (int j = 0; j < 6; ++j) bearings.push_back(make_bearing(law, values, Coupling::springs));
       auto const response = run(three_floors(), grid(3, 2, 6000.0), bearings, *shaken);
-      EXPECT_EQ(response.outcome, Outcome::completed) << law << ": " << response.why;
-      EXPECT_LT(std::abs(response.of(Measure::balance)), 1e-4) << law;
-      EXPECT_GT(response.of(Measure::isolator), 10.0) << law;
+      EXPECT_EQ(response.outcome, Outcome::completed) << law << ": " << response.stop_reason;
+      EXPECT_LT(std::abs(response.value(Measure::balance)), 1e-4) << law;
+      EXPECT_GT(response.value(Measure::isolator), 10.0) << law;
     }
 }
 

@@ -109,7 +109,7 @@ TEST(BuildingLanes, held_to_the_implicit_path) {
       // Compare the error of the residual displacement with the largest displacement, since the residual displacement
       // is small itself.
       double const size =
-          i == static_cast<std::size_t>(Measure::end) ? implicit.of(Measure::isolator) : implicit.measured[i];
+          i == static_cast<std::size_t>(Measure::end) ? implicit.value(Measure::isolator) : implicit.measured[i];
       EXPECT_NEAR(lanes[draw * count + i], implicit.measured[i], 3e-3 * std::abs(size)) << i;
     }
     EXPECT_LT(std::abs(lanes[draw * count + static_cast<std::size_t>(Measure::balance)]), 1e-3);
@@ -131,8 +131,8 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
     auto const lanes = respond(model, "bilinear", values, shaking(), {});
     EXPECT_LT(std::abs(lanes[static_cast<std::size_t>(Measure::balance)]), 1e-3) << period_s;
     auto const implicit = integrate(model, equal_bearings(bearings, "bilinear", usual_bilinear(bearings)), shaking());
-    EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], implicit.of(Measure::isolator),
-                2e-3 * implicit.of(Measure::isolator));
+    EXPECT_NEAR(lanes[static_cast<std::size_t>(Measure::isolator)], implicit.value(Measure::isolator),
+                2e-3 * implicit.value(Measure::isolator));
   }
 }
 
@@ -162,12 +162,12 @@ TEST(BuildingLanes, every_law_carries_a_building) {
     Bearings pair;
     for (int i = 0; i < 2; ++i) pair.push_back(make_bearing(law.info.id, values, coupling));
     auto const implicit = integrate(model, pair, motion);
-    EXPECT_EQ(implicit.outcome, Outcome::completed) << implicit.why;
+    EXPECT_EQ(implicit.outcome, Outcome::completed) << implicit.stop_reason;
     if (implicit.outcome != Outcome::completed) continue;
-    EXPECT_LT(std::abs(implicit.of(Measure::balance)), 1e-3);
+    EXPECT_LT(std::abs(implicit.value(Measure::balance)), 1e-3);
     auto const drawn = respond(model, law.info.id, both, motion, {}, coupling);
     EXPECT_LT(std::abs(drawn[static_cast<std::size_t>(Measure::balance)]), 2e-3);
-    EXPECT_NEAR(drawn[0], implicit.of(Measure::isolator), 0.01 * implicit.of(Measure::isolator));
+    EXPECT_NEAR(drawn[0], implicit.value(Measure::isolator), 0.01 * implicit.value(Measure::isolator));
   }
 }
 

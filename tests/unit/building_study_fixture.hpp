@@ -55,7 +55,7 @@ inline Study usual_study(double scatter, int count, int populations = 0) {
                 .rest_s = 0.5};
   f.frame = three_floors();
   for (auto const& at : grid(3, 2, 6000.0).bearings)
-    f.bearings.push_back({.at = at, .stands = Stands::draw, .device = {}});
+    f.bearings.push_back({.at = at, .kind = BearingKind::draw, .device = {}});
   for (std::uint32_t i = 0; i < 2; ++i)
     f.motions.push_back(synthetic_motion(5, i, {.step_s = 0.02, .duration_s = 6.0, .peak_g = 0.4}));
   study.laws = {bilinear_source(scatter, 6)};

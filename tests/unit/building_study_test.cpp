@@ -122,7 +122,7 @@ TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   auto const tables = Json::parse(R"({"building": {"lower": 0.9, "upper": 1.1}, "base": {"mass_Mg": 1, "gyration_m": 2},
       "bearing": [{"x_m": -1, "y_m": 0}, {"x_m": 1, "y_m": 0, "is": "lot"}]})");
   auto const of_tables = building_of(tables, {.motions = {motion}, .settings = {}});
-  EXPECT_EQ(of_tables.bearings.at(1).stands, Stands::lot);
+  EXPECT_EQ(of_tables.bearings.at(1).kind, BearingKind::lot);
   EXPECT_EQ(of_tables.bearings.at(1).at.x_mm, 1000.0);
   auto lacks = tables;
   lacks.erase("base");
@@ -197,10 +197,10 @@ TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
   study.laws[0].lower = factors;
   Devices const devices(study.laws[0], study.file, study.file.motions[0]);
   study.file.settings.lower = factors;  // as the file may state them itself
-  EXPECT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).of({.kind = CaseKind::lower}),
-            devices.of({.kind = CaseKind::lower}));
-  auto const nominal = devices.of({}), lower = devices.of({.kind = CaseKind::lower}),
-             upper = devices.of({.kind = CaseKind::upper});
+  EXPECT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).parameters_of({.kind = CaseKind::lower}),
+            devices.parameters_of({.kind = CaseKind::lower}));
+  auto const nominal = devices.parameters_of({}), lower = devices.parameters_of({.kind = CaseKind::lower}),
+             upper = devices.parameters_of({.kind = CaseKind::upper});
   for (std::size_t i = 0; i < nominal.size(); i += 3) {
     EXPECT_NEAR(lower[i + 1], 0.7 * nominal[i + 1], 1e-12);
     EXPECT_NEAR(lower[i] - lower[i + 1], 0.6 * (nominal[i] - nominal[i + 1]), 1e-12);
@@ -212,16 +212,16 @@ TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
 TEST(BuildingStudy, without_scatter_a_draw_is_the_nominal_run) {
   auto const study = usual_study(0.0, 3);
   Devices const devices(study.laws[0], study.file, study.file.motions[0]);
-  EXPECT_EQ(devices.of({.kind = CaseKind::draw, .draw = 2}), devices.of({}));
+  EXPECT_EQ(devices.parameters_of({.kind = CaseKind::draw, .draw = 2}), devices.parameters_of({}));
 }
 
 TEST(BuildingStudy, a_draw_depends_on_its_number_alone) {
   auto const few = usual_study(0.07, 3), many = usual_study(0.07, 300);
   Devices const a(few.laws[0], few.file, few.file.motions[0]), b(many.laws[0], many.file, many.file.motions[0]);
   Case const second{.kind = CaseKind::draw, .draw = 1};
-  EXPECT_EQ(a.of(second), b.of(second));
-  EXPECT_NE(a.of(second), a.of({.kind = CaseKind::draw, .draw = 2}));
-  auto const values = a.of(second);
+  EXPECT_EQ(a.parameters_of(second), b.parameters_of(second));
+  EXPECT_NE(a.parameters_of(second), a.parameters_of({.kind = CaseKind::draw, .draw = 2}));
+  auto const values = a.parameters_of(second);
   EXPECT_NE(values[0], values[3]);  // each bearing has parameters of its own
   EXPECT_EQ(values[2], values[5]);  // xy does not scatter in this population, so all bearings share its value
 }
@@ -239,7 +239,7 @@ Study power_masing_study(Values const& law) {
                  .limits = {},
                  .tested_mm = 0.0,
                  .springs = {}}};
-  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : study.file.bearings) bearing.kind = BearingKind::lot;
   return study;
 }
 
@@ -252,7 +252,7 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
   for (auto& motion : study.file.motions) motion.y_mm_s2.clear();
   ASSERT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).coupling(), Coupling::separate);
   auto const run = nominal_run(study, study.laws[0], study.file.motions[0]);
-  ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
+  ASSERT_EQ(run.outcome, Outcome::completed) << run.stop_reason;
   laws::Online online("power-masing", law);
   double most = 0.0, off = 0.0;
   for (std::size_t i = 0; i < run.history.time_s.size(); ++i) {
@@ -262,7 +262,7 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     off = std::max(off, std::abs(force - run.history.shear_kN[i][0]));
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
-  EXPECT_GT(run.of(Measure::isolator), 10.0);
+  EXPECT_GT(run.value(Measure::isolator), 10.0);
   // The law `online` of this test starts at zero displacement. The bearing of the study starts its law only after it
   // has left rest, so the forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
@@ -283,11 +283,11 @@ TEST(BuildingStudy, a_motion_gives_the_same_response_alone_and_beside_others) {
   alone.file.motions.resize(1);
   Runs const runs_alone(alone), runs_beside(beside);
   auto const first = [](Runs const& runs, std::size_t motion) {
-    return runs.of({.law = 0, .motion = motion, .from = 0, .to = 1}).front().measured;
+    return runs.compute({.law = 0, .motion = motion, .from = 0, .to = 1}).front().measured;
   };
   EXPECT_EQ(first(runs_alone, 0), first(runs_beside, 0));
-  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[0]).of({})[0], 60.0);
-  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[1]).of({})[0], 66.0);
+  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[0]).parameters_of({})[0], 60.0);
+  EXPECT_EQ(Devices(beside.laws[0], beside.file, beside.file.motions[1]).parameters_of({})[0], 66.0);
 }
 
 // With this mass the integration would need such short steps that a run would never end.
@@ -304,7 +304,7 @@ TEST(BuildingStudy, steps_without_number_are_refused_with_their_cause) {
 TEST(BuildingStudy, refuses_bearings_that_nothing_stands_for) {
   auto study = usual_study(0.07, 3);
   auto const said = [&] { return refusal_of([&] { Devices(study.laws[0], study.file, study.file.motions[0]); }); };
-  study.file.bearings[0] = {.at = {}, .stands = Stands::device, .device = "D07"};
+  study.file.bearings[0] = {.at = {}, .kind = BearingKind::device, .device = "D07"};
   EXPECT_TRUE(contains(said(), "no device 'D07'"));
   study.file.bearings[0] = {};
   study.laws[0].population = {};
@@ -370,9 +370,9 @@ TEST_F(BuildingRuns, answers) {
   // The lower bound has weaker bearings, which transmit less base shear.
   EXPECT_LT(law.distributions[6].lower, law.distributions[6].upper);
   for (auto const& coverage : law.coverage) {
-    EXPECT_NEAR(coverage.inside + coverage.below + coverage.above, 1.0, 1e-12);
-    EXPECT_LE(coverage.interval_low, coverage.inside);
-    EXPECT_GE(coverage.interval_high, coverage.inside);
+    EXPECT_NEAR(coverage.share_inside + coverage.share_below + coverage.share_above, 1.0, 1e-12);
+    EXPECT_LE(coverage.interval_low, coverage.share_inside);
+    EXPECT_GE(coverage.interval_high, coverage.share_inside);
   }
   for (auto const& checked : law.checked) {
     EXPECT_EQ(checked.outcome, "completed");
@@ -387,7 +387,7 @@ TEST_F(BuildingRuns, answers) {
   ASSERT_NE(motions, answers.warnings.end());
   EXPECT_EQ(motions->number("motions"), 2.0);
   EXPECT_TRUE(contains(*motions, "2 motions: codes accept the mean over 7 motions or more")) << text_of(*motions);
-  if (law.coverage[0].inside < wanted_share)
+  if (law.coverage[0].share_inside < wanted_share)
     EXPECT_EQ(answers.bounds_are_enough, false);
   else
     EXPECT_EQ(answers.bounds_are_enough.has_value(), law.coverage[0].interval_low >= wanted_share);
@@ -435,7 +435,7 @@ TEST_F(BuildingRuns, answers) {
 
 TEST_F(BuildingRuns, without_draws_bounds_have_nothing_to_cover) {
   auto study = usual_study(0.07, 3);
-  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : study.file.bearings) bearing.kind = BearingKind::lot;
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const answers = answer(study, store);
@@ -457,7 +457,7 @@ TEST_F(BuildingRuns, a_few_draws_do_not_show_that_bounds_are_enough) {
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const answers = answer(study, store);
-  EXPECT_EQ(answers.laws.front().coverage.front().inside, 1.0);
+  EXPECT_EQ(answers.laws.front().coverage.front().share_inside, 1.0);
   EXPECT_FALSE(answers.bounds_are_enough.has_value());
   EXPECT_TRUE(contains(answers.about_bounds, "No answer yet: with Bilinear the bounds cover 100 % of 3 buildings"))
       << answers.about_bounds;
@@ -508,7 +508,7 @@ TEST_F(BuildingRuns, bounds_of_one_law_cover_as_much_of_the_same_law) {
   RunStore store(file_, properties_of(study), false);
   run_all(study, store, 1);
   auto const answers = answer(study, store);
-  auto const inside = answers.laws[0].coverage.front().inside;
+  auto const inside = answers.laws[0].coverage.front().share_inside;
   EXPECT_TRUE(inside > 0.0 && inside < 1.0) << inside;
   EXPECT_EQ(answers.laws[1].by_first_bounds, inside);
 }
@@ -532,7 +532,7 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   RunStore changed(other, properties_of(study), true);
   for (std::size_t motion = 0; motion < 2; ++motion) {
     std::vector<RunStore::Row> rows;
-    store.each(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
+    store.for_each_run(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
       rows.push_back({0, motion, place, measured});
       if (place == 1 || place == 2)
         for (double& value : rows.back().measured) value *= 0.1;
@@ -542,7 +542,7 @@ TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   auto const answers = answer(study, changed);
   fs::remove(other);
   auto const& coverage = answers.laws[0].coverage[0];
-  EXPECT_EQ(coverage.inside, 0.0);
+  EXPECT_EQ(coverage.share_inside, 0.0);
   ASSERT_TRUE(coverage.monotony.has_value());
   EXPECT_EQ(coverage.monotony->kind, FindingKind::bounds_not_monotonic);
   EXPECT_EQ(coverage.monotony->number("nominal"), answers.laws[0].distributions[0].nominal);
@@ -570,7 +570,7 @@ TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
     RunStore changed(other, properties_of(study), true);
     for (std::size_t motion = 0; motion < 2; ++motion) {
       std::vector<RunStore::Row> rows;
-      store.each(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
+      store.for_each_run(0, motion, [&](std::size_t place, std::vector<double> const& measured) {
         rows.push_back({0, motion, place, measured});
         bool const fails =
             (motion == 1 && place >= places.first_draw && place < places.first_draw + draws) || (nominal && place == 0);
@@ -610,7 +610,7 @@ TEST_F(BuildingRuns, a_law_without_numbers_is_told_in_the_answer) {
 
   auto const nominal = with_failed(60, true);
   EXPECT_TRUE(contains(nominal.verdict, "gave no finite numbers in the nominal building, and in 60 of 80 draws:"));
-  EXPECT_EQ(nominal.laws[0].judged[0].broken_by, "nominal failed");
+  EXPECT_EQ(nominal.laws[0].limit_checks[0].broken_by, "nominal failed");
   EXPECT_FALSE(contains(wording::paragraph(nominal.verdict), "nan"));
 }
 
@@ -629,7 +629,7 @@ TEST(BuildingAnswers, a_nominal_building_alone_is_judged_too) {
   EXPECT_EQ(answer_of_nominal(study, {runs}).holds, false);
   runs[1].clear();
   study.file.limits.floor_acceleration_g.reset();
-  EXPECT_EQ(answer_of_nominal(study, {runs}).laws[0].judged[0].broken_by, "nominal failed");
+  EXPECT_EQ(answer_of_nominal(study, {runs}).laws[0].limit_checks[0].broken_by, "nominal failed");
 }
 
 // The force of a law of unequal sides depends on the direction, which springs around a circle cannot follow.
@@ -646,7 +646,7 @@ TEST(BuildingStudy, a_law_of_unequal_sides_acts_once_along_each_axis_and_is_told
                  .limits = {},
                  .tested_mm = 0.0,
                  .springs = {}}};
-  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : study.file.bearings) bearing.kind = BearingKind::lot;
   ASSERT_FALSE(study.file.motions[0].y_mm_s2.empty());
   EXPECT_EQ(coupling_under(study.file.motions[0], study.laws[0]), Coupling::separate);
   auto const doubts = study_doubts(study);
@@ -754,38 +754,39 @@ TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
     return made;
   };
   auto const at_100 = [&](Responses const& made, bool has_draws = true) {
-    return judged("bearing_mm", "isolator_mm", 100.0, made, &places, has_draws);
+    return check_limit("bearing_mm", "isolator_mm", 100.0, made, &places, has_draws);
   };
   auto const sure = at_100(responses(7, 80.0, 90.0, 0));
-  EXPECT_EQ(sure.keeps, Keeps::yes);
-  EXPECT_EQ(sure.kept, 1.0);
+  EXPECT_EQ(sure.limit_kept, LimitKept::yes);
+  EXPECT_EQ(sure.share_kept, 1.0);
   EXPECT_EQ(sure.bound, 90.0);
   EXPECT_EQ(sure.p95, 80.0);
-  EXPECT_EQ(at_100(responses(7, 101.0, 90.0, 0)).keeps, Keeps::no);
+  EXPECT_EQ(at_100(responses(7, 101.0, 90.0, 0)).limit_kept, LimitKept::no);
   EXPECT_EQ(at_100(responses(7, 101.0, 90.0, 0)).broken_by, "nominal");
-  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).keeps, Keeps::no);
+  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).limit_kept, LimitKept::no);
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).broken_by, "bounds");  // although every draw keeps it
-  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).kept, 1.0);
+  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).share_kept, 1.0);
   EXPECT_EQ(at_100(responses(7, std::nan(""), 90.0, 0)).broken_by, "nominal failed");
   // If one of the two bound analyses gave no numbers, this must not be hidden by the numbers of the other.
   auto const without_bound = at_100(responses(7, 80.0, std::nan(""), 0));
   EXPECT_EQ(without_bound.broken_by, "bounds failed");
   EXPECT_TRUE(std::isnan(*without_bound.bound));
   Responses alone{.by_motion = std::vector<std::vector<double>>(7, {80.0}), .mean = {80.0}};
-  auto const nominal = judged("bearing_mm", "isolator_mm", 100.0, alone);
-  EXPECT_TRUE(nominal.keeps == Keeps::yes && !nominal.bound && !nominal.p95);
-  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0), false).keeps, Keeps::no);
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 50), false).keeps, Keeps::yes);  // no bearing is drawn
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).keeps, Keeps::open);         // 96 % of 100, 90 to 99 %
+  auto const nominal = check_limit("bearing_mm", "isolator_mm", 100.0, alone);
+  EXPECT_TRUE(nominal.limit_kept == LimitKept::yes && !nominal.bound && !nominal.p95);
+  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0), false).limit_kept, LimitKept::no);
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 50), false).limit_kept, LimitKept::yes);  // no bearing is drawn
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).limit_kept, LimitKept::open);         // 96 % of 100, 90 to 99 %
   EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).draws_wanted, draws_that_tell(96, 100));
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 6)).keeps, Keeps::no);
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 6)).limit_kept, LimitKept::no);
   EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 6)).broken_by, "draws");
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 0, 1.3)).keeps, Keeps::yes);  // the mean, which this test leaves at 80
-  EXPECT_EQ(at_100(responses(6, 80.0, 90.0, 0, 1.3)).keeps, Keeps::no);   // the largest of six, 104
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 0, 1.3)).limit_kept,
+            LimitKept::yes);  // the mean, which this test leaves at 80
+  EXPECT_EQ(at_100(responses(6, 80.0, 90.0, 0, 1.3)).limit_kept, LimitKept::no);  // the largest of six, 104
   auto collapsed = responses(7, 80.0, 90.0, 0);
   for (std::size_t i = 0; i < 6; ++i) collapsed.mean[places.first_draw + i] = std::nan("");
-  EXPECT_EQ(at_100(collapsed).keeps, Keeps::no);
-  EXPECT_EQ(at_100(collapsed).kept, 0.94);
+  EXPECT_EQ(at_100(collapsed).limit_kept, LimitKept::no);
+  EXPECT_EQ(at_100(collapsed).share_kept, 0.94);
 }
 
 // Limits are compared with results in the store. If only the limits of an answered study change, nothing is integrated
@@ -828,7 +829,7 @@ TEST_F(BuildingRuns, say_first_whether_the_building_holds) {
   EXPECT_TRUE(contains(said(), "keeps every limit that is set, but its bearings move further than they were tested"));
   study.laws[0].tested_mm = 10.0 * nominal;
   EXPECT_EQ(answer(study, store).holds, true) << said();
-  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : study.file.bearings) bearing.kind = BearingKind::lot;
   auto const json = Json::parse(render::building_json(study, answer(study, store)));
   EXPECT_EQ(json["holds"], true);
   EXPECT_EQ(json["answer"][0]["sentence"], "Yes: with Bilinear the building keeps every limit that is set.");
@@ -858,9 +859,9 @@ TEST(BuildingAnswers, no_linear_oscillator_is_equivalent_to_bearings_without_sti
   auto study = usual_study(0.0, 3);
   auto& law = study.laws[0];
   law.lot = law.median = {6.0, -4.0, 1.0};
-  for (auto& bearing : study.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : study.file.bearings) bearing.kind = BearingKind::lot;
   Devices const devices(law, study.file, study.file.motions[0]);
-  EXPECT_FALSE(equivalent_linear(devices, study.file.motions[0], devices.of({}), 0.1).has_value());
+  EXPECT_FALSE(equivalent_linear(devices, study.file.motions[0], devices.parameters_of({}), 0.1).has_value());
 }
 
 // For a closed loop of a bilinear device K is K2 + Qd / D, and the damping is 4 Qd (D - Dy) / (2 pi K D^2).
@@ -935,7 +936,7 @@ TEST(BuildingAnswers, an_arrangement_of_many_devices_is_near_the_best_one) {
 TEST_F(BuildingRuns, without_any_result_are_refused_and_another_law_is_answered) {
   auto failing = usual_study(0.07, 3);
   failing.file.motions.resize(1);
-  for (auto& bearing : failing.file.bearings) bearing.stands = Stands::lot;
+  for (auto& bearing : failing.file.bearings) bearing.kind = BearingKind::lot;
   failing.laws[0].lot = {6.0, -1e5, 10.0};
   auto const said = refusal_of([&] { study_building(failing, {.jobs = 1}); });
   EXPECT_TRUE(contains(said, "law bilinear: none of its ")) << said;
@@ -965,18 +966,18 @@ TEST_F(BuildingRuns, draws_that_collapse_are_outside_of_the_bounds) {
   run_all(study, store, 1);
   auto const sound = answer(study, store);
   EXPECT_EQ(sound.laws[0].collapsed, 0u);
-  EXPECT_EQ(sound.laws[0].coverage.front().inside, 1.0);
+  EXPECT_EQ(sound.laws[0].coverage.front().share_inside, 1.0);
   RunStore broken(file_.string() + "-2", properties_of(study), true);
   CasePlaces const places(study.file.settings);
   std::vector<RunStore::Row> rows;
-  store.each(0, 0, [&](std::size_t place, std::vector<double> measured) {
+  store.for_each_run(0, 0, [&](std::size_t place, std::vector<double> measured) {
     if (place >= places.first_draw && place < places.first_draw + 10) measured[0] = std::nan("");
     rows.push_back({.law = 0, .motion = 0, .place = place, .measured = measured});
   });
   broken.add(rows);
   auto const answers = answer(study, broken);
   EXPECT_EQ(answers.laws[0].collapsed, 10u);
-  EXPECT_NEAR(answers.laws[0].coverage.front().inside, 0.75, 1e-12);
+  EXPECT_NEAR(answers.laws[0].coverage.front().share_inside, 0.75, 1e-12);
   EXPECT_EQ(answers.bounds_are_enough, false);
   EXPECT_EQ(std::ranges::count(answers.warnings, FindingKind::draws_collapsed, &Finding::kind), 1);
 }
@@ -1110,7 +1111,7 @@ TEST_F(BuildingRuns, off_the_reference_by_more_than_a_percent_are_doubted) {
   for (double const percent : {0.9, -0.9, 1.1, -1.1}) {
     RunStore other(file_.string() + "-2", properties_of(study), true);
     std::vector<RunStore::Row> rows;
-    store.each(0, 0, [&](std::size_t place, std::vector<double> measured) {
+    store.for_each_run(0, 0, [&](std::size_t place, std::vector<double> measured) {
       if (place == 0) measured[static_cast<std::size_t>(Measure::isolator)] = reference * (1.0 + percent / 100.0);
       rows.push_back({.law = 0, .motion = 0, .place = place, .measured = std::move(measured)});
     });
@@ -1146,9 +1147,9 @@ TEST_F(BuildingRuns, miss_what_shorter_steps_would_find) {
   Model const model(Structure(study.file.frame), study.file.plan());
   Devices const devices(study.laws[0], study.file, study.file.motions[0]);
   auto const isolator_mm = [&](double step_s) {
-    return integrate(model, devices.bearings(devices.of({})), study.file.motions[0],
+    return integrate(model, devices.bearings(devices.parameters_of({})), study.file.motions[0],
                      {.longest_step_s = step_s, .rest_s = study.file.settings.rest_s})
-        .of(Measure::isolator);
+        .value(Measure::isolator);
   };
   EXPECT_EQ(isolator_mm(checked.step_s), checked.isolator_mm);
   double const error = std::abs(checked.isolator_mm.value() - isolator_mm(checked.step_s / 16.0));
@@ -1174,7 +1175,7 @@ TEST_F(BuildingRuns, an_energy_that_does_not_balance_in_one_of_them_is_said) {
   RunStore whole(other, properties_of(study), false), store(file_, properties_of(study), false);
   run_all(study, whole, 1);
   for (std::size_t motion = 0; motion < 2; ++motion)
-    whole.each(0, motion, [&](std::size_t place, std::vector<double> measured) {
+    whole.for_each_run(0, motion, [&](std::size_t place, std::vector<double> measured) {
       if (motion == 1 && place == 4) measured[static_cast<std::size_t>(Measure::balance)] = -0.01;
       store.add({{.law = 0, .motion = motion, .place = place, .measured = std::move(measured)}});
     });

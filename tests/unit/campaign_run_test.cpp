@@ -552,7 +552,7 @@ TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   options.acceptance = {};
   auto const grown = calibrate({record("a", 1.0), record("b", 1.1)}, settings, options);
   EXPECT_EQ(grown.continued.added, std::vector<std::string>{"1 device"});
-  EXPECT_FALSE(grown.continued.released.empty());
+  EXPECT_FALSE(grown.continued.dropped_rules.empty());
   EXPECT_EQ(grown.devices.size(), 2u);
 }
 

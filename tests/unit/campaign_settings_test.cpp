@@ -118,7 +118,7 @@ TEST(EverySetting, ComesBackFromTheWordsOfTheCommandLine) {
     Settings settings;
     apply({{std::string(setting.key), value_of(setting.kind, values)}}, settings);
     EXPECT_EQ(setting.get(settings), another(setting));
-    EXPECT_EQ(settings.method, setting.of.value_or(setting.key == "method" ? Method::genetic : Method::best));
+    EXPECT_EQ(settings.method, setting.only_method.value_or(setting.key == "method" ? Method::genetic : Method::best));
   }
 }
 
@@ -144,10 +144,10 @@ TEST(EverySetting, IsMissedWhereAStoreLacksItOrIsWhatItsRowSays) {
   for (auto const& setting : setting_table()) {
     auto pairs = to_pairs(with(setting, another(setting)));
     std::erase_if(pairs, [&](auto const& pair) { return pair.first == setting.key; });
-    if (setting.without.is_null())
+    if (setting.value_if_absent.is_null())
       EXPECT_TRUE(holds(refusal_of([&] { settings_from_pairs(pairs); }), setting.where() + ": is missing"));
     else
-      EXPECT_EQ(setting.get(settings_from_pairs(pairs)), setting.without) << setting.key;
+      EXPECT_EQ(setting.get(settings_from_pairs(pairs)), setting.value_if_absent) << setting.key;
   }
 }
 

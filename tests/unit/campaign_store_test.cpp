@@ -485,7 +485,7 @@ TEST_F(StoreTest, AStoreWithoutASettingStandsForWhatItsRowSays) {
 TEST(Schema, HasTheseSettingsInEveryStore) {
   std::set<std::string> keys;
   for (auto const& setting : setting_table())
-    if (setting.without.is_null()) keys.emplace(setting.key);
+    if (setting.value_if_absent.is_null()) keys.emplace(setting.key);
   EXPECT_EQ(schema_version, 12);
   EXPECT_EQ(keys, (std::set<std::string>{"analysis",
                                          "box",

@@ -115,7 +115,7 @@ TEST(Blocks, ADropoutTakesItsBlock) {
   for (std::size_t i = 440; i < 460; ++i) motion.force_kN[i] = 0.0;
   auto const record = record_of_motion(motion);
   auto const properties = cyclic_properties(record);
-  EXPECT_FALSE(properties.is_false);
+  EXPECT_FALSE(properties.refusal_is_of_fault);
   ASSERT_EQ(properties.blocks.size(), 3u);
   EXPECT_TRUE(properties.blocks[0].counted().empty());
   EXPECT_EQ(properties.blocks[0].fault, "the force is interrupted");
@@ -131,11 +131,11 @@ TEST(Blocks, ALoopThatGivesEnergyBackTakesItsBlock) {
   for (std::size_t i = 0; i < 600; ++i)
     motion.force_kN[i] = 0.5 * motion.disp_mm[i] - 5.0 * std::cos(pi * motion.time_s[i]);
   auto const properties = cyclic_properties(motion.view());
-  EXPECT_FALSE(properties.is_false);
+  EXPECT_FALSE(properties.refusal_is_of_fault);
   ASSERT_TRUE(properties.reported);
   EXPECT_EQ(properties.reported->block, 2);
-  ASSERT_EQ(properties.faulty.size(), 1u);
-  EXPECT_EQ(properties.faulty[0].kind, FindingKind::cycle_gives_energy);
+  ASSERT_EQ(properties.block_faults.size(), 1u);
+  EXPECT_EQ(properties.block_faults[0].kind, FindingKind::cycle_gives_energy);
 }
 
 // The device fails in the third cycle. This cycle keeps one of its peaks and most of its energy, so only the next
@@ -275,7 +275,7 @@ TEST(Blocks, AFaultOutsideTheBlocksTakesNoneAndIsNotFitted) {
   motion.force_kN[800] += 60.0;
   auto const record = record_of_motion(motion);
   auto const properties = cyclic_properties(record);
-  EXPECT_TRUE(properties.faulty.empty());
+  EXPECT_TRUE(properties.block_faults.empty());
   EXPECT_EQ(properties.counted().size(), 3u);
   auto const said = said_in(record.warnings);
   EXPECT_TRUE(contains(said, "outside the blocks")) << said;
@@ -415,7 +415,7 @@ TEST(DeviceKind, AViscousDamperIsRecognisedAndItsStiffnessJudgesNothing) {
   auto const record = record_of_motion(motion);
   auto const properties = cyclic_properties(record);
   ASSERT_TRUE(properties.viscous);
-  for (auto const& side : {properties.viscous->out, properties.viscous->back}) {
+  for (auto const& side : {properties.viscous->rising, properties.viscous->falling}) {
     EXPECT_NEAR(side.alpha, 0.3, 0.003);
     EXPECT_NEAR(side.C * std::pow(100.0 * pi, side.alpha), 100.0, 0.2);
   }
@@ -436,8 +436,8 @@ TEST(DeviceKind, AShockAbsorberOffZeroWithoutAnyStiffnessHasProperties) {
   EXPECT_TRUE(properties.refusal.empty()) << said_in(properties.refusal);
   ASSERT_TRUE(properties.viscous);
   EXPECT_NEAR(properties.viscous->F_0_kN, -0.15, 0.003);
-  EXPECT_NEAR(properties.viscous->out.C, 0.0036, 4e-5);
-  EXPECT_NEAR(properties.viscous->back.C, 0.0024, 3e-5);
+  EXPECT_NEAR(properties.viscous->rising.C, 0.0036, 4e-5);
+  EXPECT_NEAR(properties.viscous->falling.C, 0.0024, 3e-5);
 }
 
 TEST(DeviceKind, ASliderHasFrictionAndARadius) {

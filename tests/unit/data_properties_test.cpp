@@ -226,10 +226,10 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
 // A record that gives energy back and has few samples must be reported as giving energy back.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
-  EXPECT_TRUE(properties.is_false);
+  EXPECT_TRUE(properties.refusal_is_of_fault);
   EXPECT_NE(text_of(properties.refusal).find("gives back"), std::string::npos) << text_of(properties.refusal);
   auto const few = ellipse(12, 3, 100.0, 70.0, 0.3).properties();
-  EXPECT_FALSE(few.is_false);
+  EXPECT_FALSE(few.refusal_is_of_fault);
   EXPECT_NE(text_of(few.refusal).find("samples per cycle"), std::string::npos) << text_of(few.refusal);
 }
 
@@ -244,7 +244,7 @@ TEST(Properties, NoiseOfAnElasticSpringGivesNothingBack) {
     auto const properties = history.properties();
     EXPECT_EQ(text_of(properties.refusal), "") << seed;
   }
-  EXPECT_TRUE(ellipse(100, 3, 100.0, 70.0, -0.02).properties().is_false) << "more than noise";
+  EXPECT_TRUE(ellipse(100, 3, 100.0, 70.0, -0.02).properties().refusal_is_of_fault) << "more than noise";
 }
 
 // A bilinear loop of K2 = 1, Qd = 45 and D_y = 5. The equivalent bilinear loop must return these values.

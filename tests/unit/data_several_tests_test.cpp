@@ -47,7 +47,7 @@ TestRecord joined_record(std::vector<TestRecord> const& tests) {
 }
 
 std::vector<double> part(std::vector<double> const& values, TestRange const& range) {
-  auto const found = range.of(values);
+  auto const found = range.slice(values);
   return {found.begin(), found.end()};
 }
 

@@ -348,8 +348,8 @@ TEST(Signals, a_true_record_does_not_drop_out) {
     if (seed % 4 == 0) plan.device = Device::friction;
     if (seed % 8 == 0) plan.disp_noise = plan.force_noise = 0.0;
     auto const record = finish(random, plan, true_motion(plan));
-    EXPECT_TRUE(dropouts(record.disp_mm, record.force_kN_, Other::may_stand).empty()) << record.text;
-    EXPECT_TRUE(dropouts(record.force_kN_, record.disp_mm, Other::moves).empty()) << record.text;
+    EXPECT_TRUE(dropouts(record.disp_mm, record.force_kN_, OtherChannel::may_stand).empty()) << record.text;
+    EXPECT_TRUE(dropouts(record.force_kN_, record.disp_mm, OtherChannel::moves).empty()) << record.text;
   }
 }
 

@@ -198,7 +198,7 @@ TEST(SwingSizes, TakeTheWayUpToALargerLevelForLarge) {
   record.force_kN = h.disp_mm;
   std::array const tests{record};
   auto const sizes = swing_sizes(tests, Weighting::time);
-  EXPECT_TRUE(sizes.tell);
+  EXPECT_TRUE(sizes.shows_larger_swings);
   auto const at = [&](double t) { return static_cast<std::size_t>(std::lround(t / 0.01)); };
   auto const& test = sizes.tests.front();
   EXPECT_GT(test.small[at(3.0)], 0.0);
@@ -222,7 +222,7 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
     }
     FitRecord record{.time_s = h.time_s, .disp_mm = h.disp_mm, .vel_mm_s = std::vector<double>(h.time_s.size())};
     std::array const tests{record};
-    return swing_sizes(tests, Weighting::time).tell;
+    return swing_sizes(tests, Weighting::time).shows_larger_swings;
   };
   EXPECT_TRUE(told(5.0, 7.0));
   EXPECT_FALSE(told(5.0, 5.5));    // one swing of 100 mm
@@ -258,7 +258,7 @@ TEST(SwingSizes, AreThoseOfAllTestsOfADevice) {
   auto const small = five_cycles(30.0), large = five_cycles(100.0);
   std::array const tests{small, large};
   auto const sizes = swing_sizes(tests, Weighting::time);
-  EXPECT_TRUE(sizes.tell);
+  EXPECT_TRUE(sizes.shows_larger_swings);
   EXPECT_FALSE(sizes.tests[0].small.empty());
   EXPECT_TRUE(sizes.tests[0].large.empty());
   EXPECT_TRUE(sizes.tests[1].small.empty());

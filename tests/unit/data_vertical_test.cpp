@@ -48,9 +48,9 @@ TEST(Vertical, OfALinearDeviceIsItsStiffness) {
   EXPECT_NEAR(found.loads->low_kN, 300.0, 1e-9);
   EXPECT_NEAR(found.loads->high_kN, 1000.0, 2.0);  // the first sample within 0.2 % of the largest load
   EXPECT_EQ(found.loadings_kN_per_mm.size(), 3u);
-  EXPECT_TRUE(found.turned.empty());
+  EXPECT_TRUE(found.reversed_signals.empty());
   EXPECT_TRUE(found.warnings.empty());
-  EXPECT_EQ(found.how.find("dF_v/dd_v, 3rd loading of 3, from 300 to "), 0u) << found.how;
+  EXPECT_EQ(found.description.find("dF_v/dd_v, 3rd loading of 3, from 300 to "), 0u) << found.description;
 }
 
 TEST(Vertical, OfAStiffeningDeviceIsTheSecantBetweenTheLoads) {
@@ -106,7 +106,7 @@ TEST(Vertical, SignsOfBothSignalsDoNotCount) {
       for (double& d : test.disp_mm) d *= disp_sign;
       auto const found = vertical_stiffness(test);
       EXPECT_NEAR(found.K_v_kN_per_mm, 1200.0, 1e-6);
-      EXPECT_EQ(found.turned.size(), (load_sign < 0.0 ? 1u : 0u) + (disp_sign < 0.0 ? 1u : 0u));
+      EXPECT_EQ(found.reversed_signals.size(), (load_sign < 0.0 ? 1u : 0u) + (disp_sign < 0.0 ? 1u : 0u));
     }
 }
 
@@ -294,7 +294,7 @@ TEST(Vertical, WarnsOfAStiffnessThatNoDeviceHas) {
 TEST(Vertical, MayBeStatedAlone) {
   auto const found = vertical_stiffness({.file = {}, .sha256 = {}, .stated_kN_per_mm = 1234.0});
   EXPECT_EQ(found.K_v_kN_per_mm, 1234.0);
-  EXPECT_EQ(found.how, "as the laboratory states it");
+  EXPECT_EQ(found.description, "as the laboratory states it");
   EXPECT_FALSE(found.loads);
 }
 

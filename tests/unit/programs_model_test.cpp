@@ -108,7 +108,7 @@ TEST(ModelText, says_what_is_in_the_model_and_what_is_not) {
   auto subject = with_model("bilinear", bilinear_parameters, four(900.0));
   subject.tested.load_min_kN = subject.tested.load_max_kN = 2000.0;
   Remarks none;
-  for (auto const name : targets_where(&Target::of_model)) {
+  for (auto const name : targets_where(&Target::needs_building)) {
     auto const text = find_target(name).write(subject, unit_systems[0], none);
     for (auto const* words :
          {"# Model: 4 isolators", "# Weight carried: 2353.6 kN", "# Its centre: x = 3000, y = 2000 mm",

@@ -38,7 +38,7 @@ TEST_F(Folder, headers_are_the_laws) {
       auto const force = law_force(law, parameters, driven);
       if (!std::ranges::all_of(force, [](double f) { return std::isfinite(f); })) continue;
       std::string list;
-      for (double const p : parameters) list += (list.empty() ? "" : ", ") + exactly(p);
+      for (double const p : parameters) list += (list.empty() ? "" : ", ") + exact_text(p);
       body += fmt::format("  drive({0}::Material(1.5, {0}::Parameters{{{1}}}));\n", space, list);
       expected.push_back(force);
       tolerances.push_back(law_tests::form_tolerance(law));

@@ -53,7 +53,7 @@ Case const& usual_case() {
   static auto const usual = [] {
     Case of{.study = building::usual_study(0.07, 60, 3), .answers = {}};
     of.study.file.settings.title = "Bau </script> <b>1</b>";
-    of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .stands = building::Stands::lot, .device = {}};
+    of.study.file.bearings[0] = {.at = of.study.file.bearings[0].at, .kind = building::BearingKind::lot, .device = {}};
     auto const file = fs::temp_directory_path() / fmt::format("isolaw-render-building-{}.sqlite", ::getpid());
     fs::remove(file);
     building::RunStore store(file, building::properties_of(of.study), true);

@@ -161,7 +161,7 @@ TEST(Figures, LoopsOfAllLawsAndEachDeviceAgainstTheMeanAreDrawnByDefault) {
   ASSERT_EQ(std::ranges::count_if(figures, is_of_loops), 1);
   auto const& loops = std::ranges::find_if(figures, is_of_loops)->second;
   for (auto const& law : summary.laws)
-    EXPECT_NE(loops.script.find("'" + called(law)), std::string::npos) << law.id << " has no panel";
+    EXPECT_NE(loops.script.find("'" + display_name(law)), std::string::npos) << law.id << " has no panel";
   EXPECT_TRUE(figures.contains("objective_by_device"));
 }
 
@@ -228,7 +228,7 @@ TEST(Figures, LawsHaveTheColoursAndMarkersOfThePageAndItsOrder) {
   std::size_t at = figure.script.find("set xrange");
   std::size_t drawn = figure.script.find("set multiplot");
   for (std::size_t const law : data["by_objective"]) {
-    at = figure.script.find(law_tic(called(summary.laws[law])), at);
+    at = figure.script.find(law_tic(display_name(summary.laws[law])), at);
     EXPECT_NE(at, std::string::npos) << summary.laws[law].id;
     drawn = figure.script.find(fmt::format("with points ls {}", law + 1), drawn);
     EXPECT_NE(drawn, std::string::npos) << summary.laws[law].id;
@@ -505,7 +505,7 @@ TEST_F(Drawn, NamesArePrintedAsTheyAre) {
   auto const summary = hostile_lot();
   write_figures(summary, FigureChoice::lot, dir_);
   auto const front = text_of_svg(content(figure("front.svg")));
-  for (auto const& law : summary.laws) EXPECT_NE(front.find(called(law)), std::string::npos) << law.id;
+  for (auto const& law : summary.laws) EXPECT_NE(front.find(display_name(law)), std::string::npos) << law.id;
   auto const convergence = text_of_svg(content(figure("convergence_bilinear.svg")));
   EXPECT_NE(convergence.find("it's `touch drawn_by_a_nam"), std::string::npos);
   EXPECT_NE(convergence.find("a/b\\c\\n\"d\"  #e"), std::string::npos);

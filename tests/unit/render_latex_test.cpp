@@ -156,7 +156,7 @@ TEST(Latex, RobustnessAndFront) {
   auto const robustness = robustness_tex(summary);
   expect_balanced(robustness);
   for (auto const& law : summary.laws)
-    EXPECT_NE(robustness.find("\n" + called(law) + " & "), std::string::npos) << law.id;
+    EXPECT_NE(robustness.find("\n" + display_name(law) + " & "), std::string::npos) << law.id;
   EXPECT_NE(robustness.find("Bilinear & $0.1370$ & $0.01250$ & $0.1288$ & $0.1421$ & yes \\\\"), std::string::npos);
   auto const front = front_tex(summary);
   expect_balanced(front);

@@ -33,9 +33,9 @@ TEST(Design, IsReadFromText) {
   EXPECT_EQ(d.disp_mm, 150);
   EXPECT_EQ(d.frequency_Hz, 0.5);
   EXPECT_EQ(d.load_kN, 2000);
-  EXPECT_EQ(d.of(Quantity::Q_d), 30);
-  EXPECT_EQ(d.of(Quantity::K_v), 1500);
-  EXPECT_EQ(design().of(Quantity::K_v), std::nullopt);
+  EXPECT_EQ(d.value(Quantity::Q_d), 30);
+  EXPECT_EQ(d.value(Quantity::K_v), 1500);
+  EXPECT_EQ(design().value(Quantity::K_v), std::nullopt);
 }
 
 TEST(Design, RefusesWhatItDoesNotKnow) {
@@ -327,7 +327,7 @@ TEST(VerticalStiffness, HasItsSpreadOverALot) {
   auto const found = std::ranges::find(lot.quantities, Quantity::K_v, &LotQuantity::quantity);
   ASSERT_NE(found, lot.quantities.end());
   EXPECT_EQ(found->count, 2u);
-  EXPECT_EQ(found->without, std::vector<std::string>{"C"});
+  EXPECT_EQ(found->devices_without_value, std::vector<std::string>{"C"});
   EXPECT_NEAR(*found->mean, 1000.0, 1e-9);
   EXPECT_EQ(found->nominal, 1000.0);
   EXPECT_EQ(found->limit_individual, "at least -30 %");

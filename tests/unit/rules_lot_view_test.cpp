@@ -109,7 +109,7 @@ TEST(LotView, SaysWhichDevicesHaveNoValue) {
   devices[1].block.cycles.pop_back();
   auto const lot = lot_view(rules_of(limits), devices, parse_design("K_eff=1.2"), 3);
   EXPECT_EQ(of(lot, Quantity::K_eff).count, 2u);
-  EXPECT_EQ(of(lot, Quantity::K_eff).without, std::vector<std::string>{"D2"});
+  EXPECT_EQ(of(lot, Quantity::K_eff).devices_without_value, std::vector<std::string>{"D2"});
   auto const& line = of(lot, Quantity::K_eff).mean_limits.at(0);
   EXPECT_EQ(line.verdict, Verdict::not_assessed);
   expect_parts(line.reason, {"no value of D2"});
@@ -218,8 +218,8 @@ TEST(LotView, ACopyIsNoFurtherDeviceTested) {
                {"2 devices with this property, 3 required", "D3: the same record as D2, left out of the mean"});
   EXPECT_EQ(name(stiffness.mean_limits.at(0).subject), "lot");
   expect_parts(bound(stiffness, "statistical, system").note, {"mean of 3 devices, 2 of them tested"});
-  EXPECT_EQ(name(bound(stiffness, "statistical, system").spread), "system");
-  EXPECT_EQ(name(bound(stiffness, "observed").spread), "device");
+  EXPECT_EQ(name(bound(stiffness, "statistical, system").scope), "system");
+  EXPECT_EQ(name(bound(stiffness, "observed").scope), "device");
   devices.erase(devices.begin());
   auto const one = lot_view(rules, devices, parse_design("K_eff=1.2"), 3);
   expect_parts(one.note, {"one device is no lot"});
@@ -339,7 +339,7 @@ TEST(Combine, IsTheFormulaOfTheRules) {
   EXPECT_GT(combine(rule, {.min = 1, .max = 2}, test, spec).max, 1.8);
 }
 
-TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
+TEST(BoundScope, KeepsTheDeviceAndTheSystemApart) {
   // If the CoV is known to be 7 %, the mean of 28 devices has the half width 1.95996 x 7/sqrt(28) = 2.5928 %. If six of
   // them are tested, only the other 22 are unknown, and this half width times sqrt(22/27) is 2.3404 %. If the CoV too
   // is estimated from the six, the half width is t(0.975, 5) = 2.570582 times 7 sqrt(1/6 - 1/28) = 6.5116 %.
@@ -356,7 +356,7 @@ TEST(Spread, KeepsTheDeviceAndTheSystemApart) {
 
 // The prediction from six tested devices must contain the mean of the lot in 95 % of lots drawn from a normal
 // distribution.
-TEST(Spread, ThePredictionOfTheSystemHolds95PercentOfLots) {
+TEST(BoundScope, ThePredictionOfTheSystemHolds95PercentOfLots) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> device(1.0, 0.07);
   int held = 0, lots = 20'000;

@@ -45,7 +45,7 @@ void expect_near(double value, double wanted) {
 
 TEST(DesignBounds, have_the_factors_of_K_eff_and_energy) {
   auto const bounds = design_bounds(example(), laws::find_law("bilinear"), of_bilinear);
-  ASSERT_FALSE(bounds.none) << wording::remark(*bounds.none);
+  ASSERT_FALSE(bounds.obstacle) << wording::remark(*bounds.obstacle);
   expect_near(bounds.upper->law.factors.a, 1.871261438);
   expect_near(bounds.upper->law.factors.b, 1.859391152);
   expect_near(bounds.lower->law.factors.a, 0.713969857);
@@ -65,7 +65,7 @@ TEST(DesignBounds, say_when_one_factor_takes_their_place) {
   summary.conditions->bounds[0].max.factor = 0.7;
   summary.conditions->bounds[1].max.factor = 4.0;
   auto const bounds = design_bounds(summary, laws::find_law("bilinear"), of_bilinear);
-  ASSERT_FALSE(bounds.none);
+  ASSERT_FALSE(bounds.obstacle);
   auto const sentence = wording::remark(about_bound("upper", *bounds.upper));
   EXPECT_TRUE(
       sentence.ends_with("the whole force times 0.700, since no positive factors on the two parts give both; "
@@ -77,7 +77,7 @@ TEST(DesignBounds, are_missing_with_the_reason) {
   auto const reason = [](Summary const& summary, std::string_view law, std::vector<double> const& parameters) {
     auto const bounds = design_bounds(summary, laws::find_law(law), parameters);
     EXPECT_FALSE(bounds.lower || bounds.upper);
-    return bounds.none ? wording::remark(*bounds.none) : std::string();
+    return bounds.obstacle ? wording::remark(*bounds.obstacle) : std::string();
   };
   std::string const none = "no bound law over the design conditions: ";
   EXPECT_EQ(reason({}, "bilinear", of_bilinear), none + "the lot file has no table of conditions");

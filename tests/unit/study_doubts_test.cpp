@@ -263,7 +263,7 @@ TEST(Doubts, RepeatThoseOfTheAnswer) {
   auto summary = fixture::lot();
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "the design asks for"));
   for (auto& one : summary.laws)
-    one.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = 400.0, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
+    one.beyond_tests = BeyondTests{.tested_mm = 100.0, .asked_mm = 400.0, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
   EXPECT_TRUE(contains(doubts_of(summary, "bilinear", "D1"),
                        "Bilinear: the design asks for 400 mm, 4.0 times the largest displacement tested"))
       << doubts_of(summary, "bilinear", "D1");

@@ -87,17 +87,17 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
     EXPECT_TRUE(law.compared);
     EXPECT_NEAR(*law.printed.objective, expected.at(law.number).first, 5e-5);
     EXPECT_NEAR(*law.printed.beta, expected.at(law.number).second, 5e-5);
-    EXPECT_DOUBLE_EQ(*law.here.objective, *law.printed.objective);
-    EXPECT_DOUBLE_EQ(*law.here.std_over_runs, *law.printed.std_over_runs);
-    EXPECT_DOUBLE_EQ(*law.here.std_over_devices, *law.printed.std_over_devices);
-    EXPECT_EQ(law.here.on_front, law.printed.on_front);
+    EXPECT_DOUBLE_EQ(*law.computed.objective, *law.printed.objective);
+    EXPECT_DOUBLE_EQ(*law.computed.std_over_runs, *law.printed.std_over_runs);
+    EXPECT_DOUBLE_EQ(*law.computed.std_over_devices, *law.printed.std_over_devices);
+    EXPECT_EQ(law.computed.on_front, law.printed.on_front);
     if (law.printed.on_front) front.push_back(law.number);
   }
   EXPECT_EQ(front, (std::vector<int>{1, 2, 3, 5}));
   EXPECT_NEAR(*row(*comparison, "vaiana").printed.std_over_runs, 1.45e-4, 1e-5);
   for (auto const& one : comparison->statements) {
-    ASSERT_TRUE(one.here) << one.text << ": " << one.found;
-    EXPECT_EQ(*one.here, one.in_table) << one.text;
+    ASSERT_TRUE(one.holds_here) << one.text << ": " << one.found;
+    EXPECT_EQ(*one.holds_here, one.holds_in_table) << one.text;
   }
 }
 
@@ -107,11 +107,11 @@ TEST(Published, StatementsOfTheStudyInItsOwnTable) {
   ASSERT_TRUE(comparison);
   std::vector<std::string> wrong;
   for (auto const& one : comparison->statements)
-    if (!one.in_table) wrong.push_back(one.text.substr(0, one.text.find(' ', 10)));
+    if (!one.holds_in_table) wrong.push_back(one.text.substr(0, one.text.find(' ', 10)));
   EXPECT_EQ(wrong.size(), 3u);
-  EXPECT_FALSE(statement(*comparison, "Laws 2 to 6").in_table) << "law 6 has 0.117";
-  EXPECT_FALSE(statement(*comparison, "Law 5 is both").in_table) << "beta of law 4 is smaller";
-  EXPECT_FALSE(statement(*comparison, "Laws 3 and 4").in_table) << "law 1 scatters less than law 4";
+  EXPECT_FALSE(statement(*comparison, "Laws 2 to 6").holds_in_table) << "law 6 has 0.117";
+  EXPECT_FALSE(statement(*comparison, "Law 5 is both").holds_in_table) << "beta of law 4 is smaller";
+  EXPECT_FALSE(statement(*comparison, "Laws 3 and 4").holds_in_table) << "law 1 scatters less than law 4";
   EXPECT_EQ(comparison->verdict,
             "7 of 10 statements of the published study hold here, 3 do not; 7 hold in its own Table A.5.");
   EXPECT_EQ(
@@ -124,13 +124,13 @@ TEST(Published, OtherNumbersAreJudgedAnew) {
   the(summary, "bilinear").beta = 0.5;
   the(summary, "hwang-wu").beta = 0.01;
   auto const comparison = published(summary);
-  EXPECT_EQ(statement(*comparison, "Law 1 is the most robust").here, false);
-  EXPECT_TRUE(statement(*comparison, "Law 1 is the most robust").in_table);
-  EXPECT_EQ(statement(*comparison, "From law 1").here, false);
-  EXPECT_EQ(statement(*comparison, "Laws 1, 2, 3 and 5").here, false);
-  EXPECT_TRUE(row(*comparison, "hwang-wu").here.on_front);
+  EXPECT_EQ(statement(*comparison, "Law 1 is the most robust").holds_here, false);
+  EXPECT_TRUE(statement(*comparison, "Law 1 is the most robust").holds_in_table);
+  EXPECT_EQ(statement(*comparison, "From law 1").holds_here, false);
+  EXPECT_EQ(statement(*comparison, "Laws 1, 2, 3 and 5").holds_here, false);
+  EXPECT_TRUE(row(*comparison, "hwang-wu").computed.on_front);
   EXPECT_FALSE(row(*comparison, "hwang-wu").printed.on_front);
-  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").holds_here, true);
   EXPECT_TRUE(comparison->verdict.starts_with("3 of 10 statements")) << comparison->verdict;
 }
 
@@ -139,15 +139,15 @@ TEST(Published, WhatCannotBeJudgedIsOpenWithItsReason) {
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "bouc-wen"; });
   for (auto& law : summary.laws) law.beta.reset();  // a campaign of one device has no beta
   auto const comparison = published(summary);
-  EXPECT_EQ(statement(*comparison, "Laws 2 to 6").here, std::nullopt);
+  EXPECT_EQ(statement(*comparison, "Laws 2 to 6").holds_here, std::nullopt);
   EXPECT_EQ(statement(*comparison, "Laws 2 to 6").found, "no objective of law 4");
-  EXPECT_EQ(statement(*comparison, "Law 1 is").here, std::nullopt);
+  EXPECT_EQ(statement(*comparison, "Law 1 is").holds_here, std::nullopt);
   EXPECT_EQ(statement(*comparison, "Law 1 is").found, "no beta of law 1");
-  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").holds_here, true);
   EXPECT_FALSE(row(*comparison, "bouc-wen").compared);
-  EXPECT_EQ(row(*comparison, "bouc-wen").here.objective, std::nullopt);
+  EXPECT_EQ(row(*comparison, "bouc-wen").computed.objective, std::nullopt);
   EXPECT_TRUE(row(*comparison, "bouc-wen").printed.objective);
-  for (auto const& law : comparison->laws) EXPECT_FALSE(law.here.on_front) << law.law << " has no beta";
+  for (auto const& law : comparison->laws) EXPECT_FALSE(law.computed.on_front) << law.law << " has no beta";
   EXPECT_NE(comparison->verdict.find("cannot be judged"), std::string::npos) << comparison->verdict;
 }
 
@@ -167,11 +167,11 @@ TEST(Published, RunsThatEndAtOnePlaceHaveNoScatterToCompare) {
   auto summary = campaign_of_table();
   for (auto& law : summary.laws)
     for (auto& fit : law.devices) fit.objective.std = 1e-7;
-  EXPECT_EQ(statement(*published(summary), "Law 3 scatters").here, std::nullopt);
+  EXPECT_EQ(statement(*published(summary), "Law 3 scatters").holds_here, std::nullopt);
   EXPECT_EQ(statement(*published(summary), "Law 3 scatters").found, "the runs of each law end at one place");
   for (auto& fit : the(summary, "bilinear").devices) fit.objective.std = 1e-3;
   for (auto& fit : the(summary, "vaiana").devices) fit.objective.std = 1e-8;
-  EXPECT_EQ(statement(*published(summary), "Law 3 scatters").here, true);
+  EXPECT_EQ(statement(*published(summary), "Law 3 scatters").holds_here, true);
 }
 
 // The text of the study allows two readings of law 5, abe-y0 and abe. If a campaign has both, abe-y0 is compared,
@@ -188,12 +188,12 @@ TEST(Published, TwoReadingsOfLaw5) {
   EXPECT_TRUE(row(*comparison, "abe-y0").compared);
   EXPECT_FALSE(row(*comparison, "abe").compared);
   EXPECT_EQ(row(*comparison, "abe").number, 5);
-  EXPECT_DOUBLE_EQ(*row(*comparison, "abe").here.objective, 0.5);
-  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").here, true);
+  EXPECT_DOUBLE_EQ(*row(*comparison, "abe").computed.objective, 0.5);
+  EXPECT_EQ(statement(*comparison, "Laws 2 and 5").holds_here, true);
 
   std::erase_if(summary.laws, [](auto const& law) { return law.id == "abe-y0"; });
   EXPECT_TRUE(row(*published(summary), "abe").compared);
-  EXPECT_EQ(statement(*published(summary), "Laws 2 and 5").here, false);
+  EXPECT_EQ(statement(*published(summary), "Laws 2 and 5").holds_here, false);
 
   std::erase_if(summary.laws, [](auto const& law) { return law.id != "abe"; });
   summary.laws.push_back(law_of_table(table_a5::laws[4]));

@@ -72,8 +72,8 @@ NamedValues bilinear(double K1, double K2, double xy) {
 TEST(RangeTest, PassesSaneDevicesOfOtherKinds) {
   auto const flat = range_test("bilinear", bilinear(100.0, 0.0, 0.5));
   EXPECT_EQ(rule(flat), "sane");
-  EXPECT_NEAR(flat.beyond->stiffness_ratio, 0.5, 1e-9);
-  EXPECT_EQ(flat.beyond->asked_mm, 200.0);
+  EXPECT_NEAR(flat.beyond_tests->stiffness_ratio, 0.5, 1e-9);
+  EXPECT_EQ(flat.beyond_tests->asked_mm, 200.0);
   EXPECT_EQ(rule(range_test("bilinear", bilinear(100.0, 0.1, 0.5))), "sane");                    // a curved slider
   EXPECT_EQ(rule(range_test("bilinear", bilinear(10.0, 1.0, 10.0))), "sane");                    // lead-rubber
   EXPECT_EQ(rule(range_test("bilinear", bilinear(1.0, 0.99, 1.0), {.damping = 0.01})), "sane");  // low damping
@@ -147,7 +147,7 @@ TEST(RangeTest, GoesToTheDisplacementOfTheDesign) {
   for (auto const& [asked, taken] : {std::pair{150.0, 150.0}, {60.0, 100.0}}) {
     summary.acceptance.design.disp_mm = asked;
     add_range_tests(summary, contents);
-    EXPECT_NEAR(summary.laws[0].beyond->asked_mm, taken, 1e-9);
+    EXPECT_NEAR(summary.laws[0].beyond_tests->asked_mm, taken, 1e-9);
   }
 }
 
@@ -169,7 +169,7 @@ TEST(RangeTest, TriesADeviceTestedLessNoFartherInProportion) {
                    {.device = 1, .law = "bilinear", .number = 1, .parameters = {10.0, 0.3, 10.0}}};
   add_range_tests(summary, contents);
   EXPECT_EQ(rule(summary.laws[0]), "sane");
-  EXPECT_NEAR(summary.laws[0].beyond->tested_mm, 200.0, 1e-9);
+  EXPECT_NEAR(summary.laws[0].beyond_tests->tested_mm, 200.0, 1e-9);
   summary.acceptance.design.disp_mm = 400.0;
   add_range_tests(summary, contents);
   ASSERT_EQ(rule(summary.laws[0]), "stiffness");

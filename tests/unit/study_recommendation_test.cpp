@@ -85,14 +85,14 @@ std::string law_of(Summary const& summary, Recommendation const& recommendation)
 std::vector<std::string> ties_of(Summary const& summary, Recommendation const& recommendation) {
   std::vector<std::string> ids;
   for (auto const& standing : recommendation.standings)
-    if (standing.place == Rank::tied) ids.push_back(summary.laws[standing.law].id);
+    if (standing.rank == Rank::tied) ids.push_back(summary.laws[standing.law].id);
   return ids;
 }
 Standing const& standing_of(Summary const& summary, Recommendation const& recommendation, std::string_view id) {
   return *std::ranges::find_if(recommendation.standings, [&](auto const& s) { return summary.laws[s.law].id == id; });
 }
 bool doubts(Recommendation const& recommendation, FindingKind kind) {
-  return std::ranges::find(recommendation.weak(), kind, &Finding::kind) != recommendation.weak().end();
+  return std::ranges::find(recommendation.doubts(), kind, &Finding::kind) != recommendation.doubts().end();
 }
 Finding runs_away(std::string_view rule) {
   return {.kind = FindingKind::law_runs_away,
@@ -117,7 +117,7 @@ TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
             "within 9.1 %. B is as good.");
   EXPECT_EQ(export_command(summary, advice, "out/lot"),
             "isolaw export out/lot --law C --device D0 --to openseespy-law");
-  EXPECT_TRUE(contains(advice.why, "The next best, A, has a mean error of 10 %")) << advice.why;
+  EXPECT_TRUE(contains(advice.reasons, "The next best, A, has a mean error of 10 %")) << advice.reasons;
 
   summary.laws[2].larger_swings_objective = 0.1042;  // a mean error of 0.0881, more than 1.10 times that of B
   EXPECT_EQ(law_of(summary, *recommendation(summary)), "B");
@@ -128,7 +128,7 @@ TEST(Recommendation, TakesTheFewestParametersAmongTiedLaws) {
   EXPECT_TRUE(ties_of(summary, advice).empty());
   EXPECT_EQ(wording::remark(*standing_of(summary, advice, "B").reason),
             "its stiffness at 200 mm is 4.30 times that at 100 mm, where the tests end");
-  EXPECT_TRUE(contains(advice.why, "B has a smaller mean error (8.0 %), but is ruled out")) << advice.why;
+  EXPECT_TRUE(contains(advice.reasons, "B has a smaller mean error (8.0 %), but is ruled out")) << advice.reasons;
 }
 
 // In a lot of three devices or more, the error on a device that was left out of the fit takes the place of the fit's
@@ -153,7 +153,7 @@ TEST(Recommendation, IsNeverALawThatPredictsBadly) {
   auto const summary =
       summary_of({{"overfit", {0.01}, {}, 2.7}, {"poor", {0.015}, {}, 0.4}, {"sound", {0.05}, {}, 0.08}});
   auto const advice = *recommendation(summary);
-  EXPECT_EQ(law_of(summary, advice), "sound") << advice.why;
+  EXPECT_EQ(law_of(summary, advice), "sound") << advice.reasons;
   EXPECT_EQ(standing_of(summary, advice, "overfit").reason->kind, FindingKind::out_prediction);
 }
 
@@ -161,13 +161,13 @@ TEST(Recommendation, IsNoneWhereAllAreRuledOut) {
   auto summary = summary_of({{"a", {0.03}, {}, 5.0}, {"b", {0.06}, {}, 0.5}});
   auto advice = *recommendation(summary);
   EXPECT_FALSE(advice.law);
-  EXPECT_EQ(advice.why.front().kind, FindingKind::none_predicts);
-  EXPECT_EQ(advice.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(advice.reasons.front().kind, FindingKind::none_predicts);
+  EXPECT_EQ(advice.reasons.front().other_laws, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(text_of(advice.answer), "No law can be recommended.");
-  EXPECT_FALSE(advice.surer.empty());
+  EXPECT_FALSE(advice.improvements.empty());
   summary = summary_of({{"a", {0.03}}, {"b", {0.06}}});
   for (auto& law : summary.laws) law.runs_away = runs_away("not-finite");
-  EXPECT_EQ(recommendation(summary)->why.front().kind, FindingKind::none_for_a_building);
+  EXPECT_EQ(recommendation(summary)->reasons.front().kind, FindingKind::none_for_a_building);
   summary = summary_of({{"a", {0.03}, {}, {}, 4, 0, 0, 1.0, std::numeric_limits<double>::infinity()}});
   EXPECT_EQ(wording::remark(*recommendation(summary)->standings.front().reason),
             "fitted to the smaller swings of the tests, its force is not finite in the larger ones");
@@ -175,14 +175,14 @@ TEST(Recommendation, IsNoneWhereAllAreRuledOut) {
 
 TEST(Recommendation, IsNoneWhereTheLeastErrorIsTooLargeOrTheEnergyOfTheLargestCyclesIsOff) {
   auto summary = summary_of({{"a", {0.31}}, {"b", {0.35}}});
-  EXPECT_EQ(recommendation(summary)->why.front().kind, FindingKind::none_describes);
-  EXPECT_TRUE(contains(recommendation(summary)->why, "The law of least error, a, has a mean error of 31 %"));
+  EXPECT_EQ(recommendation(summary)->reasons.front().kind, FindingKind::none_describes);
+  EXPECT_TRUE(contains(recommendation(summary)->reasons, "The law of least error, a, has a mean error of 31 %"));
   summary = summary_of({{"a", {0.08}}, {"b", {0.081}}, {"c", {0.2}}});
   summary.laws[0].devices[0].energy_error_percent = summary.laws[1].devices[0].energy_error_percent = -35.0;
   auto advice = *recommendation(summary);
   EXPECT_FALSE(advice.law);
-  EXPECT_EQ(advice.why.front().kind, FindingKind::none_energy);
-  EXPECT_EQ(advice.why.front().other_laws, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(advice.reasons.front().kind, FindingKind::none_energy);
+  EXPECT_EQ(advice.reasons.front().other_laws, (std::vector<std::string>{"a", "b"}));
   summary.laws[1].devices[0].energy_error_percent = 20.0;
   advice = *recommendation(summary);
   EXPECT_EQ(law_of(summary, advice), "a");
@@ -204,34 +204,35 @@ TEST(Recommendation, NamesEveryDoubt) {
     change(summary.laws[0], summary);
     return *recommendation(summary);
   };
-  EXPECT_EQ(with([](auto&, auto&) {}).sure, Sure::clear);
+  EXPECT_EQ(with([](auto&, auto&) {}).confidence, Confidence::clear);
   auto const doubt = [&](FindingKind kind, auto change) {
     auto const advice = with(change);
-    return advice.sure == Sure::weak && advice.weak().size() == 1 && doubts(advice, kind);
+    return advice.confidence == Confidence::weak && advice.doubts().size() == 1 && doubts(advice, kind);
   };
   using enum FindingKind;
   EXPECT_TRUE(doubt(weak_larger_swings, [](auto& law, auto&) { law.larger_swings_objective = 0.061; }));
   EXPECT_FALSE(doubt(weak_larger_swings, [](auto& law, auto&) { law.larger_swings_objective = 0.059; }));
   EXPECT_TRUE(doubt(weak_cycle_stiffness, [](auto& law, auto&) { law.devices[0].K_eff_error_percent = -16.0; }));
   EXPECT_TRUE(doubt(weak_stiffness_beyond, [](auto& law, auto&) {
-    law.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .stiffness_ratio = 1.6, .damping_ratio = 1.0};
+    law.beyond_tests = BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .stiffness_ratio = 1.6, .damping_ratio = 1.0};
   }));
   EXPECT_TRUE(doubt(weak_damping_beyond, [](auto& law, auto&) {
-    law.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .stiffness_ratio = 1.0, .damping_ratio = 0.3};
+    law.beyond_tests = BeyondTests{.tested_mm = 100.0, .asked_mm = 200.0, .stiffness_ratio = 1.0, .damping_ratio = 0.3};
   }));
   auto const tried_at = [](double asked_mm) {
     return [=](auto& law, auto&) {
-      law.beyond = BeyondTests{.tested_mm = 100.0, .asked_mm = asked_mm, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
+      law.beyond_tests =
+          BeyondTests{.tested_mm = 100.0, .asked_mm = asked_mm, .stiffness_ratio = 1.0, .damping_ratio = 1.0};
     };
   };
   EXPECT_TRUE(doubt(weak_far_beyond, tried_at(210.0)));
-  EXPECT_EQ(std::ranges::count(with(tried_at(210.0)).surer, surer_design, &Finding::kind), 1);
-  EXPECT_EQ(with(tried_at(200.0)).sure, Sure::clear);
+  EXPECT_EQ(std::ranges::count(with(tried_at(210.0)).improvements, surer_design, &Finding::kind), 1);
+  EXPECT_EQ(with(tried_at(200.0)).confidence, Confidence::clear);
   EXPECT_TRUE(doubt(weak_one_sided, [](auto&, Summary& summary) {
     summary.devices[0].record.disp_mm = {0.0, 100.0, -49.0};
   }));
   auto const pulled = with([](auto&, Summary& summary) { summary.devices[0].record.disp_mm = {0.0, 100.0, 0.0}; });
-  EXPECT_TRUE(std::ranges::count(pulled.surer, surer_both_sides, &Finding::kind));
+  EXPECT_TRUE(std::ranges::count(pulled.improvements, surer_both_sides, &Finding::kind));
   EXPECT_TRUE(doubt(weak_search, [](auto& law, auto&) { law.success_share = 0.1; }));
   EXPECT_TRUE(doubt(weak_incomplete, [](auto&, Summary& summary) { summary.expected_runs = 10; }));
   auto const fair = summary_of({{"a", {0.09}, {}, 0.16}, {"b", {0.3}, {}, 0.29}});
@@ -255,10 +256,10 @@ TEST(Recommendation, OfTheOnlyLawIsWeak) {
   auto const summary = summary_of({{"only", {0.02, 0.021, 0.022}, {0.03, 0.031, 0.032}}});
   auto const advice = *recommendation(summary);
   EXPECT_EQ(law_of(summary, advice), "only");
-  EXPECT_EQ(advice.sure, Sure::weak) << advice.why;
+  EXPECT_EQ(advice.confidence, Confidence::weak) << advice.reasons;
   EXPECT_TRUE(contains(advice.answer, "Take only, with care. ")) << text_of(advice.answer);
-  EXPECT_TRUE(contains(advice.weak(), "no other law was identified to compare it with"));
-  EXPECT_TRUE(contains(advice.surer, "other laws to compare it with (--laws)")) << advice.surer;
+  EXPECT_TRUE(contains(advice.doubts(), "no other law was identified to compare it with"));
+  EXPECT_TRUE(contains(advice.improvements, "other laws to compare it with (--laws)")) << advice.improvements;
 }
 
 TEST(Recommendation, LeavesOutALawThatWasRefusedOnADevice) {
@@ -301,12 +302,12 @@ TEST(Recommendation, SaysHowFarTheBestLawsDisagree) {
   for (int i = 0; i < 7; ++i) laws.push_back({"law" + std::to_string(i), {0.03 + 0.01 * i}});
   auto summary = summary_of(laws);
   for (int i = 0; i < 7; ++i)
-    summary.laws[static_cast<std::size_t>(i)].beyond = BeyondTests{.tested_mm = 100.0,
-                                                                   .asked_mm = 200.0,
-                                                                   .K_kN_per_mm = 1.0 + i,
-                                                                   .energy_kN_mm = 10.0 - i,
-                                                                   .stiffness_ratio = 1.0,
-                                                                   .damping_ratio = 1.0};
+    summary.laws[static_cast<std::size_t>(i)].beyond_tests = BeyondTests{.tested_mm = 100.0,
+                                                                         .asked_mm = 200.0,
+                                                                         .K_kN_per_mm = 1.0 + i,
+                                                                         .energy_kN_mm = 10.0 - i,
+                                                                         .stiffness_ratio = 1.0,
+                                                                         .damping_ratio = 1.0};
   summary.laws[1].runs_away = runs_away("jumps");
   auto const spread = *recommendation(summary)->spread;
   EXPECT_EQ(spread.count, 5u);

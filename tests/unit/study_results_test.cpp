@@ -147,11 +147,11 @@ TEST(Results, OfALotsPropertiesAreNamedAsThoseOfCycles) {
 }
 
 TEST(Results, UndefinedIsNoValue) {
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(law_results, {"beta"})[0].of(LawResult{})));
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(parameter_results, {"tied_to"})[0].of(ParameterFit{})));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(law_results, {"beta"})[0].value(LawResult{})));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(columns(parameter_results, {"tied_to"})[0].value(ParameterFit{})));
   ParameterFit fit;
   fit.at_bound = fit::AtBound::upper;
-  EXPECT_EQ(std::get<std::string_view>(columns(parameter_results, {"at_bound"})[0].of(fit)), "upper");
+  EXPECT_EQ(std::get<std::string_view>(columns(parameter_results, {"at_bound"})[0].value(fit)), "upper");
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(RecordSentences, NoKindMakesARangeOfPositions) {
     auto const text = remark(both);
     auto const expect_apart = [&](std::string const& one, std::string const& other) {
       EXPECT_FALSE(contains(text, one + " to " + other)) << row.key << ": " << text;
-      if ((row.appears & in_report) == 0) return;
+      if ((row.appearance & in_report) == 0) return;
       EXPECT_EQ(contains(text, one), contains(text, other)) << row.key << ": " << text;
     };
     for (auto const& [name, first, second] : places) expect_apart(fmt::format("{}", first), fmt::format("{}", second));

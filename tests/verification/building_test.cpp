@@ -211,13 +211,13 @@ TEST(Building, rigid_mass_on_el_centro) {
     bearings.push_back(make_bearing("bilinear", law, Coupling::coupled));
     auto const run = integrate(rigid_mass(mass / Mg_in_mass), bearings, motion,
                                {.longest_step_s = 1.25e-4, .rest_s = 20.0, .histories = true});
-    ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
+    ASSERT_EQ(run.outcome, Outcome::completed) << run.stop_reason;
     // Each tolerance is the integrator's own error at this length of step plus the rounding of the printed expected
     // value.
-    EXPECT_NEAR(run.of(Measure::isolator), peak, 1e-4);
-    EXPECT_NEAR(run.of(Measure::shear) / weight, force, 1.5e-6);
+    EXPECT_NEAR(run.value(Measure::isolator), peak, 1e-4);
+    EXPECT_NEAR(run.value(Measure::shear) / weight, force, 1.5e-6);
     EXPECT_NEAR(run.history.base.back()[0], end, 3e-4);
-    EXPECT_LT(std::abs(run.of(Measure::balance)), 1e-5);
+    EXPECT_LT(std::abs(run.value(Measure::balance)), 1e-5);
   }
 }
 
@@ -365,8 +365,8 @@ void compare(Frame const& frame, double damping, Plan const& plan, std::vector<B
     draw.insert(draw.end(), values.begin(), values.end());
   }
   auto const run = integrate(model, bearings, motion, {.longest_step_s = 0.005, .histories = true});
-  ASSERT_EQ(run.outcome, Outcome::completed) << run.why;
-  EXPECT_NEAR(run.of(Measure::isolator), truth.peak_mm, 1e-3 * truth.peak_mm);
+  ASSERT_EQ(run.outcome, Outcome::completed) << run.stop_reason;
+  EXPECT_NEAR(run.value(Measure::isolator), truth.peak_mm, 1e-3 * truth.peak_mm);
   auto const parts = (run.history.base.size() - 1) / (truth.base.size() - 1);
   double off = 0.0, size = 0.0;
   for (std::size_t i = 0; i < truth.base.size(); ++i)

@@ -275,7 +275,7 @@ class Examination {
 
   // Holds coordinate k at u and fits the others again, starting from `others`. Returns the others and the objective.
   std::pair<Point, double> refitted(std::size_t k, double u, Point const& others, int& evaluations) const {
-    Held const held(problem_, k, u);
+    HeldCoordinateProblem const held(problem_, k, u);
     if (others.empty()) return {Point(), value_at({u}, evaluations)};
     auto found = opt::descend(held, others, 0.2, true);
     evaluations += found.evaluations;

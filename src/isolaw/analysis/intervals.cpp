@@ -144,14 +144,14 @@ std::vector<double> drawn(std::span<double const> weights, std::size_t samples, 
 
 }  // namespace
 
-Serial serial(std::span<double const> series, double mean) {
+SerialCorrelation serial_correlation(std::span<double const> series, double mean) {
   std::size_t const n = series.size();
   auto const covariance = [&](std::size_t lag) {
     double sum = 0.0;
     for (std::size_t i = 0; i + lag < n; ++i) sum += (series[i] - mean) * (series[i + lag] - mean);
     return sum / static_cast<double>(n);
   };
-  Serial result;
+  SerialCorrelation result;
   double const size = static_cast<double>(n), variance = covariance(0);
   constexpr double rounding = 1e-20;
   if (n < 12 || !(variance > rounding * mean * mean)) return result;
@@ -210,7 +210,7 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     covariance.diagonal().setConstant(variance_over_box);
   } else if (n > 0) {
     Vector const signs = response.residuals.array().sign();
-    auto const neighbours = serial({signs.data(), result.samples}, 0.0);
+    auto const neighbours = serial_correlation({signs.data(), result.samples}, 0.0);
     result.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
                                            std::max<std::size_t>(1, result.samples / 8));
     auto const left = freedom_left(result.samples, n, neighbours.correlation);
@@ -221,10 +221,10 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     reach = boost::math::quantile(boost::math::students_t(left.degrees), 1.0 - tail);
     widening = reach / normal_reach / left.share;
     auto const count = static_cast<std::size_t>(std::max(0, options.replicates));
-    std::vector<opt::Found> fits(count);
+    std::vector<opt::BestPoint> fits(count);
     WorkAhead replicates(count, [&](std::size_t i) {
       num::Draws draws(stream, static_cast<std::uint32_t>(i), 0);
-      Reweighted const resampled(problem, drawn(model.residual_weights(), result.samples, result.block, draws));
+      ReweightedProblem const resampled(problem, drawn(model.residual_weights(), result.samples, result.block, draws));
       fits[i] = opt::descend(resampled, start, 0.3, true);
     });
     for (std::size_t i = 0; i < count; ++i) {

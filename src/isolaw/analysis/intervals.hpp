@@ -62,10 +62,10 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
 // autocorrelation. From the last significant lag on, the autocorrelation is multiplied by a factor that falls linearly
 // to zero at twice that lag. A series is taken as independent if it has fewer than twelve values, hardly any variance,
 // or no significant lag.
-struct Serial {
+struct SerialCorrelation {
   double block = 1.0;
   std::vector<double> correlation = {1.0};  // autocorrelation for lags 0, 1, 2, ...
 };
-Serial serial(std::span<double const> series, double mean);
+SerialCorrelation serial_correlation(std::span<double const> series, double mean);
 
 }  // namespace isolaw::analysis

@@ -69,10 +69,11 @@ std::optional<LargerSwings> predict_larger_swings(SwingModels const& models, fit
   }
   std::vector<fit::LawOnRecord const*> small;
   for (auto const& model : models.small) small.push_back(&model);
-  Joint const problem(small, box, std::vector<double>(small.size(), 1.0 / static_cast<double>(small.size())));
+  SeveralRecordsProblem const problem(small, box,
+                                      std::vector<double>(small.size(), 1.0 / static_cast<double>(small.size())));
   num::Draws draws(stream, 0, 0);
   auto const points = opt::latin_hypercube(problem.dimension(), start_count, draws);
-  std::vector<opt::Found> found(start_count);
+  std::vector<opt::BestPoint> found(start_count);
   WorkAhead descents(start_count, [&](std::size_t i) { found[i] = opt::descend(problem, points[i], 1.0); });
   std::vector<LargerSwings> ends;
   int evaluations = 0;

@@ -50,7 +50,7 @@ std::vector<double> median_point(std::span<std::vector<double> const> points) {
 
 // Starts of the search without `device`: the fit to all devices, and the three optima of other devices that have the
 // smallest mean objective over all devices except `device`.
-std::vector<std::vector<double>> starts_without(Joint const& problem, fit::SearchBox const& box,
+std::vector<std::vector<double>> starts_without(SeveralRecordsProblem const& problem, fit::SearchBox const& box,
                                                 std::span<double const> parameters_of_all,
                                                 std::span<std::vector<double> const> optima, std::size_t device) {
   constexpr std::size_t most_optima = 3;
@@ -91,16 +91,16 @@ std::optional<OneLaw> least_mean(std::span<fit::LawOnRecord const* const> models
                                  std::span<std::vector<double> const> optima, Interrupted const& interrupted) {
   if (box.free_count() == 0) return judged(models, expanded(box, {}));
   constexpr std::size_t most_starts = 12;
-  Joint const problem(models, box, equal_shares(models.size()));
+  SeveralRecordsProblem const problem(models, box, equal_shares(models.size()));
   std::vector<std::vector<double>> points;
   for (auto const& optimum : optima) points.push_back(box.contract(optimum));
   std::vector<std::vector<double>> starts{median_point(points)};
   std::size_t const used = std::min(most_starts, points.size());
   for (std::size_t i = 0; i < used; ++i) starts.push_back(points[i * points.size() / used]);
 
-  opt::Found best;
+  opt::BestPoint best;
   int evaluations = 0;
-  std::vector<opt::Found> ends(starts.size());
+  std::vector<opt::BestPoint> ends(starts.size());
   WorkAhead descents(starts.size(), [&](std::size_t i) { ends[i] = opt::descend(problem, starts[i], 1.0); });
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (interrupted && interrupted()) return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
     for (double& share : shares) share /= sum;
     // Keeps a small share for every device, so that a device that was fitted well can gain weight again.
     for (double& share : shares) share = 0.999 * share + 0.001 / static_cast<double>(shares.size());
-    Joint const problem(models, box, shares);
+    SeveralRecordsProblem const problem(models, box, shares);
     auto const found = opt::descend(problem, box.contract(current.parameters), 0.3);
     evaluations += found.evaluations * static_cast<int>(models.size());
     if (!found.usable()) break;
@@ -150,16 +150,16 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
   return best;
 }
 
-std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
-                                 std::span<double const> parameters_of_all, std::span<std::vector<double> const> optima,
-                                 std::size_t device) {
-  LeftOut result;
+std::optional<LeftOutFit> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                    std::span<double const> parameters_of_all,
+                                    std::span<std::vector<double> const> optima, std::size_t device) {
+  LeftOutFit result;
   result.parameters.assign(parameters_of_all.begin(), parameters_of_all.end());
   std::vector<double> shares(models.size(), 1.0 / static_cast<double>(models.size() - 1));
   shares[device] = 0.0;
   if (box.free_count() > 0) {
-    Joint const problem(models, box, shares);
-    opt::Found best;
+    SeveralRecordsProblem const problem(models, box, shares);
+    opt::BestPoint best;
     int evaluations = 0;
     for (auto const& start : starts_without(problem, box, parameters_of_all, optima, device)) {
       auto found = opt::descend(problem, start, 0.3);

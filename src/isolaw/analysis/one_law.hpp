@@ -44,13 +44,13 @@ std::optional<LeastWorst> least_worst(std::span<fit::LawOnRecord const* const> m
 // Finds the parameters with the smallest mean objective over all devices except `device`, and computes their objective
 // on this device, as if it had not been tested. Descents start from the parameters for all devices and from three
 // optima of other devices, those with the smallest mean objective.
-struct LeftOut {
+struct LeftOutFit {
   std::vector<double> parameters;
   double objective = 0.0;  // objective of these parameters on the device that was left out
   int evaluations = 0;
 };
-std::optional<LeftOut> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
-                                 std::span<double const> parameters_of_all, std::span<std::vector<double> const> optima,
-                                 std::size_t device);
+std::optional<LeftOutFit> leave_out(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                    std::span<double const> parameters_of_all,
+                                    std::span<std::vector<double> const> optima, std::size_t device);
 
 }  // namespace isolaw::analysis

@@ -21,38 +21,40 @@ void values_of_residuals(opt::DeviationProblem const& problem, opt::Points const
 
 }  // namespace
 
-Reweighted::Reweighted(opt::DeviationProblem const& base, std::vector<double> weights)
+ReweightedProblem::ReweightedProblem(opt::DeviationProblem const& base, std::vector<double> weights)
     : base_(base), weights_(std::move(weights)) {
-  if (auto const* fewer = base.outline()) outline_ = std::make_unique<Reweighted>(*fewer, base.on_outline(weights_));
+  if (auto const* fewer = base.outline())
+    outline_ = std::make_unique<ReweightedProblem>(*fewer, base.on_outline(weights_));
 }
 
-void Reweighted::evaluate(opt::Points const& points, std::span<double> values) const {
+void ReweightedProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   values_of_residuals(*this, points, values);
 }
 
-Held::Held(opt::DeviationProblem const& base, std::size_t coordinate, double value)
+HeldCoordinateProblem::HeldCoordinateProblem(opt::DeviationProblem const& base, std::size_t coordinate, double value)
     : base_(base), coordinate_(coordinate), value_(value) {
-  if (auto const* fewer = base.outline()) outline_ = std::make_unique<Held>(*fewer, coordinate, value);
+  if (auto const* fewer = base.outline()) outline_ = std::make_unique<HeldCoordinateProblem>(*fewer, coordinate, value);
 }
 
-opt::Points Held::with_held(opt::Points const& points) const {
+opt::Points HeldCoordinateProblem::with_held(opt::Points const& points) const {
   opt::Points all(base_.dimension(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = 0, next = 0; k < all.dimension; ++k) all[i][k] = k == coordinate_ ? value_ : points[i][next++];
   return all;
 }
-void Held::evaluate(opt::Points const& points, std::span<double> values) const {
+void HeldCoordinateProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   base_.evaluate(with_held(points), values);
 }
-void Held::residuals(opt::Points const& points, std::span<double> values) const {
+void HeldCoordinateProblem::residuals(opt::Points const& points, std::span<double> values) const {
   base_.residuals(with_held(points), values);
 }
 
-void Held::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
+void HeldCoordinateProblem::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
   base_.residual_rows(with_held(points), stride, rows);
 }
 
-Joint::Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares)
+SeveralRecordsProblem::SeveralRecordsProblem(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                                             std::span<double const> shares)
     : box_(box) {
   std::vector<double> used;
   for (std::size_t d = 0; d < models.size(); ++d) {
@@ -63,18 +65,18 @@ Joint::Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox con
   for (auto const* model : models_) {
     auto outline = model->outline();
     if (!outline) return;
-    fewer_.push_back(std::move(*outline));
+    thinned_models_.push_back(std::move(*outline));
   }
-  outline_.reset(new Joint(box));
-  for (std::size_t d = 0; d < fewer_.size(); ++d) outline_->add(fewer_[d], used[d]);
+  outline_.reset(new SeveralRecordsProblem(box));
+  for (std::size_t d = 0; d < thinned_models_.size(); ++d) outline_->add(thinned_models_[d], used[d]);
 }
 
-void Joint::add(fit::LawOnRecord const& model, double share) {
+void SeveralRecordsProblem::add(fit::LawOnRecord const& model, double share) {
   models_.push_back(&model);
   for (double const weight : model.residual_weights()) weights_.push_back(share * weight);
 }
 
-std::vector<double> Joint::on_outline(std::span<double const> weights) const {
+std::vector<double> SeveralRecordsProblem::on_outline(std::span<double const> weights) const {
   std::vector<double> all;
   for (auto const* model : models_) {
     auto const some = model->on_outline(weights.first(model->samples()));
@@ -84,11 +86,11 @@ std::vector<double> Joint::on_outline(std::span<double const> weights) const {
   return all;
 }
 
-void Joint::evaluate(opt::Points const& points, std::span<double> values) const {
+void SeveralRecordsProblem::evaluate(opt::Points const& points, std::span<double> values) const {
   values_of_residuals(*this, points, values);
 }
 
-void Joint::residuals(opt::Points const& points, std::span<double> values) const {
+void SeveralRecordsProblem::residuals(opt::Points const& points, std::span<double> values) const {
   std::vector<double> room;
   std::size_t before = 0;
   for (auto const* model : models_) {
@@ -102,7 +104,7 @@ void Joint::residuals(opt::Points const& points, std::span<double> values) const
   }
 }
 
-void Joint::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
+void SeveralRecordsProblem::residual_rows(opt::Points const& points, std::size_t stride, std::span<double> rows) const {
   for (auto const* model : models_) {
     model->residual_rows(
         points.size(), [&](std::size_t i, std::span<double> parameters) { box_.expand(points[i], parameters); }, stride,

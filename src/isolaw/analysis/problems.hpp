@@ -16,9 +16,9 @@ namespace isolaw::analysis {
 using Interrupted = std::function<bool()>;
 
 // The problem `base` with other weights of its residuals. The sum of the weights must be 1.
-class Reweighted final : public opt::DeviationProblem {
+class ReweightedProblem final : public opt::DeviationProblem {
  public:
-  Reweighted(opt::DeviationProblem const& base, std::vector<double> weights);
+  ReweightedProblem(opt::DeviationProblem const& base, std::vector<double> weights);
   std::size_t dimension() const override { return base_.dimension(); }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return weights_; }
@@ -34,13 +34,13 @@ class Reweighted final : public opt::DeviationProblem {
  private:
   opt::DeviationProblem const& base_;
   std::vector<double> weights_;
-  std::unique_ptr<Reweighted> outline_;
+  std::unique_ptr<ReweightedProblem> outline_;
 };
 
 // The problem `base` with one coordinate held at a value, so that a search varies the others.
-class Held final : public opt::DeviationProblem {
+class HeldCoordinateProblem final : public opt::DeviationProblem {
  public:
-  Held(opt::DeviationProblem const& base, std::size_t coordinate, double value);
+  HeldCoordinateProblem(opt::DeviationProblem const& base, std::size_t coordinate, double value);
   std::size_t dimension() const override { return base_.dimension() - 1; }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return base_.weights(); }
@@ -55,15 +55,16 @@ class Held final : public opt::DeviationProblem {
   opt::DeviationProblem const& base_;
   std::size_t coordinate_;
   double value_;
-  std::unique_ptr<Held> outline_;
+  std::unique_ptr<HeldCoordinateProblem> outline_;
 };
 
 // Fits one set of parameters to several records. The value is the weighted mean of the records' objectives; the weights
 // are `shares`, whose sum is 1. A record with share 0 is skipped. outline(), the same problem with fewer samples,
 // exists if the models on all records that are not skipped have an outline.
-class Joint final : public opt::DeviationProblem {
+class SeveralRecordsProblem final : public opt::DeviationProblem {
  public:
-  Joint(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box, std::span<double const> shares);
+  SeveralRecordsProblem(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,
+                        std::span<double const> shares);
   std::size_t dimension() const override { return box_.free_count(); }
   void evaluate(opt::Points const& points, std::span<double> values) const override;
   std::span<double const> weights() const override { return weights_; }
@@ -73,14 +74,14 @@ class Joint final : public opt::DeviationProblem {
   std::vector<double> on_outline(std::span<double const> weights) const override;
 
  private:
-  explicit Joint(fit::SearchBox const& box) : box_(box) {}
+  explicit SeveralRecordsProblem(fit::SearchBox const& box) : box_(box) {}
   void add(fit::LawOnRecord const& model, double share);
 
   fit::SearchBox const& box_;
   std::vector<fit::LawOnRecord const*> models_;  // the law on each record whose share in the weighted mean is above 0
   std::vector<double> weights_;
-  std::vector<fit::LawOnRecord> fewer_;  // the models on fewer samples; outline_ keeps references to them
-  std::unique_ptr<Joint> outline_;
+  std::vector<fit::LawOnRecord> thinned_models_;  // the models on fewer samples; outline_ keeps references to them
+  std::unique_ptr<SeveralRecordsProblem> outline_;
 };
 
 }  // namespace isolaw::analysis

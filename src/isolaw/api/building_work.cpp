@@ -28,7 +28,7 @@ std::vector<double> measured_of_draws(building::Study const& study, building::Ru
   std::vector<double> measures_of_draws(study.laws.size() * draws * motions * measures, std::nan(""));
   for (std::size_t law = 0; law < study.laws.size(); ++law)
     for (std::size_t motion = 0; motion < motions; ++motion)
-      store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
+      store.for_each_run(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
         if (place < first || place >= first + draws || measured.size() != measures) return;
         auto const row = (law * draws + place - first) * motions + motion;
         std::ranges::copy(measured, measures_of_draws.begin() + static_cast<std::ptrdiff_t>(row * measures));
@@ -64,7 +64,7 @@ std::vector<double> peaks_of(StudiedBuilding const& studied, std::string_view qu
   for (std::size_t at = 0; at < studied.measured.size(); at += width) {
     auto const measured = std::span(studied.measured).subspan(at, width);
     bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
-    peaks.push_back(finite ? row->of(studied.layout, measured, studied.answers.value().weight_kN) : std::nan(""));
+    peaks.push_back(finite ? row->value(studied.layout, measured, studied.answers.value().weight_kN) : std::nan(""));
   }
   return peaks;
 }
@@ -79,7 +79,7 @@ building::Study building_study(building::BuildingFile file, campaign::Contents c
   return result;
 }
 
-building::Model possible(building::Study const& study) {
+building::Model checked_model(building::Study const& study) {
   for (auto const& motion : study.file.motions) building::require_sound(motion);
   building::Model model(building::Structure(study.file.frame), study.file.plan());
   for (auto const& law : study.laws)
@@ -94,7 +94,7 @@ StudiedBuilding study_building(building::Study study, BuildingWork const& option
     throw Error({.where = "part " + campaign::text(*part),
                  .found = "no directory",
                  .allowed = "a directory of its own for each part, from which they are merged"});
-  auto const model = possible(study);
+  auto const model = checked_model(study);
   std::optional<TemporaryDirectory> nowhere;
   if (!options.directory) nowhere.emplace();
   auto const directory = options.directory.value_or(nowhere ? nowhere->path() : std::filesystem::path());

@@ -24,7 +24,7 @@ building::Study building_study(building::BuildingFile file, campaign::Contents c
                                std::string const& where = "the campaign");
 // Makes the model of a study's building and lot. Callers do this before they write anything, since it throws Error if
 // the building or the lot cannot be analysed.
-building::Model possible(building::Study const& study);
+building::Model checked_model(building::Study const& study);
 
 struct BuildingWork {
   int jobs = 0;                                         // number of threads; 0 for one per core

@@ -25,7 +25,7 @@ struct CalibrateOptions {
 };
 
 struct Calibrated : campaign::Contents {  // a campaign, and what a continued campaign added
-  Continued continued = {};
+  Continuation continued = {};
 };
 
 // Fills in `acceptance`: if it has only the names of the files of a rule set or a letterhead, reads these files. Throws

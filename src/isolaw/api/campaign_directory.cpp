@@ -59,8 +59,8 @@ DirectoryLock::DirectoryLock(std::filesystem::path const& directory) : lock_(dir
                  .advice = "wait for it, or another --out DIR"});
 }
 
-Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
-                         LeftOut vertical) {
+Continuation open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
+                            UnlistedVertical vertical) {
   // Removes the old reports, then replaces the store. If the process is killed in between, only the old reports are
   // lost, and they can be written again from the old store.
   auto const create = [&] {
@@ -92,11 +92,11 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
                                       campaign::text(*contents.part), joined(more)),
                  .allowed = "the lot and settings that it was begun with",
                  .advice = "isolaw merge of the parts there are, then all of it grown without --part; or --fresh"});
-  Continued continued;
+  Continuation continued;
   for (auto& device : contents.devices) {
     auto const there = std::ranges::find(stored.devices, device.name, &campaign::Device::name);
-    if (there == stored.devices.end() || !there->vertical.given() || device.vertical.given()) continue;
-    bool const stays = vertical == LeftOut::stays;
+    if (there == stored.devices.end() || !there->vertical.is_given() || device.vertical.is_given()) continue;
+    bool const stays = vertical == UnlistedVertical::keep;
     auto const& file_name = there->vertical.file;
     (stays ? continued.kept_vertical : continued.dropped_vertical)
         .push_back(fmt::format("{} ({})", device.name, file_name.empty() ? "as stated" : file_name));
@@ -109,7 +109,7 @@ Continued open_or_create(std::filesystem::path const& file, campaign::Contents& 
       std::ranges::equal(stored.devices, contents.devices, {}, &campaign::Device::vertical,
                          &campaign::Device::vertical);
   continued.added = campaign::growth(stored, contents);
-  continued.released = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : "";
+  continued.dropped_rules = contents.acceptance.rules.empty() ? stored.acceptance.rules_file : "";
   campaign::take_over(std::move(stored), contents);
   if (!contents.complete()) require_own(file, contents.makers);
   if (!continued.added.empty())

@@ -34,9 +34,9 @@ class DirectoryLock {  // keeps other processes out of a directory until the obj
   FolderLock lock_;
 };
 
-struct Continued {                      // how a campaign differs from the stored one that it continues
+struct Continuation {                   // how a campaign differs from the stored one that it continues
   std::vector<std::string> added = {};  // for example "2 devices"
-  std::string released = {};            // rule set of the stored campaign if the new one has no rules; else empty
+  std::string dropped_rules = {};       // rule set of the stored campaign if the new one has no rules; else empty
   // Compression tests of the stored campaign that the new input lacks: "D01 (v.csv)" for the test of device D01.
   std::vector<std::string> kept_vertical = {}, dropped_vertical = {};
   std::string lost = {};  // a sentence if starting over replaced a damaged or empty file; else empty
@@ -44,11 +44,11 @@ struct Continued {                      // how a campaign differs from the store
 
 // Decides what happens to a compression test that is in the store but not in the input. It stays if the user names
 // records on the command line; it goes if a lot file leaves it out.
-enum class LeftOut { stays, is_gone };
+enum class UnlistedVertical { keep, drop };
 
 // Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ, but `contents`
 // may have more devices, laws and runs, unless it is a part. Makes a new store if there is none or if `fresh` is true.
-Continued open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
-                         LeftOut vertical = LeftOut::stays);
+Continuation open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
+                            UnlistedVertical vertical = UnlistedVertical::keep);
 
 }  // namespace isolaw

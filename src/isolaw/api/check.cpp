@@ -117,7 +117,7 @@ std::string what_is_missing(study::Summary const& summary) {
   auto const runs = summary.missing_runs();
   if (summary.part)
     return fmt::format("this is part {} of {}, {} of its {} runs; isolaw merge OUT PARTS... joins the parts",
-                       summary.part->number, summary.part->of, summary.runs, summary.expected_here);
+                       summary.part->number, summary.part->total, summary.runs, summary.expected_here);
   return fmt::format("{} {} are missing; repeat the last calibrate command to continue",
                      runs > 0 ? runs : summary.missing_analyses(), runs > 0 ? "runs" : "analyses");
 }

@@ -26,12 +26,12 @@ namespace {
 using programs::Target;
 
 void require_suited(ExportOptions const& options, Target const& target) {
-  if (!target.of_model && (!options.model.empty() || !options.seed.empty()))
+  if (!target.needs_building && (!options.model.empty() || !options.seed.empty()))
     throw Error(
         {.where =
              "--" + std::string(options.model.empty() ? options.seed.begin()->first : options.model.begin()->first),
          .found = fmt::format("is given with --to {}", options.to),
-         .allowed = "a target that writes a whole model: " + joined(programs::targets_where(&Target::of_model))});
+         .allowed = "a target that writes a whole model: " + joined(programs::targets_where(&Target::needs_building))});
   if (options.name && !target.is_named)
     throw Error({.where = "--name",
                  .found = fmt::format("is given with --to {}", options.to),
@@ -57,7 +57,7 @@ ExportedLaw export_law(campaign::Contents contents, ExportOptions const& options
   auto const summary = study::build_summary(contents);
   auto subject = programs::make_subject(contents, summary, options.law, options.device, units);
   subject.name = options.name.value_or("");
-  if (target.of_model) {
+  if (target.needs_building) {
     programs::ModelOptions model;
     lay_over(programs::model_table(), options.model, model);
     if (!options.seed.empty() && model.draws == 0)
@@ -83,12 +83,13 @@ ExportedLaw export_law(campaign::Contents contents, ExportOptions const& options
   auto const warn = [&](std::string const& sentence) { result.doubts.push_back("warning: " + printable(sentence)); };
   std::ranges::move(wording::lines(subject.doubts.findings, wording::with_law, units),
                     std::back_inserter(result.doubts));
-  std::ranges::for_each(subject.beyond, warn);
+  std::ranges::for_each(subject.beyond_tests, warn);
   if (subject.model) std::ranges::for_each(programs::model_cautions(subject, units), warn);
   std::ranges::for_each(exported.cautions, warn);
   std::ranges::copy(exported.responses, std::back_inserter(about_motions));
   std::ranges::move(wording::lines(about_motions, wording::anywhere, units), std::back_inserter(result.doubts));
-  for (auto const& objection : exported.let_through) result.doubts.push_back(printable(study::let_through(objection)));
+  for (auto const& objection : exported.overridden_objections)
+    result.doubts.push_back(printable(study::override_warning(objection)));
   result.text = std::move(exported.text);
   return result;
 }

@@ -24,8 +24,8 @@ std::filesystem::path store_of_part(std::filesystem::path const& part, std::file
   return store;
 }
 
-campaign::Merged merge_runs(DirectoryLock const& /*held*/, std::filesystem::path const& directory,
-                            std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options) {
+campaign::MergeResult merge_runs(DirectoryLock const& /*held*/, std::filesystem::path const& directory,
+                                 std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options) {
   std::vector<std::filesystem::path> stores;
   for (auto const& part : parts) stores.push_back(store_of_part(part, directory));
   render::remove_leftovers(directory);

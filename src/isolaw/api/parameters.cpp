@@ -117,7 +117,7 @@ std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, l
 }
 
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
-                                        std::string const& where, Together together) {
+                                        std::string const& where, JointLimits joint_limits) {
   std::vector<std::optional<double>> found(law.parameters.size());
   std::vector<Complaint> complaints;
   auto const advice = fmt::format("isolaw laws {}", law.info.id);
@@ -151,7 +151,7 @@ std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<N
   if (!missing.empty())
     complaints.push_back({where, fmt::format("{} also needs {}", law.info.id, joined(missing)), {}, advice});
   if (!complaints.empty()) throw Error(std::move(complaints));
-  if (together == Together::left) return ordered;
+  if (joint_limits == JointLimits::unchecked) return ordered;
   if (auto const beyond = law.unmet(ordered))
     throw Error({.where = where, .found = beyond->found, .allowed = std::string(beyond->statement)});
   return ordered;

@@ -24,12 +24,12 @@ std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, l
 
 // Says whether limits on several parameters together, such as K1 >= K2, are checked. `left` leaves them unchecked, for
 // parameters from a search, whose box may reach beyond such a limit.
-enum class Together { checked, left };
+enum class JointLimits { checked, unchecked };
 
 // Puts the values in the law's order. Parameters that are fixed by default may be missing. Throws one Error with all
 // faults: unknown or repeated names, missing parameters, values outside their physical limits. Without such a fault,
 // throws Error for a limit on several parameters together. Messages name `where` for values without a `where`.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
-                                        std::string const& where, Together together = Together::checked);
+                                        std::string const& where, JointLimits joint_limits = JointLimits::checked);
 
 }  // namespace isolaw

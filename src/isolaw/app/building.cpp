@@ -102,13 +102,13 @@ std::string signed_cell(std::optional<double> value, int decimals) {
   return value && std::isfinite(*value) ? fmt::format(" {:+.{}f}", *value, decimals) : " -";
 }
 
-std::string kept_text(building::Judged const& judged) {
-  switch (judged.keeps) {
-    case building::Keeps::yes:
+std::string kept_text(building::LimitCheck const& judged) {
+  switch (judged.limit_kept) {
+    case building::LimitKept::yes:
       return "kept";
-    case building::Keeps::open:
+    case building::LimitKept::open:
       return "draws too few to tell";
-    case building::Keeps::no:
+    case building::LimitKept::no:
       break;
   }
   return fmt::format("NOT KEPT: {}",
@@ -118,7 +118,7 @@ std::string kept_text(building::Judged const& judged) {
 }
 
 // Returns the first cells of a limit's row: the name of the limit and the allowed response.
-std::string limit_text(building::Judged const& judged, UnitSystem const& units) {
+std::string limit_text(building::LimitCheck const& judged, UnitSystem const& units) {
   auto const& quantity = building::quantity(judged.quantity);
   auto const shown = shown_unit(quantity.unit, units);
   auto const title = fmt::format("{}{}", judged.limit == building::tested_mm ? "tested " : "", quantity.title);
@@ -131,15 +131,15 @@ std::string limit_text(building::Judged const& judged, UnitSystem const& units) 
 // analyses, the 95 % fractile of the draws, the share of the draws that keep the limit, and whether the limit is kept.
 // The table has no columns for bounds or draws that were not analysed.
 std::string limits_text(building::LawAnswer const& law, UnitSystem const& units) {
-  if (law.judged.empty()) return {};
-  bool const bounds = law.judged.front().bound.has_value(), draws = law.judged.front().p95.has_value();
+  if (law.limit_checks.empty()) return {};
+  bool const bounds = law.limit_checks.front().bound.has_value(), draws = law.limit_checks.front().p95.has_value();
   auto text = fmt::format("{:<32} {:>9} {:>9}{}{}\n", "", "allowed", "nominal", bounds ? "    bounds" : "",
                           draws ? "      95 %   kept by" : "");
-  for (auto const& each : law.judged) {
+  for (auto const& each : law.limit_checks) {
     auto const factor = shown_unit(building::quantity(each.quantity).unit, units).factor;
     text += limit_text(each, units) + cell(factor * each.nominal);
     if (bounds) text += cell(factor * *each.bound);
-    if (draws) text += cell(factor * *each.p95) + fmt::format(" {:>8.1f}%", 100.0 * *each.kept);
+    if (draws) text += cell(factor * *each.p95) + fmt::format(" {:>8.1f}%", 100.0 * *each.share_kept);
     text += fmt::format("  {}\n", kept_text(each));
   }
   return text;
@@ -152,12 +152,13 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
   auto text = fmt::format("{:<32} {:>9}", "", "allowed");
   for (auto const& law : laws) text += fmt::format("  {:<{}}", law.law, width);
   text = std::string(text.substr(0, text.find_last_not_of(' ') + 1)) + "\n";
-  for (std::size_t i = 0; i < laws.front().judged.size(); ++i) {
-    auto line = limit_text(laws.front().judged[i], units);
+  for (std::size_t i = 0; i < laws.front().limit_checks.size(); ++i) {
+    auto line = limit_text(laws.front().limit_checks[i], units);
     for (auto const& law : laws) {
       // The laws may come from different tests, so one of them may lack the limit of the tested displacement.
-      auto const found = std::ranges::find(law.judged, laws.front().judged[i].limit, &building::Judged::limit);
-      if (found == law.judged.end()) {
+      auto const found =
+          std::ranges::find(law.limit_checks, laws.front().limit_checks[i].limit, &building::LimitCheck::limit);
+      if (found == law.limit_checks.end()) {
         line += fmt::format("  {:<{}}", "", width);
         continue;
       }
@@ -177,7 +178,7 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
 std::string all_limits_text(building::Study const& study, building::Answers const& answers) {
   auto const& units = study.units();
   auto const law = std::ranges::find_if(answers.laws, building::has_result);
-  if (law == answers.laws.end() || law->judged.empty()) return {};
+  if (law == answers.laws.end() || law->limit_checks.empty()) return {};
   auto text = limits_text(*law, units);
   if (answers.laws.size() > 1) text += "\n" + limits_by_law(answers.laws, units);
   if (study.file.motions.size() < building::motions_for_a_mean) text += "These are the largest of the motions.\n";
@@ -295,13 +296,13 @@ int nominal_alone(building::Study const& study, std::filesystem::path const& out
       };
       bool const completed = run.outcome == building::Outcome::completed;
       all = all && completed;
-      auto const numbers = fmt::format("{:.6g},{:.6g},{:.6g},{:.2e}", run.of(building::Measure::isolator),
-                                       acceleration(0), acceleration(floors), run.of(building::Measure::balance));
+      auto const numbers = fmt::format("{:.6g},{:.6g},{:.6g},{:.2e}", run.value(building::Measure::isolator),
+                                       acceleration(0), acceleration(floors), run.value(building::Measure::balance));
       // The values that an analysis reached before it stopped are no response of the building, so they are not printed.
       print(fmt::format("{},{},{},{},{}\n", law.law, printable(motion.name), building::name(run.outcome),
                         completed ? numbers : ",,,", file));
       measured.back().push_back(completed ? run.measured : std::vector<double>());
-      if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.why));
+      if (!completed) say("{}, {}: {}\n", law.law, printable(motion.name), printable(run.stop_reason));
       if (completed)
         std::ranges::move(building::run_doubts(run, law.law, motion.name, law.tested_mm), std::back_inserter(warnings));
     }
@@ -365,7 +366,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
              .allowed = "a tested device for each place"});
   auto const figures = render::figure_choice(a.figures);
   auto const out = a.out.value_or(std::filesystem::path("out") / "building");
-  possible(study);
+  checked_model(study);
   say_motions(study.file, *a.file);
   if (a.nominal) return nominal_alone(study, out);
   BuildingWork options{.jobs = a.jobs.value_or(0), .directory = out, .fresh = a.fresh};
@@ -386,7 +387,7 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
   }
   if (part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        part->number, part->of, counted(studied.runs, "run"), shown(file));
+        part->number, part->total, counted(studied.runs, "run"), shown(file));
     return exit_done;
   }
   auto const& answers = *studied.answers;

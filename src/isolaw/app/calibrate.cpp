@@ -42,13 +42,13 @@ int calibrate(CalibrateArguments const& arguments, std::vector<std::string> cons
   DirectoryLock const lock(directory);
   auto const file = directory / store_name;
   render::remove_leftovers(directory);
-  auto const [added, released, kept, dropped, lost] =
-      open_or_create(file, contents, arguments.fresh, is_of_lot_file(arguments) ? LeftOut::is_gone : LeftOut::stays);
+  auto const [added, dropped_rules, kept, dropped, lost] = open_or_create(
+      file, contents, arguments.fresh, is_of_lot_file(arguments) ? UnlistedVertical::drop : UnlistedVertical::keep);
   if (!lost.empty()) say("{}\n", printable(lost));
   if (!added.empty()) say("the campaign grows by {}\n", joined(added));
-  if (!released.empty())
+  if (!dropped_rules.empty())
     say("the tests are no longer checked against rule set {}; --rules {} checks them again, without another search\n",
-        printable(released), printable(released));
+        printable(dropped_rules), printable(dropped_rules));
   if (!kept.empty())
     say("the campaign keeps its compression tests: {}; to replace one: --vertical DEVICE=FILE\n",
         printable(joined(kept)));

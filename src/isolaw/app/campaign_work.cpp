@@ -29,7 +29,7 @@ CampaignWork::CampaignWork(std::vector<std::string> const& command_line)
       cpu_at_start_s_(process_time_s()),
       started_at_(std::time(nullptr)) {}
 
-bool CampaignWork::compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how) {
+bool CampaignWork::compute(campaign::Contents& contents, std::filesystem::path const& file, WorkOptions const& how) {
   try {
     SignalGuard const guard;
     ProgressLine line;
@@ -51,7 +51,7 @@ bool CampaignWork::compute(campaign::Contents& contents, std::filesystem::path c
   }
 }
 
-int CampaignWork::write_reports(std::filesystem::path const& file, HowToWork const& how) {
+int CampaignWork::write_reports(std::filesystem::path const& file, WorkOptions const& how) {
   auto const& directory = how.directory;
   double const search_s = std::chrono::duration<double>(Clock::now() - start_).count();
   // Makes the summary from the store, as `isolaw report` does, so that both commands print the same.
@@ -79,7 +79,7 @@ int CampaignWork::write_reports(std::filesystem::path const& file, HowToWork con
   return exit_code(summary);
 }
 
-int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
+int CampaignWork::finish(campaign::Contents& contents, WorkOptions const& how) {
   auto const file = how.directory / store_name;
   own_.lap(campaign::Phase::read);
   profile_.mark({campaign::Phase::read});
@@ -87,7 +87,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   campaign::Meter::restart();
   if (how.share && !interrupted()) {
     say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
-        how.share->number, how.share->of,
+        how.share->number, how.share->total,
         campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
     return exit_done;
   }
@@ -100,7 +100,7 @@ int CampaignWork::finish(campaign::Contents& contents, HowToWork const& how) {
   }
   if (contents.part) {
     say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        contents.part->number, contents.part->of, counted(contents.runs.size(), "run"), shown(file));
+        contents.part->number, contents.part->total, counted(contents.runs.size(), "run"), shown(file));
     return exit_done;  // also if devices were refused or runs failed: the report of the campaign says so
   }
   return write_reports(file, how);

@@ -14,7 +14,7 @@
 
 namespace isolaw::app {
 
-struct HowToWork {
+struct WorkOptions {
   std::filesystem::path directory;
   int jobs = 0;
   std::optional<campaign::Part> share = {};  // if given, make only this part of the analyses and write no report
@@ -27,14 +27,14 @@ struct HowToWork {
 class CampaignWork {
  public:
   explicit CampaignWork(std::vector<std::string> const& command_line);
-  int finish(campaign::Contents& contents, HowToWork const& how);
+  int finish(campaign::Contents& contents, WorkOptions const& how);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   // Returns whether all runs and analyses are complete. This may be so even if the user interrupted the command.
-  bool compute(campaign::Contents& contents, std::filesystem::path const& file, HowToWork const& how);
-  int write_reports(std::filesystem::path const& file, HowToWork const& how);
+  bool compute(campaign::Contents& contents, std::filesystem::path const& file, WorkOptions const& how);
+  int write_reports(std::filesystem::path const& file, WorkOptions const& how);
 
   std::string command_;
   Clock::time_point start_;

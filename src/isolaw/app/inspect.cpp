@@ -34,7 +34,7 @@ namespace {
 bool refused(study::Summary const& summary) {
   return study::conditions_refused(summary) || std::ranges::any_of(summary.devices, [](auto const& device) {
            auto const& properties = device.properties;
-           return device.status != "ok" || properties.is_false || !properties.faulty.empty() ||
+           return device.status != "ok" || properties.refusal_is_of_fault || !properties.block_faults.empty() ||
                   !device.vertical_test.refusal.empty();
          });
 }
@@ -176,14 +176,14 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
     seen.condition.frequency_Hz = block->frequency_Hz;
     seen.condition.load_kN = study::mean_load_kN(*block);
   }
-  if (properties.is_false)
+  if (properties.refusal_is_of_fault)
     say("{}: isolaw calibrate will leave it out: {}\n", printable(device.name), wording::reasons(properties.refusal));
-  else if (!properties.faulty.empty()) {
+  else if (!properties.block_faults.empty()) {
     std::vector<std::string> blocks;
     for (auto const& block : properties.blocks)
       if (!block.fault.empty()) blocks.push_back(fmt::to_string(block.number));
     say("{}: isolaw calibrate will not fit laws to block{} {}: {}\n", printable(device.name),
-        blocks.size() == 1 ? "" : "s", joined(blocks), wording::reasons(properties.faulty));
+        blocks.size() == 1 ? "" : "s", joined(blocks), wording::reasons(properties.block_faults));
   }
 }
 

@@ -18,12 +18,14 @@
 
 namespace isolaw::app {
 
-void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store) {
+void tell_merged(campaign::MergeResult const& merged, std::filesystem::path const& directory,
+                 std::string const& store) {
   for (auto const& part : merged.absent) say("{}: not there\n", printable(part));
   if (!merged.lost.empty()) say("{}\n", printable(merged.lost));
   say("{}{} copied{} to {}\n", counted(merged.added, "run"),
       merged.analyses > 0 ? fmt::format(" and {} analyses", merged.analyses) : "",
-      merged.there > 0 ? fmt::format(", {} there already", merged.there) : "", shown(directory / store));
+      merged.already_there > 0 ? fmt::format(", {} there already", merged.already_there) : "",
+      shown(directory / store));
   if (merged.missing > 0)
     say("not complete: {}; listed on standard output\n"
         "compute or copy what is missing, then repeat: isolaw merge {} PARTS...\n",

@@ -85,7 +85,7 @@ std::string script_of_building(PartsArguments const& arguments, std::string cons
   double all_s = 0.0, blocks_s = 0.0;
   for (std::size_t law = 0; law < study.laws.size(); ++law) {
     double const before_s = process_time_s();
-    runs.of(blocks.at(law * of_law));
+    runs.compute(blocks.at(law * of_law));
     double const block_s = process_time_s() - before_s;
     blocks_s += block_s;
     all_s += block_s * static_cast<double>(of_law);

@@ -51,7 +51,7 @@ void ProgressLine::show(campaign::Progress const& progress) {
   for (std::size_t i = 0; i < cells; ++i) bar += i < filled ? "#" : "-";
   auto line = fmt::format("[{}] {} %  {} left  {}/{} {} ", bar, percent, duration(progress.left_s), progress.done,
                           progress.total, what);
-  if (!progress.law.empty()) line += " " + std::string(laws::called(progress.law));
+  if (!progress.law.empty()) line += " " + std::string(laws::display_name(progress.law));
   if (!progress.device.empty()) line += " on " + printable(progress.device);
   // The line is cut to the width of the terminal or 80 columns, so that it does not wrap. It is cut between characters,
   // even if this is within a name.

@@ -39,7 +39,7 @@ void draw_figures(study::Summary const& summary, render::FigureChoice choice, st
   say_drawn(render::write_figures(summary, choice, directory), directory, "isolaw report");
 }
 
-void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+void print(study::Summary const& summary, std::filesystem::path const& directory, PrintOptions how,
            std::string_view profile) {
   if (how.json) {
     app::print(render::summary_json(summary, profile));

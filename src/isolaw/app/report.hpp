@@ -17,19 +17,19 @@ namespace isolaw::app {
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
-struct Printed {
+struct PrintOptions {
   bool json = false, details = false;
   std::optional<std::filesystem::path> campaign = {};  // the campaign's directory, if the report is in another one
 };
 // Prints the answer on one screen, or all details, then the verdicts of a rule set. With `json` it instead prints the
 // content of summary.json, with `profile` (the times of the campaign's phases) added.
-void print(study::Summary const& summary, std::filesystem::path const& directory, Printed how,
+void print(study::Summary const& summary, std::filesystem::path const& directory, PrintOptions how,
            std::string_view profile = {});
 
 // Returns 1 if a device or its compression test was refused, a law could not be fitted, a run failed, or a limit of the
 // rules is not kept; otherwise 0.
 int exit_code(study::Summary const& summary);
 
-void tell_merged(campaign::Merged const& merged, std::filesystem::path const& directory, std::string const& store);
+void tell_merged(campaign::MergeResult const& merged, std::filesystem::path const& directory, std::string const& store);
 
 }  // namespace isolaw::app

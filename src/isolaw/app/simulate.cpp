@@ -64,9 +64,9 @@ void take_bound(SimulateArguments const& a, study::Summary const& summary, laws:
   if (*a.bound != "lower" && *a.bound != "upper")
     throw Error({.where = "--bound", .found = *a.bound, .allowed = "lower or upper"});
   auto const bounds = study::design_bounds(summary, law, chosen.law.parameters);
-  if (bounds.none)
+  if (bounds.obstacle)
     throw Error({.where = "--bound",
-                 .found = wording::remark(*bounds.none),
+                 .found = wording::remark(*bounds.obstacle),
                  .allowed = "a campaign whose tests cover all design conditions of its lot file",
                  .advice = "isolaw conditions LOT.toml"});
   auto const& bound = *a.bound == "lower" ? *bounds.lower : *bounds.upper;
@@ -112,7 +112,7 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
             chosen.fit = Chosen::Fit{contents.devices[*index].record, search.box};
       auto const summary = study::build_summary(contents);
       chosen.doubts = study::doubts(summary, law.info.id, device);
-      study::require_taken(chosen.doubts, study::whose(law.info.id, device), a.anyway);
+      study::require_no_objection(chosen.doubts, study::law_and_device_text(law.info.id, device), a.anyway);
       if (a.bound) take_bound(a, summary, law, chosen);
     }
     for (std::size_t i = 0; i < law.parameters.size(); ++i)
@@ -127,8 +127,8 @@ Chosen chosen_law(SimulateArguments const& a, laws::LawEntry const& law) {
   // For a fit that --set did not change, limits on several parameters together are not checked, because a search box
   // may reach beyond such limits.
   auto& taken = chosen.law;
-  taken.parameters =
-      parameters_in_order(law, values, where, a.from && changes.empty() ? Together::left : Together::checked);
+  taken.parameters = parameters_in_order(law, values, where,
+                                         a.from && changes.empty() ? JointLimits::unchecked : JointLimits::checked);
   campaign::Settings how;
   how.integration = taken.integration;
   how.turning_points = taken.turning_points;
@@ -160,7 +160,7 @@ std::vector<std::string> facts(Chosen const& chosen) {
   std::vector<std::string> lines{fmt::format("fitted to {}", reach), wording::remark(chosen.doubts.prediction)};
   if (chosen.bound) lines.push_back(wording::remark(*chosen.bound));
   std::ranges::move(wording::lines(chosen.doubts.findings, wording::with_law), std::back_inserter(lines));
-  if (chosen.doubts.objection) lines.push_back(study::let_through(wording::remark(*chosen.doubts.objection)));
+  if (chosen.doubts.objection) lines.push_back(study::override_warning(wording::remark(*chosen.doubts.objection)));
   return lines;
 }
 
@@ -326,7 +326,7 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
   // times as fast, so its period is taken sqrt(2) times as long.
   auto const rules = fit::on_a_figure_of_eight(law, size, std::numbers::sqrt2 * cycle);
   if (rules.size() < 2) return lines;
-  auto const [peak, work] = fit::spread_of(rules);
+  auto const [peak, work] = fit::largest_difference_of(rules);
   lines.push_back(fmt::format(
       "tests in one direction leave open, on a figure of eight of {:.4g} mm: {:.2g} % of the peak force, {:.2g} % of the work of a turn",
       size, 100.0 * peak, 100.0 * work));

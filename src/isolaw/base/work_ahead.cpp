@@ -6,23 +6,23 @@
 namespace isolaw {
 namespace {
 
-thread_local WorkerGroup* crew_of_thread = nullptr;
-thread_local HelpListener* watch_of_thread = nullptr;
+thread_local WorkerGroup* group_of_thread = nullptr;
+thread_local HelpListener* listener_of_thread = nullptr;
 
 }  // namespace
 
-HelpListener::HelpListener() : before_(std::exchange(watch_of_thread, this)) {}
+HelpListener::HelpListener() : previous_(std::exchange(listener_of_thread, this)) {}
 HelpListener::~HelpListener() {
-  watch_of_thread = before_;
+  listener_of_thread = previous_;
 }
 
 WorkerGroup* WorkerGroup::current() {
-  return crew_of_thread;
+  return group_of_thread;
 }
 
-Membership::Membership(WorkerGroup& crew) : before_(std::exchange(crew_of_thread, &crew)) {}
+Membership::Membership(WorkerGroup& group) : previous_(std::exchange(group_of_thread, &group)) {}
 Membership::~Membership() {
-  crew_of_thread = before_;
+  group_of_thread = previous_;
 }
 
 void WorkerGroup::offer(WorkAhead& work) {
@@ -57,24 +57,28 @@ void WorkerGroup::help_until(std::function<bool()> const& finished) {
     WorkAhead& work = **found;
     ++work.helpers_;
     lock.unlock();
-    auto* const before = std::exchange(watch_of_thread, work.watch_);
-    if (work.watch_ != nullptr) work.watch_->help_begins();
+    auto* const before = std::exchange(listener_of_thread, work.listener_);
+    if (work.listener_ != nullptr) work.listener_->help_begins();
     work.do_one();
-    if (work.watch_ != nullptr) work.watch_->help_ends();
-    watch_of_thread = before;
+    if (work.listener_ != nullptr) work.listener_->help_ends();
+    listener_of_thread = before;
     lock.lock();
     if (--work.helpers_ == 0) news_.notify_all();
   }
 }
 
 WorkAhead::WorkAhead(std::size_t count, std::function<void(std::size_t)> work)
-    : work_(std::move(work)), states_(count), failures_(count), crew_(WorkerGroup::current()), watch_(watch_of_thread) {
-  if (crew_ != nullptr && count > 1) crew_->offer(*this);
+    : work_(std::move(work)),
+      states_(count),
+      failures_(count),
+      group_(WorkerGroup::current()),
+      listener_(listener_of_thread) {
+  if (group_ != nullptr && count > 1) group_->offer(*this);
 }
 
 WorkAhead::~WorkAhead() {
   next_open_ = states_.size();
-  if (crew_ != nullptr && states_.size() > 1) crew_->withdraw(*this);
+  if (group_ != nullptr && states_.size() > 1) group_->withdraw(*this);
 }
 
 void WorkAhead::perform(std::size_t i) {

@@ -27,7 +27,7 @@ class HelpListener {
   virtual void help_ends() = 0;
 
  private:
-  HelpListener* before_;
+  HelpListener* previous_;
 };
 
 // Threads that help one another. A thread joins by a Membership; the others may then compute items of its WorkAheads.
@@ -51,13 +51,13 @@ class WorkerGroup {
 // While a Membership exists, the thread that made it belongs to the group.
 class Membership {
  public:
-  explicit Membership(WorkerGroup& crew);
+  explicit Membership(WorkerGroup& group);
   ~Membership();
   Membership(Membership const&) = delete;
   Membership& operator=(Membership const&) = delete;
 
  private:
-  WorkerGroup* before_;
+  WorkerGroup* previous_;
 };
 
 // A piece of work with the items 0 to count - 1, which must not depend on each other. The thread that made it asks for
@@ -83,8 +83,8 @@ class WorkAhead {
   std::vector<std::exception_ptr> failures_;
   std::atomic<std::size_t> next_open_ = 0;
   std::size_t helpers_ = 0;  // guarded by the group's mutex
-  WorkerGroup* crew_;
-  HelpListener* watch_;
+  WorkerGroup* group_;
+  HelpListener* listener_;
 };
 
 }  // namespace isolaw

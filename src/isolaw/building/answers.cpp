@@ -20,7 +20,7 @@ namespace {
 
 bool has_draws(Study const& study) {
   return study.file.settings.draws > 0 &&
-         std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.stands == Stands::draw; });
+         std::ranges::any_of(study.file.bearings, [](auto const& b) { return b.kind == BearingKind::draw; });
 }
 
 // The bearing displacement that 95 % of the draws do not exceed: the largest of its values under each motion and for
@@ -44,10 +44,10 @@ Finding farthest(LawAnswer const& law, Study const& study, double tested_mm) {
           .words = {std::move(of)}};
 }
 
-std::string titles_of(std::vector<Judged> const& judged, Keeps keeps) {
+std::string titles_of(std::vector<LimitCheck> const& judged, LimitKept keeps) {
   std::vector<std::string> titles;
   for (auto const& each : judged)
-    if (each.limit != tested_mm && each.keeps == keeps) titles.emplace_back(quantity(each.quantity).title);
+    if (each.limit != tested_mm && each.limit_kept == keeps) titles.emplace_back(quantity(each.quantity).title);
   return wording::enumerate(titles);
 }
 
@@ -55,22 +55,22 @@ std::string titles_of(std::vector<Judged> const& judged, Keeps keeps) {
 // bearings may move farther than in the tests; "unlimited" if the building file sets no limit.
 std::string_view holds(LawAnswer const& law) {
   bool limited = false, tested = true;
-  auto keeps = Keeps::yes;
-  for (auto const& each : law.judged) {
+  auto keeps = LimitKept::yes;
+  for (auto const& each : law.limit_checks) {
     if (each.limit == tested_mm) {
-      tested = each.keeps == Keeps::yes;
+      tested = each.limit_kept == LimitKept::yes;
       continue;
     }
     limited = true;
-    if (keeps != Keeps::no && each.keeps != Keeps::yes) keeps = each.keeps;
+    if (keeps != LimitKept::no && each.limit_kept != LimitKept::yes) keeps = each.limit_kept;
   }
-  return !limited ? "unlimited" : keeps == Keeps::yes && !tested ? "untested" : name(keeps);
+  return !limited ? "unlimited" : keeps == LimitKept::yes && !tested ? "untested" : name(keeps);
 }
 
 std::optional<bool> holds_at_all(LawAnswer const& law) {
   auto const answer = holds(law);
-  return answer == name(Keeps::yes) || answer == name(Keeps::no) ? std::optional(answer == name(Keeps::yes))
-                                                                 : std::nullopt;
+  return answer == name(LimitKept::yes) || answer == name(LimitKept::no) ? std::optional(answer == name(LimitKept::yes))
+                                                                         : std::nullopt;
 }
 
 Finding holding(FindingKind kind, LawAnswer const& law) {
@@ -79,12 +79,13 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
                   .law = law.law,
                   .numbers = {{"draws", static_cast<double>(law.draws)}},
                   .words = {{"holds", std::string(answer)},
-                            {"which", titles_of(law.judged, answer == name(Keeps::no) ? Keeps::no : Keeps::open)}}};
-  if (answer != name(Keeps::open)) return finding;
+                            {"which", titles_of(law.limit_checks,
+                                                answer == name(LimitKept::no) ? LimitKept::no : LimitKept::open)}}};
+  if (answer != name(LimitKept::open)) return finding;
   // "wanted" is the number of draws that would settle all open limits. It is left out if it is unknown for one of them.
   std::size_t wanted = 0;
-  for (auto const& each : law.judged) {
-    if (each.limit == tested_mm || each.keeps != Keeps::open) continue;
+  for (auto const& each : law.limit_checks) {
+    if (each.limit == tested_mm || each.limit_kept != LimitKept::open) continue;
     if (!each.draws_wanted) return finding;
     wanted = std::max(wanted, *each.draws_wanted);
   }
@@ -134,9 +135,9 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
   double const tested = study.laws[static_cast<std::size_t>(found - answers.laws.begin())].tested_mm;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   Finding reach{.kind = FindingKind::building_reach, .law = law.law};
-  add_finite(reach, {{"nominal_mm", law.reach.nominal},
-                     {"bound_mm", law.reach.bound.value_or(none)},
-                     {"p95_mm", law.reach.p95.value_or(none)},
+  add_finite(reach, {{"nominal_mm", law.design_displacement.nominal},
+                     {"bound_mm", law.design_displacement.bound.value_or(none)},
+                     {"p95_mm", law.design_displacement.p95.value_or(none)},
                      {"draws", static_cast<double>(law.draws)}});
   if (tested > 0.0) {
     reach.numbers.push_back({"tested_mm", tested});
@@ -144,7 +145,7 @@ std::vector<Finding> verdict_of(Study const& study, Answers const& answers) {
         reach.numbers, [&](FindingNumber const& n) { return n.name.ends_with("_mm") && n.value > tested; });
     reach.words = {{"tested", beyond ? "beyond" : "within"}};
   }
-  if (std::isfinite(law.reach.nominal)) verdict.push_back(std::move(reach));
+  if (std::isfinite(law.design_displacement.nominal)) verdict.push_back(std::move(reach));
   if (has_draws(study) && std::isfinite(moves.lot_std_ln))
     verdict.push_back({.kind = FindingKind::building_scatter,
                        .numbers = {{"lot_std_ln", moves.lot_std_ln}, {"motion_std_ln", moves.motion_std_ln}},
@@ -183,15 +184,15 @@ std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
   };
   // The finding about the law that decides the answer comes first. If `own` is true, this is the study's first law. If
   // it is false, the first law's bounds cover that law's draws but not those of another law, which then decides.
-  bool const own = c.inside < wanted_share || answers.bounds_are_enough != false;
+  bool const own = c.share_inside < wanted_share || answers.bounds_are_enough != false;
   Finding cover{.kind = FindingKind::building_bounds_cover,
                 .law = first.law,
-                .numbers = numbers_of(first, c.inside),
+                .numbers = numbers_of(first, c.share_inside),
                 .words = {{"answer", !own                         ? "of another law"
                                      : !answers.bounds_are_enough ? "No answer yet"
                                      : *answers.bounds_are_enough ? "Yes"
                                                                   : "No"},
-                          {"nominal_outside", c.monotony && c.inside < wanted_share ? "yes" : ""}}};
+                          {"nominal_outside", c.monotony && c.share_inside < wanted_share ? "yes" : ""}}};
   cover.numbers.push_back({"interval_low", c.interval_low});
   cover.numbers.push_back({"interval_high", c.interval_high});
   auto const factors = covering_factors(c);
@@ -221,7 +222,7 @@ std::optional<bool> bounds_are_enough(Study const& study, Answers const& answers
   auto const first = std::ranges::find_if(answers.laws, has_result);
   if (!has_draws(study) || first == answers.laws.end()) return {};
   auto const& own = first->coverage.front();
-  bool const refuted = own.inside < wanted_share || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
+  bool const refuted = own.share_inside < wanted_share || std::ranges::any_of(answers.laws, [](LawAnswer const& law) {
                          return law.by_first_bounds && *law.by_first_bounds < wanted_share;
                        });
   if (refuted) return false;
@@ -251,15 +252,15 @@ std::string_view form_sentence(LawAnswer const& law) {
 // displacement, the verdict says so already, so this quantity gets a warning only if its bounds are not monotonic.
 void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
   for (auto const& c : law.coverage) {
-    if (c.inside >= wanted_share) continue;
+    if (c.share_inside >= wanted_share) continue;
     if (c.monotony) {
       auto& warning = warnings.emplace_back(*c.monotony);
       warning.law = law.law;
-      warning.numbers.push_back({"inside", c.inside});
+      warning.numbers.push_back({"inside", c.share_inside});
     } else if (&c != &law.coverage.front()) {
       warnings.push_back({.kind = FindingKind::bounds_cover_less,
                           .law = law.law,
-                          .numbers = {{"inside", c.inside}, {"wanted", wanted_share}},
+                          .numbers = {{"inside", c.share_inside}, {"wanted", wanted_share}},
                           .words = {{"quantity", std::string(quantity(c.quantity).title)}}});
     }
   }
@@ -268,14 +269,14 @@ void warn_of_coverage(LawAnswer const& law, std::vector<Finding>& warnings) {
 std::vector<std::string> assumed_of(Study const& study, Answers const& answers) {
   auto const& s = study.file.settings;
   std::vector<std::string> sentences;
-  auto const count = [&](Stands stands) {
-    return std::ranges::count(study.file.bearings, stands, &BearingPlace::stands);
+  auto const count = [&](BearingKind kind) {
+    return std::ranges::count(study.file.bearings, kind, &BearingPlace::kind);
   };
   sentences.push_back(fmt::format(
       "Of {} bearings {} {}, {} its law, {} tested devices, {} and {} its law as in the lower and the upper bound analysis.",
-      study.file.bearings.size(), count(Stands::draw),
-      s.draws > 0 ? "are draws of the lot" : "have the median parameters of the lot's population", count(Stands::lot),
-      count(Stands::device), count(Stands::lower), count(Stands::upper)));
+      study.file.bearings.size(), count(BearingKind::draw),
+      s.draws > 0 ? "are draws of the lot" : "have the median parameters of the lot's population",
+      count(BearingKind::lot), count(BearingKind::device), count(BearingKind::lower), count(BearingKind::upper)));
   auto const bound = [](std::optional<PartFactors> const& factors) {
     if (!factors) return std::string("as in the bound law over the design conditions of the lot");
     return factors->is_whole() ? fmt::format("times {:.2f}: stiffness and strength alike", factors->elastic)
@@ -294,7 +295,7 @@ std::vector<std::string> assumed_of(Study const& study, Answers const& answers) 
                           s.populations, s.draws_of_each)
             : std::string("The lot's population is taken as known: what few tests leave open is not in it."));
   for (auto const& law : answers.laws)
-    sentences.push_back(fmt::format("{} goes into the plane {}.", laws::called(law.law), form_sentence(law)));
+    sentences.push_back(fmt::format("{} goes into the plane {}.", laws::display_name(law.law), form_sentence(law)));
   sentences.push_back(fmt::format(
       "The superstructure is linear, {} above the base, {:.3g} s on a fixed base, {:.3g} % of damping in every mode; none of it is in the isolation layer.",
       study.file.frame.floors.empty() ? std::string("nothing")
@@ -318,12 +319,12 @@ Kept take_runs(RunStore const& store, std::size_t law, std::size_t motions, Case
   auto const rows = quantities();
   Kept kept(motions, {rows.size(), std::vector<double>(places.cases.size(), std::nan(""))});
   for (std::size_t motion = 0; motion < motions; ++motion)
-    store.each(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
+    store.for_each_run(law, motion, [&](std::size_t place, std::vector<double> const& measured) {
       ++out.runs;
       bool const finite = std::ranges::all_of(measured, [](double v) { return std::isfinite(v); });
       out.failed += !finite;
       if (!finite) return;
-      for (std::size_t q = 0; q < rows.size(); ++q) kept[motion][q][place] = rows[q].of(layout, measured, weight_kN);
+      for (std::size_t q = 0; q < rows.size(); ++q) kept[motion][q][place] = rows[q].value(layout, measured, weight_kN);
       out.worst_balance = std::max(out.worst_balance, std::abs(measure_of(measured, Measure::balance)));
       if (places.cases[place].kind != counted_kind) return;
       ++runs_of_kind;
@@ -351,7 +352,7 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
     auto const& d = out.distributions.emplace_back(distribution_of(responses, places, settings));
     if (!draws.empty() && quantities()[q].uncovered.empty())
       out.coverage.push_back(
-          covered(quantities()[q], draws, d, part_of(responses.mean, places.first_factor, 2 * grid_half + 1)));
+          coverage_of(quantities()[q], draws, d, part_of(responses.mean, places.first_factor, 2 * grid_half + 1)));
     if (q == 0)
       out.collapsed =
           static_cast<std::size_t>(std::ranges::count_if(draws, [](double v) { return !std::isfinite(v); }));
@@ -367,13 +368,13 @@ void add_distributions(LawAnswer& out, Kept const& kept, CasePlaces const& place
 void judge(LawAnswer& out, Kept const& kept, CasePlaces const* places, Study const& study, double tested) {
   auto const against = [&](std::string_view limit, std::string_view of, double allowed) {
     auto const row = static_cast<std::size_t>(&quantity(of) - quantities().data());
-    return judged(limit, of, allowed, responses_of(kept, row), places, places != nullptr && has_draws(study));
+    return check_limit(limit, of, allowed, responses_of(kept, row), places, places != nullptr && has_draws(study));
   };
-  out.reach = against({}, quantities().front().key, std::numeric_limits<double>::infinity());
+  out.design_displacement = against({}, quantities().front().key, std::numeric_limits<double>::infinity());
   for (auto const& limit : limit_rows)
     if (auto const& allowed = study.file.limits.*limit.value)
-      out.judged.push_back(against(limit.key, limit.quantity, *allowed));
-  if (tested > 0.0) out.judged.push_back(against(tested_mm, quantities().front().key, tested));
+      out.limit_checks.push_back(against(limit.key, limit.quantity, *allowed));
+  if (tested > 0.0) out.limit_checks.push_back(against(tested_mm, quantities().front().key, tested));
 }
 
 // Integrates the nominal building implicitly under a motion. Compares the results with those of two other methods: the
@@ -382,7 +383,7 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
                              double of_draws_mm, std::function<bool()> const& interrupted) {
   auto const& motion = study.file.motions[motion_number];
   Devices const devices(source, study.file, motion);
-  auto const nominal = devices.of({});
+  auto const nominal = devices.parameters_of({});
   auto options = options_of(study, model, devices, motion);
   options.histories = true;
   options.interrupted = interrupted;
@@ -392,17 +393,17 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
   auto const run = integrate(model, devices.bearings(nominal), motion, options);
   result.history = thinned(run.history, run.step_s);
   add_spectra(result.spectra_g, run, 1.0 / static_cast<double>(study.file.motions.size()));
-  result.farthest_mm = run.of(Measure::isolator);
+  result.farthest_mm = run.value(Measure::isolator);
   checked.step_s = run.step_s;
   if (run.outcome != Outcome::completed) {
     // The values that an analysis reached before it stopped are not responses of the building, so they are left out.
-    checked.outcome = run.why;
+    checked.outcome = run.stop_reason;
     for (auto& spectrum : result.spectra_g) std::ranges::fill(spectrum, std::nan(""));
     return result;
   }
   checked.outcome = name(run.outcome);
-  checked.isolator_mm = run.of(Measure::isolator);
-  checked.balance = run.of(Measure::balance);
+  checked.isolator_mm = run.value(Measure::isolator);
+  checked.balance = run.value(Measure::balance);
   options.histories = false;
   options.longest_step_s = 0.5 * steps_of(motion, options.longest_step_s, 0.0).dt;
   if (auto const fine = integrate(model, devices.bearings(nominal), motion, options);
@@ -413,7 +414,7 @@ NominalResult nominal_result(Study const& study, LawSource const& source, Model 
     checked.equivalent_mm = linear->displacement_mm;
     checked.equivalent_period_s = linear->period_s;
     checked.equivalent_damping = linear->damping;
-    checked.equivalent_error_percent = 100.0 * (linear->displacement_mm / run.of(Measure::centre) - 1.0);
+    checked.equivalent_error_percent = 100.0 * (linear->displacement_mm / run.value(Measure::centre) - 1.0);
   }
   // With 0.0 as the tested displacement, run_doubts() says nothing about a bearing that moves farther than in the
   // tests. The verdict and its warnings say this already, for the draws.
@@ -436,10 +437,10 @@ void add_nominal_building(LawAnswer& out, Study const& study, RunStore const& st
   double farthest = -1.0;
   std::size_t strongest = 0;
   for (std::size_t motion = 0; motion < motions.size(); ++motion) {
-    auto text = store.kept(law, motion);
+    auto text = store.stored_text(law, motion);
     if (text.empty()) {
       text = kept_text(nominal_result(study, source, model, motion, kept[motion][0][0], interrupted));
-      store.keep(law, motion, text);
+      store.save_text(law, motion, text);
     }
     auto result = nominal_result_of(text);
     auto const coupling = result.checked.coupling;
@@ -454,7 +455,7 @@ void add_nominal_building(LawAnswer& out, Study const& study, RunStore const& st
     out.checked.push_back(std::move(result.checked));
     out.histories.push_back(std::move(result.history));
   }
-  auto text = store.kept(law, motions.size());
+  auto text = store.stored_text(law, motions.size());
   if (text.empty()) {
     Devices const devices(source, study.file, motions[strongest]);
     auto options = options_of(study, model, devices, motions[strongest]);
@@ -464,7 +465,7 @@ void add_nominal_building(LawAnswer& out, Study const& study, RunStore const& st
     auto const first_draw = CasePlaces(study.file.settings).first_draw;
     bool const drawn = has_draws(study) && std::isfinite(kept[strongest][0][first_draw]);
     text = kept_text(loops_of(model, devices, study, strongest, drawn, options));
-    store.keep(law, motions.size(), text);
+    store.save_text(law, motions.size(), text);
   }
   out.loops = loops_of(text);
 }
@@ -497,7 +498,7 @@ void add_warnings(Answers& answers, Study const& study) {
   if (has_draws(study) && first != answers.laws.end() && !answers.bounds_are_enough) {
     auto const draws = static_cast<double>(first->draws);
     warn(FindingKind::draws_too_few, {}, {{"draws", draws}, {"wanted", wanted_share}});
-    auto const inside = static_cast<std::size_t>(std::lround(first->coverage.front().inside * draws));
+    auto const inside = static_cast<std::size_t>(std::lround(first->coverage.front().share_inside * draws));
     if (auto const enough = draws_that_tell(inside, first->draws))
       answers.warnings.back().numbers.push_back({"enough", static_cast<double>(*enough)});
   }
@@ -522,7 +523,7 @@ bool has_result(LawAnswer const& law) {
 
 std::string why_without_result(LawAnswer const& law) {
   auto const stopped = std::ranges::find_if(
-      law.checked, [](Checked const& checked) { return checked.outcome != name(Outcome::completed); });
+      law.checked, [](MotionCheck const& checked) { return checked.outcome != name(Outcome::completed); });
   return fmt::format(
       "none of its {} gave finite numbers{}", counted(law.runs, "analysis run"),
       stopped == law.checked.end() ? std::string() : ". The nominal building stops with: " + stopped->outcome);
@@ -582,7 +583,7 @@ Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vecto
       ++out.runs, out.failed += run.empty();
       auto& values = kept.emplace_back();
       for (auto const& row : rows)
-        values.push_back({run.empty() ? std::nan("") : row.of(model.layout(), run, model.structure().weight_kN())});
+        values.push_back({run.empty() ? std::nan("") : row.value(model.layout(), run, model.structure().weight_kN())});
     }
     out.law = study.laws[law].law;
     judge(out, kept, nullptr, study, study.laws[law].tested_mm);

@@ -33,14 +33,15 @@ struct LawAnswer {
   double worst_balance = 0.0;        // largest error of the energy balance of a run / its input or dissipated energy
   std::vector<Distribution> distributions;  // one for each quantity, in the order of quantities()
   std::vector<Coverage> coverage;  // one for each quantity that bound analyses can cover (Quantity); none without draws
-  Judged reach = {};  // largest bearing displacement, as building codes take it for design; compared with no limit
-  std::vector<Judged> judged;   // one for each limit of the building file, and one for the tested displacement
-  std::vector<Finding> doubts;  // about the law's calibration
+  // The largest displacement of a bearing, as a code takes it for design. No limit judges it.
+  LimitCheck design_displacement = {};
+  std::vector<LimitCheck> limit_checks;  // one for each limit of the building file, and one for the tested displacement
+  std::vector<Finding> doubts;           // about the law's calibration
   // The share of this law's draws whose bearing displacement lies between the bounds of the study's first law with a
   // result. It says how well the bound analyses of another law would cover this law. Empty for that first law and
   // without draws.
   std::optional<double> by_first_bounds;
-  std::vector<Checked> checked;
+  std::vector<MotionCheck> checked;
   std::vector<NominalHistory> histories;  // of the nominal building under each motion
   // For each bearing its largest displacement, and its share of the work on all bearings. Both are means over draws and
   // motions or, without draws, means over the motions of the nominal building. NaN if fewer than least_finite_share of
@@ -80,7 +81,7 @@ struct Answers {
 };
 // Integrates the nominal building of each law. Throws InterruptedRun once `interrupted` returns true.
 Answers answer(Study const& study, RunStore const& store, std::function<bool()> const& interrupted = {});
-// Judges the nominal buildings alone: fills in `verdict`, `holds`, and `judged` of each law. `measured` holds the
+// Judges the nominal buildings alone: fills in `verdict`, `holds`, and `limit_checks` of each law. `measured` holds the
 // measures of their runs, [law][motion][measure]; a run that was not completed has none.
 Answers answer_of_nominal(Study const& study, std::vector<std::vector<std::vector<double>>> const& measured);
 

@@ -117,7 +117,7 @@ std::vector<FileKey> make_keys() {
   table = settings_info.name;
   auto const settings = [](auto member) { return at(&F::building, member); };
   text("title", "title of the report", settings(&Settings::title));
-  keys.back().decides = false;
+  keys.back().changes_runs = false;
   keys.push_back({{{.key = "laws",
                     .kind = Kind::list,
                     .help = "ids of the laws to compare; an empty list means the law that the campaign recommends"},
@@ -132,7 +132,7 @@ std::vector<FileKey> make_keys() {
                      }
                    }},
                   table});
-  keys.back().decides = false;
+  keys.back().changes_runs = false;
   real("draws",
        "number of buildings to draw; in each, every bearing marked draw is a device drawn at random; 0: only the "
        "nominal building and the bound analyses",
@@ -194,17 +194,17 @@ std::vector<FileKey> make_keys() {
   real("stiffness_at_y_m", "", at(&F::floor, &FloorRow::stiffness_at_y_m), within);
 
   table = grid_info.name;
-  real("along", "number of bearings along x; the grid is centred on the plan", at(&F::grid, &GridRow::along), many,
+  real("along", "number of bearings along x; the grid is centred on the plan", at(&F::grid, &GridRow::count_x), many,
        required);
-  real("across", "number of bearings along y", at(&F::grid, &GridRow::across), many, required);
+  real("across", "number of bearings along y", at(&F::grid, &GridRow::count_y), many, required);
   real("spacing_x_m", "", at(&F::grid, &GridRow::spacing_x_m), positive(1e3), required);
   real("spacing_y_m", "", at(&F::grid, &GridRow::spacing_y_m), positive(1e3), required);
-  text("is", stands_help, at(&F::grid, &GridRow::is));
+  text("is", stands_help, at(&F::grid, &GridRow::kind_or_device));
 
   table = bearing_info.name;
   real("x_m", "place in plan", at(&F::bearing, &BearingRow::x_m), within, required);
   real("y_m", "", at(&F::bearing, &BearingRow::y_m), within, required);
-  text("is", stands_help, at(&F::bearing, &BearingRow::is));
+  text("is", stands_help, at(&F::bearing, &BearingRow::kind_or_device));
 
   table = plan_info.name;
   real("left_m", "edges of the slab along x", at(&F::plan, &PlanRow::left_m), within, required);
@@ -281,9 +281,9 @@ class FileReader {
 };
 
 BearingPlace place_of(double x_m, double y_m, std::string const& is) {
-  BearingPlace bearing{.at = {x_m * mm_in_m, y_m * mm_in_m}, .stands = Stands::device, .device = is};
-  for (auto const stands : {Stands::draw, Stands::lot, Stands::lower, Stands::upper})
-    if (is == name(stands)) bearing = {.at = bearing.at, .stands = stands, .device = {}};
+  BearingPlace bearing{.at = {x_m * mm_in_m, y_m * mm_in_m}, .kind = BearingKind::device, .device = is};
+  for (auto const kind : {BearingKind::draw, BearingKind::lot, BearingKind::lower, BearingKind::upper})
+    if (is == name(kind)) bearing = {.at = bearing.at, .kind = kind, .device = {}};
   return bearing;
 }
 
@@ -364,17 +364,17 @@ void write_table(std::string& out, TableInfo const& info, FileTables const& tabl
 
 }  // namespace
 
-std::string_view name(Stands stands) {
-  switch (stands) {
-    case Stands::draw:
+std::string_view name(BearingKind kind) {
+  switch (kind) {
+    case BearingKind::draw:
       return "draw";
-    case Stands::lot:
+    case BearingKind::lot:
       return "lot";
-    case Stands::lower:
+    case BearingKind::lower:
       return "lower";
-    case Stands::upper:
+    case BearingKind::upper:
       return "upper";
-    case Stands::device:
+    case BearingKind::device:
       return "tested device";
   }
   return "";
@@ -562,11 +562,12 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
     middle_x = 0.5 * (plan.left_m + plan.right_m), middle_y = 0.5 * (plan.front_m + plan.back_m);
   }
   if (has_grid)
-    for (int i = 0; i < grid.along; ++i)
-      for (int j = 0; j < grid.across; ++j)
-        file.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid.along - 1)) * grid.spacing_x_m,
-                                         middle_y + (j - 0.5 * (grid.across - 1)) * grid.spacing_y_m, grid.is));
-  for (auto const& b : bearings) file.bearings.push_back(place_of(b.x_m, b.y_m, b.is));
+    for (int i = 0; i < grid.count_x; ++i)
+      for (int j = 0; j < grid.count_y; ++j)
+        file.bearings.push_back(place_of(middle_x + (i - 0.5 * (grid.count_x - 1)) * grid.spacing_x_m,
+                                         middle_y + (j - 0.5 * (grid.count_y - 1)) * grid.spacing_y_m,
+                                         grid.kind_or_device));
+  for (auto const& b : bearings) file.bearings.push_back(place_of(b.x_m, b.y_m, b.kind_or_device));
   if (file.bearings.size() > bearing_info.most)
     root.complain(fmt::format("{} bearings", file.bearings.size()), fmt::format("{} at most", bearing_info.most));
   if (file.plan_mm && places_are_known && plan.left_m < plan.right_m && plan.front_m < plan.back_m) {
@@ -618,7 +619,7 @@ BuildingFile read_parsed(toml::table parsed, std::string const& name, std::files
   // estimated again serve only to compare medians of draws, so there are none either.
   auto& settings = file.settings;
   if (settings.draws == 0 ||
-      std::ranges::find(file.bearings, Stands::draw, &BearingPlace::stands) == file.bearings.end())
+      std::ranges::find(file.bearings, BearingKind::draw, &BearingPlace::kind) == file.bearings.end())
     settings.draws = settings.populations = 0;
   return file;
 }

@@ -51,14 +51,14 @@ struct ResponseLimits {
 
 // Which bearing stands on a place: a draw from the lot, the lot's law, a tested device, or the lot's law times the
 // lower or upper factor.
-enum class Stands { draw, lot, device, lower, upper };
+enum class BearingKind { draw, lot, device, lower, upper };
 // Returns the word for `stands` in building files. For Stands::device, where a building file has the name of the
 // device, it returns "tested device".
-std::string_view name(Stands stands);
+std::string_view name(BearingKind kind);
 struct BearingPlace {
   Point at;
-  Stands stands = Stands::draw;
-  std::string device;  // the device's name if `stands` is Stands::device, else empty
+  BearingKind kind = BearingKind::draw;
+  std::string device;  // the device's name if `kind` is BearingKind::device, else empty
 };
 
 struct BuildingFile {
@@ -91,13 +91,13 @@ struct FloorRow : Slab {
   double stiffness_at_x_m = 0.0, stiffness_at_y_m = 0.0;
 };
 struct GridRow {
-  int along = 7, across = 4;
+  int count_x = 7, count_y = 4;
   double spacing_x_m = 6.0, spacing_y_m = 6.0;
-  std::string is = "draw";
+  std::string kind_or_device = "draw";
 };
 struct BearingRow {
   double x_m = 0.0, y_m = 0.0;
-  std::string is = "draw";
+  std::string kind_or_device = "draw";
 };
 struct PlanRow {
   double left_m = -20.0, right_m = 20.0, front_m = -11.0, back_m = 11.0;
@@ -125,7 +125,7 @@ struct FileKey : Option<FileTables> {
   std::string_view table;
   bool required = false;  // true: the key has no default, and a file without it is refused
   // For a key of [building]: true if a run's numbers depend on its value, so that a store of runs keeps it.
-  bool decides = true;
+  bool changes_runs = true;
 };
 std::span<FileKey const> settings_table();  // the keys of [building]
 

@@ -8,8 +8,8 @@
 
 namespace isolaw::building {
 
-Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
-                 std::vector<double> const& grid) {
+Coverage coverage_of(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
+                     std::vector<double> const& grid) {
   auto const [least, most] = std::minmax(d.lower, d.upper);
   Coverage coverage{.quantity = quantity.key, .factor_low = {}, .factor_high = {}};
   // The nominal response may lie outside the range of the two bounds by this fraction, because responses that should be
@@ -31,9 +31,9 @@ Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Dis
   }
   auto const n = static_cast<double>(draws.size());
   if (draws.empty()) return coverage;
-  coverage.inside = static_cast<double>(inside) / n;
-  coverage.below = static_cast<double>(below) / n;
-  coverage.above = static_cast<double>(draws.size() - inside - below) / n;
+  coverage.share_inside = static_cast<double>(inside) / n;
+  coverage.share_below = static_cast<double>(below) / n;
+  coverage.share_above = static_cast<double>(draws.size() - inside - below) / n;
   auto const interval = binomial_interval(inside, draws.size());
   coverage.interval_low = interval[0], coverage.interval_high = interval[1];
   double low = grid[grid_half], high = low;

@@ -19,11 +19,12 @@ inline constexpr double wanted_share = 0.95;
 
 struct Coverage {
   std::string_view quantity;  // Quantity::key of the response that is compared
-  double inside = 0.0;        // share of the draws whose response lies between those of the two bound analyses, 0 to 1
-  double interval_low = 0.0, interval_high = 0.0;  // 95 % confidence interval of `inside`, Clopper and Pearson 1934
+  double share_inside = 0.0;  // share of the draws whose response lies between those of the two bound analyses, 0 to 1
+  // The 95 % confidence interval of `share_inside`, Clopper and Pearson 1934.
+  double interval_low = 0.0, interval_high = 0.0;
   // Shares of the draws with a response below both bounds, and above both. A response that is not finite counts as
   // above.
-  double below = 0.0, above = 0.0;
+  double share_below = 0.0, share_above = 0.0;
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
   // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
   std::optional<double> factor_low, factor_high;
@@ -35,8 +36,8 @@ Finding covering_factors(Coverage const& coverage);
 
 // `draws` holds the responses of the draws, and `grid` those of the analyses with all forces times grid_factor(i). If a
 // building collapsed in the model, its response is not a number; it then lies outside of all bounds.
-Coverage covered(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
-                 std::vector<double> const& grid);
+Coverage coverage_of(Quantity const& quantity, std::vector<double> const& draws, Distribution const& d,
+                     std::vector<double> const& grid);
 
 // Clopper and Pearson's confidence interval of the share found / trials. It is 0 to 1 without trials.
 std::array<double, 2> binomial_interval(std::size_t found, std::size_t trials, double level = 0.95);

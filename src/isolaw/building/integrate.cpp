@@ -112,7 +112,7 @@ class ImplicitRun {
     if (out_.outcome != Outcome::completed) return;
     if (halvings == options_.most_halvings) {
       out_.outcome = Outcome::not_converged;
-      out_.why = fmt::format("no equilibrium at {:.4f} s, in steps of {:.3g} s", time, dt);
+      out_.stop_reason = fmt::format("no equilibrium at {:.4f} s, in steps of {:.3g} s", time, dt);
       return;
     }
     ++out_.halvings;
@@ -414,7 +414,7 @@ Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bear
   out.measured.assign(run.measured, run.measured + model.layout().count());
   if (std::ranges::any_of(out.measured, [](double x) { return !std::isfinite(x); })) {
     out.outcome = Outcome::not_finite;
-    out.why = "a force or a displacement that is no number";
+    out.stop_reason = "a force or a displacement that is no number";
   }
   return out;
 }

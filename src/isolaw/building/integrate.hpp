@@ -59,14 +59,14 @@ struct History {
 
 struct Response {
   Outcome outcome = Outcome::completed;
-  std::string why;               // why the run stopped early; empty if it was completed
+  std::string stop_reason;       // why the run stopped early; empty if it was completed
   std::vector<double> measured;  // largest displacements, forces, energies, ... in the order that Layout describes
   double step_s = 0.0;           // integration step before any halving
   // Number of steps, of Newton's iterations, of steps that needed the tangents at rest, and of halvings of a step.
   std::size_t steps = 0, iterations = 0, first_tangents = 0, halvings = 0;
   History history;
 
-  double of(Measure which) const { return measured[static_cast<std::size_t>(which)]; }
+  double value(Measure which) const { return measured[static_cast<std::size_t>(which)]; }
 };
 
 // Points in plan, in the axes of the structure.

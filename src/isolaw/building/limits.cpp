@@ -7,7 +7,7 @@
 namespace isolaw::building {
 namespace {
 
-// The response for design (see Judged) in each case. NaN if the building collapsed under a motion.
+// The response for design (see LimitCheck) in each case. NaN if the building collapsed under a motion.
 std::vector<double> for_design(Responses const& responses) {
   if (responses.by_motion.size() >= motions_for_a_mean) return responses.mean;
   auto most = responses.by_motion.front();
@@ -19,22 +19,22 @@ std::vector<double> for_design(Responses const& responses) {
 
 }  // namespace
 
-std::string_view name(Keeps keeps) {
-  return keeps == Keeps::yes ? "yes" : keeps == Keeps::no ? "no" : "open";
+std::string_view name(LimitKept keeps) {
+  return keeps == LimitKept::yes ? "yes" : keeps == LimitKept::no ? "no" : "open";
 }
 
-Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
-              CasePlaces const* places, bool has_draws) {
+LimitCheck check_limit(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
+                       CasePlaces const* places, bool has_draws) {
   auto const values = for_design(responses);
-  Judged found{.limit = limit,
-               .quantity = quantity,
-               .allowed = allowed,
-               .nominal = values[0],
-               .bound = {},
-               .p95 = {},
-               .kept = {},
-               .kept_low = {},
-               .kept_high = {}};
+  LimitCheck found{.limit = limit,
+                   .quantity = quantity,
+                   .allowed = allowed,
+                   .nominal = values[0],
+                   .bound = {},
+                   .p95 = {},
+                   .share_kept = {},
+                   .share_kept_low = {},
+                   .share_kept_high = {}};
   if (places)
     found.bound = std::isnan(values[1])   ? values[1]
                   : std::isnan(values[2]) ? values[2]
@@ -43,19 +43,21 @@ Judged judged(std::string_view limit, std::string_view quantity, double allowed,
     found.broken_by = std::isnan(found.nominal) ? "nominal failed" : "nominal";
   else if (found.bound && !(*found.bound <= allowed))
     found.broken_by = std::isnan(*found.bound) ? "bounds failed" : "bounds";
-  found.keeps = found.broken_by.empty() ? Keeps::yes : Keeps::no;
+  found.limit_kept = found.broken_by.empty() ? LimitKept::yes : LimitKept::no;
   if (!places || !has_draws) return found;
   auto const draws = part_of(values, places->first_draw, places->draws);
   found.p95 = fractiles(draws).back();
   auto const kept =
       static_cast<std::size_t>(std::ranges::count_if(draws, [&](double value) { return value <= allowed; }));
   auto const [low, high] = binomial_interval(kept, draws.size());
-  found.kept = static_cast<double>(kept) / static_cast<double>(draws.size());
-  found.kept_low = low, found.kept_high = high;
+  found.share_kept = static_cast<double>(kept) / static_cast<double>(draws.size());
+  found.share_kept_low = low, found.share_kept_high = high;
   if (!found.broken_by.empty()) return found;
-  found.keeps = *found.kept < wanted_share ? Keeps::no : low >= wanted_share ? Keeps::yes : Keeps::open;
-  if (found.keeps == Keeps::no) found.broken_by = "draws";
-  if (found.keeps == Keeps::open) found.draws_wanted = draws_that_tell(kept, draws.size());
+  found.limit_kept = *found.share_kept < wanted_share ? LimitKept::no
+                     : low >= wanted_share            ? LimitKept::yes
+                                                      : LimitKept::open;
+  if (found.limit_kept == LimitKept::no) found.broken_by = "draws";
+  if (found.limit_kept == LimitKept::open) found.draws_wanted = draws_that_tell(kept, draws.size());
   return found;
 }
 

@@ -30,15 +30,15 @@ inline constexpr LimitInfo limit_rows[]{
     {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
      "acceleration of any floor or of the base"},
 };
-// Judged::limit for the largest displacement to which the devices were tested, which is not a key of the file.
+// LimitCheck::limit for the largest displacement to which the devices were tested, which is not a key of the file.
 inline constexpr std::string_view tested_mm = "tested_mm";
 
-enum class Keeps { yes, no, open };
-std::string_view name(Keeps keeps);
+enum class LimitKept { yes, no, open };
+std::string_view name(LimitKept keeps);
 
 // Whether the buildings with one law keep one limit. A response is the one that building codes use for design: the mean
 // over the motions if there are at least motions_for_a_mean of them, else the largest.
-struct Judged {
+struct LimitCheck {
   std::string_view limit;       // LimitInfo::key, or tested_mm for the displacement of the tests
   std::string_view quantity;    // Quantity::key of the response
   double allowed = 0.0;         // the limit, in the unit of the quantity like all responses below
@@ -46,18 +46,19 @@ struct Judged {
   std::optional<double> bound;  // the larger response of the two bound analyses; NaN if one gave no finite numbers
   std::optional<double> p95;    // response that 95 % of the draws do not exceed, if bearings are drawn
   // Share of the draws that keep the limit, with its 95 % interval. A building that collapsed in the model keeps none.
-  std::optional<double> kept, kept_low, kept_high;
+  std::optional<double> share_kept, share_kept_low, share_kept_high;
   // `no` if the nominal building or a bound analysis breaks the limit, or if fewer than wanted_share of the draws keep
   // it. `open` if the draws are too few to tell whether wanted_share of all buildings keep it.
-  Keeps keeps = Keeps::open;
+  LimitKept limit_kept = LimitKept::open;
   // The first of "nominal", "bounds" and "draws" that does not keep the limit, or "nominal failed" or "bounds failed"
   // if this analysis gave no finite numbers. Empty if the limit is kept or open.
   std::string_view broken_by = {};
-  std::optional<std::size_t> draws_wanted = {};  // draws_that_tell() if `keeps` is open: how many draws would be enough
+  // draws_that_tell() if `limit_kept` is open: how many draws would be enough.
+  std::optional<std::size_t> draws_wanted = {};
 };
 // Judges one limit. If `places` is given, `responses` holds all cases of places->cases. If not, `responses` holds the
 // nominal building only, and only this is judged.
-Judged judged(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
-              CasePlaces const* places = nullptr, bool has_draws = false);
+LimitCheck check_limit(std::string_view limit, std::string_view quantity, double allowed, Responses const& responses,
+                       CasePlaces const* places = nullptr, bool has_draws = false);
 
 }  // namespace isolaw::building

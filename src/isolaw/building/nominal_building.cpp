@@ -94,7 +94,7 @@ BearingLoops loops_of(std::string_view text) {
 BearingLoops loops_of(Model const& model, Devices const& devices, Study const& study, std::size_t motion, bool drawn,
                       Options options) {
   options.bearing_forces = true;
-  auto const bearings = devices.bearings(devices.of({.kind = drawn ? CaseKind::draw : CaseKind::nominal}));
+  auto const bearings = devices.bearings(devices.parameters_of({.kind = drawn ? CaseKind::draw : CaseKind::nominal}));
   auto const run = integrate(model, bearings, study.file.motions[motion], options);
   auto const& h = run.history;
   auto const samples = h.time_s.size(),
@@ -138,7 +138,7 @@ Response nominal_run(Study const& study, LawSource const& source, Motion const& 
   Devices const devices(source, study.file, motion);
   auto options = options_of(study, model, devices, motion);
   options.histories = true;
-  return integrate(model, devices.bearings(devices.of({})), motion, options);
+  return integrate(model, devices.bearings(devices.parameters_of({})), motion, options);
 }
 
 std::string history_csv(Response const& run, Motion const& motion) {

@@ -34,7 +34,7 @@ struct BearingLoops {
 
 // The response of the nominal building to one motion by implicit integration, and how far two other methods differ from
 // it: the integrator that is used for the draws, and equivalent linear analysis.
-struct Checked {
+struct MotionCheck {
   std::string outcome;
   Coupling coupling = Coupling::coupled;
   double step_s = 0.0;
@@ -50,7 +50,7 @@ struct Checked {
 
 // The results under one motion that the answers show for the nominal building.
 struct NominalResult {
-  Checked checked = {};
+  MotionCheck checked = {};
   NominalHistory history = {};
   // Floor spectra under this motion, [diaphragm][period], divided by the number of motions: the sum over the motions is
   // then the mean.

@@ -73,7 +73,7 @@ std::vector<Finding> study_doubts(Study const& study) {
     // Laws that depend on velocity need a period for their effective stiffness: this is a usual one of isolated
     // buildings.
     constexpr double usual_s = 2.0;
-    double const k = effective(devices, devices.of({}), amplitude_mm, usual_s).stiffness_kN_mm;
+    double const k = effective(devices, devices.parameters_of({}), amplitude_mm, usual_s).stiffness_kN_mm;
     double const period_s = 2.0 * std::numbers::pi * std::sqrt(Mg_in_mass * mass_Mg / k);
     if (period_s < least_period_s || period_s > most_period_s)
       doubts.push_back({.kind = FindingKind::period_implausible,
@@ -92,13 +92,13 @@ std::vector<Finding> run_doubts(Response const& run, std::string const& law, std
   auto const doubt = [&](FindingKind kind, std::vector<FindingNumber> numbers) {
     doubts.push_back({.kind = kind, .law = law, .numbers = std::move(numbers), .words = {{"motion", motion}}});
   };
-  if (double const most = run.of(Measure::isolator); largest_test_mm > 0.0 && most > largest_test_mm)
+  if (double const most = run.value(Measure::isolator); largest_test_mm > 0.0 && most > largest_test_mm)
     doubt(FindingKind::displacement_beyond_tests, {{"most_mm", most}, {"tested_mm", largest_test_mm}});
-  if (double const error = std::abs(run.of(Measure::balance)); error > largest_energy_error) {
+  if (double const error = std::abs(run.value(Measure::balance)); error > largest_energy_error) {
     doubt(FindingKind::energy_error_large, {{"error", error}, {"limit", largest_energy_error}});
     doubts.back().words.push_back({"whose", "the nominal building"});
   }
-  if (double const rotation = run.of(Measure::rotation); rotation > largest_rotation_rad)
+  if (double const rotation = run.value(Measure::rotation); rotation > largest_rotation_rad)
     doubt(FindingKind::rotation_large, {{"rotation_rad", rotation}, {"limit_rad", largest_rotation_rad}});
   return doubts;
 }

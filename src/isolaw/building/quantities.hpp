@@ -9,7 +9,7 @@ namespace isolaw::building {
 
 struct Quantity {
   std::string_view key, title, unit, meaning;
-  double (*of)(Layout const& layout, std::span<double const> measured, double weight_kN);
+  double (*value)(Layout const& layout, std::span<double const> measured, double weight_kN);
   std::string_view uncovered = {};  // why bound analyses (coverage.hpp) cannot cover the quantity; empty if they can
 };
 std::span<Quantity const> quantities();

@@ -166,7 +166,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// Like hash_of(), for a text that RunStore::keep() stores.
+// Like hash_of(), for a text that RunStore::save_text() stores.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }
@@ -192,7 +192,7 @@ Expected expected_runs(Connection const& db) {
   };
   FileTables tables;
   for (auto const& key : settings_table())
-    if (key.decides) key.set(tables, value_of(key.kind, {value("setting", key.key)}));
+    if (key.changes_runs) key.set(tables, value_of(key.kind, {value("setting", key.key)}));
   return {.laws = of_kind(properties, "law"),
           .motions = of_kind(properties, "motion"),
           .cases = cases_of(tables.building),
@@ -282,8 +282,8 @@ void RunStore::add(std::vector<Row> const& rows) {
   transaction.commit();
 }
 
-void RunStore::each(std::size_t law, std::size_t motion,
-                    std::function<void(std::size_t, std::vector<double> const&)> const& take) const {
+void RunStore::for_each_run(std::size_t law, std::size_t motion,
+                            std::function<void(std::size_t, std::vector<double> const&)> const& take) const {
   Statement select(db_, "SELECT place, measured, hash FROM runs WHERE law = ? AND motion = ? ORDER BY place");
   select.bind(law, motion);
   while (select.row()) {
@@ -299,7 +299,7 @@ void RunStore::each(std::size_t law, std::size_t motion,
   }
 }
 
-std::string RunStore::kept(std::size_t law, std::size_t place) const {
+std::string RunStore::stored_text(std::size_t law, std::size_t place) const {
   Statement select(db_, "SELECT content, hash FROM nominal WHERE law = ? AND place = ?");
   select.bind(law, place);
   std::string content, hash;
@@ -312,7 +312,7 @@ std::string RunStore::kept(std::size_t law, std::size_t place) const {
   return content;
 }
 
-void RunStore::keep(std::size_t law, std::size_t place, std::string const& text) const {
+void RunStore::save_text(std::size_t law, std::size_t place, std::string const& text) const {
   Statement insert(db_, "INSERT OR REPLACE INTO nominal VALUES (?, ?, ?, ?)");
   auto const hash = hash_of_kept(law, place, text);
   insert.bind(law, place, std::string_view(text), std::string_view(hash)).insert();
@@ -334,7 +334,7 @@ std::vector<StudyProperty> properties_of(Study const& study) {
   };
   FileTables const tables{.building = study.file.settings};
   for (auto const& key : settings_table())
-    if (key.decides) properties.push_back({"setting", std::string(key.key), text_of(key.get(tables))});
+    if (key.changes_runs) properties.push_back({"setting", std::string(key.key), text_of(key.get(tables))});
   auto const slab = [&](Diaphragm const& d) { add(d.mass_Mg, d.gyration_mm, d.centre.x_mm, d.centre.y_mm); };
   slab(study.file.frame.base);
   for (auto const& floor : study.file.frame.floors) {
@@ -343,7 +343,7 @@ std::vector<StudyProperty> properties_of(Study const& study) {
     for (Eigen::Index i = 0; i < 9; ++i) add(floor.below.stiffness(i / 3, i % 3));
   }
   hashed("building", "structure");
-  for (auto const& b : study.file.bearings) add(b.at.x_mm, b.at.y_mm, static_cast<int>(b.stands), b.device);
+  for (auto const& b : study.file.bearings) add(b.at.x_mm, b.at.y_mm, static_cast<int>(b.kind), b.device);
   if (study.file.plan_mm) add_all(*study.file.plan_mm);
   hashed("building", "plan");
   auto const measures = Layout{study.file.frame.floors.size(), study.file.bearings.size()}.count();
@@ -382,7 +382,7 @@ std::vector<StudyProperty> properties_of(Study const& study) {
 }
 
 Options options_of(Study const& study, Model const& model, Devices const& devices, Motion const& motion) {
-  auto const stiffest = devices.bearings(devices.of({.kind = CaseKind::upper}));
+  auto const stiffest = devices.bearings(devices.parameters_of({.kind = CaseKind::upper}));
   std::vector<std::array<double, 4>> first;
   for (auto const& bearing : stiffest) {
     auto const force = bearing->trial({0.0, 0.0}, {0.0, 0.0}, study.file.settings.step_s);
@@ -427,11 +427,11 @@ Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
     }
 }
 
-std::vector<RunStore::Row> Runs::of(Blocks::Block const& block) const {
+std::vector<RunStore::Row> Runs::compute(Blocks::Block const& block) const {
   auto const& devices = devices_[place(block)];
   std::vector<double> values;
   for (auto place = block.from; place < block.to; ++place) {
-    auto const parameters = devices.of(cases_[place]);
+    auto const parameters = devices.parameters_of(cases_[place]);
     values.insert(values.end(), parameters.begin(), parameters.end());
   }
   auto const out = respond(model_, study_.laws[block.law].law, values, study_.file.motions[block.motion],
@@ -484,7 +484,7 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   std::vector<Blocks::Block> left;
   RunProgress progress;
   for (std::size_t number = 0; number < blocks.count(); ++number) {
-    if (options.part && Blocks::part_of(number, options.part->of) != options.part->number) continue;
+    if (options.part && Blocks::part_of(number, options.part->total) != options.part->number) continue;
     auto const block = blocks.at(number);
     auto const together = runs.one_by_one(block) ? 1 : lane_width;
     for (auto from = block.from; from < block.to; from += together) {
@@ -508,7 +508,7 @@ bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOpt
   auto const perform = [&](Blocks::Block const& some) {
     if (stop()) return;
     try {
-      take(runs.of(some));
+      take(runs.compute(some));
     } catch (InterruptedRun const&) {
       // These runs were interrupted and have no result. stop() ends the runs of the other threads too.
     }
@@ -542,7 +542,7 @@ class StudyMerge : public campaign::Merge {
     building::create(file, first_, {}, before_replacing);
   }
 
-  void copy_runs(Path const& to, std::vector<Path> const& parts, campaign::Merged& merged) override {
+  void copy_runs(Path const& to, std::vector<Path> const& parts, campaign::MergeResult& merged) override {
     auto const db = building_store().to_write(to);
     auto const expected = expected_runs(db);
     for (auto const& file : parts) {
@@ -555,7 +555,7 @@ class StudyMerge : public campaign::Merge {
   }
 
   static void take_runs(Connection const& db, Connection const& theirs, Path const& file, Expected const& expected,
-                        campaign::Merged& merged) {
+                        campaign::MergeResult& merged) {
     auto const refuse = [&](RunStore::Row const& row, std::string_view what, std::string_view allowed) {
       throw Error({.where = file.string(),
                    .found = fmt::format("{} {}", number_of(row), what),
@@ -578,14 +578,14 @@ class StudyMerge : public campaign::Merge {
         ++merged.added;
         continue;
       }
-      ++merged.there;
+      ++merged.already_there;
       if (!same.again(row.law, row.motion, row.place, row.measured).row())
         refuse(row, "is another one than that which is there already", "one result of a run, whoever computed it");
     }
     transaction.commit();
   }
 
-  void tell_missing(Path const& file, campaign::Merged& merged) override {
+  void tell_missing(Path const& file, campaign::MergeResult& merged) override {
     building_store().read(file, [&](Connection const& db) {
       auto const [laws, motions, cases, measures] = expected_runs(db);
       Blocks const blocks(laws.size(), motions.size(), cases.size());
@@ -612,7 +612,7 @@ class StudyMerge : public campaign::Merge {
                                  [](Connection const& db) { return runs_in(db) == expected_runs(db).blocks().runs(); });
   }
 
-  void complete(Path const& file, std::vector<Path> const& /*whole*/, campaign::Merged& /*merged*/) override {
+  void complete(Path const& file, std::vector<Path> const& /*whole*/, campaign::MergeResult& /*merged*/) override {
     building_store().put_in_order(file);
   }
 

@@ -86,13 +86,14 @@ class RunStore {
   void add(std::vector<Row> const& rows);
   // Calls take(place, measured) for each stored run of this law under this motion. Throws Error for a run whose numbers
   // have changed since it was stored.
-  void each(std::size_t law, std::size_t motion,
-            std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
-  // keep() stores a text of kept_text() (nominal_building.hpp), and kept() returns it. `place` is the index of the
-  // motion to which the text belongs. The text of the BearingLoops has the number of motions as its place. If there is
-  // no text, kept() returns an empty one. If the text has changed since it was stored, kept() throws Error.
-  std::string kept(std::size_t law, std::size_t place) const;
-  void keep(std::size_t law, std::size_t place, std::string const& text) const;
+  void for_each_run(std::size_t law, std::size_t motion,
+                    std::function<void(std::size_t, std::vector<double> const&)> const& take) const;
+  // save_text() stores a text of kept_text() (nominal_building.hpp), and stored_text() returns it. `place` is the index
+  // of the motion to which the text belongs. The text of the BearingLoops has the number of motions as its place. If
+  // there is no text, stored_text() returns an empty one. If the text has changed since it was stored, stored_text()
+  // throws Error.
+  std::string stored_text(std::size_t law, std::size_t place) const;
+  void save_text(std::size_t law, std::size_t place, std::string const& text) const;
 
  private:
   std::filesystem::path file_;
@@ -111,7 +112,7 @@ struct MissingRun {
   std::string law, motion, analysis;
   int part = 0;  // the part, counted from 1, that should hold the run; 0 if the number of parts is not known
 };
-struct MergedStudy : campaign::Merged {
+struct MergedStudy : campaign::MergeResult {
   StudyPart part = {};  // which part the first of the merged files holds, and the paths of its input files
 };
 struct MergeOptions {
@@ -129,7 +130,7 @@ class Runs {
   // The study must outlive this object. A run throws InterruptedRun once `interrupted` returns true.
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
-  std::vector<RunStore::Row> of(Blocks::Block const& block) const;
+  std::vector<RunStore::Row> compute(Blocks::Block const& block) const;
   // Whether the block's runs are integrated implicitly, one by one. This is so unless its coupling is `coupled`.
   bool one_by_one(Blocks::Block const& block) const { return devices_[place(block)].coupling() != Coupling::coupled; }
 

@@ -83,7 +83,7 @@ Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const
                   .split(stable_hash("building"))
                   .split(stable_hash(source_.law))) {
   auto const where = fmt::format("law {}", source_.law);
-  bool const drawn = std::ranges::any_of(places_, [](auto const& p) { return p.stands == Stands::draw; });
+  bool const drawn = std::ranges::any_of(places_, [](auto const& p) { return p.kind == BearingKind::draw; });
   if (drawn && !source_.population.has_covariance())
     throw Error({.where = where,
                  .found = source_.population.note.empty() ? "no population, and bearings that are draws of it"
@@ -91,21 +91,21 @@ Devices::Devices(LawSource const& source, BuildingFile const& file, Motion const
                  .allowed = "a law that was analysed on two devices or more",
                  .advice = "isolaw calibrate ... --analysis full, or bearings that are \"lot\""});
   for (auto const& p : places_)
-    if (p.stands == Stands::device && !source_.devices.contains(p.device)) {
+    if (p.kind == BearingKind::device && !source_.devices.contains(p.device)) {
       std::vector<std::string> names{"draw", "lot", "lower", "upper"};
       for (auto const& [name, values] : source_.devices) names.push_back(name);
       throw Error({.where = where, .found = fmt::format("no device '{}'", p.device), .allowed = joined(names)});
     }
 }
 
-lot::Population const& Devices::again(std::size_t population) const {
-  std::call_once(again_->once, [&] {
+lot::Population const& Devices::reestimated(std::size_t population) const {
+  std::call_once(reestimated_->once, [&] {
     for (int p = 0; p < settings_.populations; ++p)
-      again_->populations.push_back(population_again(
+      reestimated_->populations.push_back(population_again(
           source_.population, stream_.split(stable_hash("uncertain")).split(static_cast<std::uint64_t>(p)),
           source_.limits));
   });
-  return again_->populations.at(population);
+  return reestimated_->populations.at(population);
 }
 
 std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> const& values) const {
@@ -116,29 +116,29 @@ std::vector<std::unique_ptr<Bearing>> Devices::bearings(std::vector<double> cons
   return devices;
 }
 
-std::vector<double> Devices::full(std::vector<double> const& of_population) const {
+std::vector<double> Devices::all_parameters(std::vector<double> const& of_population) const {
   auto values = source_.median;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (source_.place[i]) values[i] = of_population[*source_.place[i]];
   return values;
 }
 
-std::vector<double> Devices::of(Case const& which) const {
-  auto const draws = static_cast<std::size_t>(std::ranges::count(places_, Stands::draw, &BearingPlace::stands));
+std::vector<double> Devices::parameters_of(Case const& which) const {
+  auto const draws = static_cast<std::size_t>(std::ranges::count(places_, BearingKind::draw, &BearingPlace::kind));
   std::vector<std::vector<double>> drawn(draws, source_.median);
   auto const draw = [&](lot::Population const& population, num::Stream const& stream) {
     // A re-estimated population may have no scatter. All devices drawn from it then have the median parameters.
     if (draws == 0) return;
     if (!population.has_covariance()) {
-      std::ranges::fill(drawn, full(population.medians));
+      std::ranges::fill(drawn, all_parameters(population.medians));
       return;
     }
     auto const sample = lot::sample(population, draws, stream.split(which.draw), source_.limits);
-    for (std::size_t j = 0; j < draws; ++j) drawn[j] = full(sample.values[j]);
+    for (std::size_t j = 0; j < draws; ++j) drawn[j] = all_parameters(sample.values[j]);
   };
   if (which.kind == CaseKind::draw) draw(source_.population, stream_.split(stable_hash("draw")));
   if (which.kind == CaseKind::uncertain && draws > 0)
-    draw(again(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
+    draw(reestimated(which.population), stream_.split(stable_hash("uncertain draw")).split(which.population));
   auto const lower = settings_.lower ? *settings_.lower : source_.lower.value();
   auto const upper = settings_.upper ? *settings_.upper : source_.upper.value();
   PartFactors factors;
@@ -149,13 +149,13 @@ std::vector<double> Devices::of(Case const& which) const {
   std::vector<double> parameters;
   std::size_t next = 0;
   for (auto const& place : places_) {
-    auto values = place.stands == Stands::draw     ? drawn[next++]
-                  : place.stands == Stands::device ? source_.devices.at(place.device)
-                                                   : source_.lot;
+    auto values = place.kind == BearingKind::draw     ? drawn[next++]
+                  : place.kind == BearingKind::device ? source_.devices.at(place.device)
+                                                      : source_.lot;
     auto own = factors;
     auto const multiply = [&](PartFactors const& by) { own.elastic *= by.elastic, own.hysteretic *= by.hysteretic; };
-    if (place.stands == Stands::lower) multiply(lower);
-    if (place.stands == Stands::upper) multiply(upper);
+    if (place.kind == BearingKind::lower) multiply(lower);
+    if (place.kind == BearingKind::upper) multiply(upper);
     if (own.elastic != 1.0 || own.hysteretic != 1.0)
       laws::find_law(source_.law).with_factors(values, own.elastic, own.hysteretic);
     parameters.insert(parameters.end(), values.begin(), values.end());

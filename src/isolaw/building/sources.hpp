@@ -78,24 +78,24 @@ class Devices {
   Coupling coupling() const { return coupling_; }  // how the law acts in the plane, the same for all bearings
   std::vector<std::unique_ptr<Bearing>> bearings(std::vector<double> const& values) const;
   // The parameters of all bearings in a case, those of the first bearing first.
-  std::vector<double> of(Case const& which) const;
+  std::vector<double> parameters_of(Case const& which) const;
 
  private:
   // The populations that were estimated again. Copies of the object share them, and the first copy that needs them
   // makes them.
-  struct Again {
+  struct ReestimatedPopulations {
     std::once_flag once;
     std::vector<lot::Population> populations;
   };
-  lot::Population const& again(std::size_t population) const;
-  std::vector<double> full(std::vector<double> const& of_population) const;
+  lot::Population const& reestimated(std::size_t population) const;
+  std::vector<double> all_parameters(std::vector<double> const& of_population) const;
 
   Coupling coupling_;
   LawSource source_;
   std::vector<BearingPlace> places_;
   Settings settings_;
   num::Stream stream_;
-  std::shared_ptr<Again> again_ = std::make_shared<Again>();
+  std::shared_ptr<ReestimatedPopulations> reestimated_ = std::make_shared<ReestimatedPopulations>();
 };
 
 // Parametric bootstrap: estimates the population again from as many devices as were tested, drawn from N(mu, S), the

@@ -96,7 +96,7 @@ class Analysis {
 
   void examine_devices() {
     std::vector<Search const*> tasks;
-    auto const shares = options_.share ? assign_analyses(contents_, options_.share->of) : std::vector<int>();
+    auto const shares = options_.share ? assign_analyses(contents_, options_.share->total) : std::vector<int>();
     auto const is_of_share = [&](Search const& search) {
       return shares.empty() ||
              shares[static_cast<std::size_t>(&search - contents_.searches.data())] == options_.share->number;
@@ -160,9 +160,9 @@ class Analysis {
 
   // Fits the law as a set of springs around a circle (fit/as_springs.hpp) to the records of these devices. Returns
   // nullopt if the settings do not ask for it, or if the law with these parameters has a coupled two-dimensional form.
-  std::optional<fit::AsSprings> as_springs(std::string_view law, std::span<std::size_t const> devices,
-                                           fit::SearchBox const& box, std::vector<double> const& parameters,
-                                           int refinement) const {
+  std::optional<fit::SpringsFit> as_springs(std::string_view law, std::span<std::size_t const> devices,
+                                            fit::SearchBox const& box, std::vector<double> const& parameters,
+                                            int refinement) const {
     if (!contents_.settings.springs || !laws::no_coupled_form(law, parameters)) return {};
     std::vector<data::FitRecord const*> records;
     for (auto const device : devices) records.push_back(&contents_.devices[device].record);
@@ -172,7 +172,7 @@ class Analysis {
   std::vector<LawOnLot> laws_on_lot() const {
     std::vector<LawOnLot> lots;
     auto const& laws = contents_.settings.laws;
-    auto const shares = options_.share ? assign_laws(contents_, options_.share->of) : std::vector<int>();
+    auto const shares = options_.share ? assign_laws(contents_, options_.share->total) : std::vector<int>();
     for (std::size_t i = 0; i < laws.size(); ++i) {
       if (options_.share && shares[i] != options_.share->number) continue;
       auto const& law = laws[i];
@@ -330,7 +330,7 @@ std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std
   auto const& settings = contents.settings;
   auto const tests = data::tests_of(contents.devices[device].record);
   auto const sizes = data::swing_sizes(tests, settings.clean.weights.value_or(data::Weighting::swing));
-  if (!sizes.tell) return std::nullopt;
+  if (!sizes.shows_larger_swings) return std::nullopt;
   auto models = analysis::swing_models(laws::find_law(law), tests, sizes, settings.integration, settings.turning_points,
                                        refinement);
   return models.small.empty() || models.large.empty() ? std::nullopt : std::optional(std::move(models));

@@ -50,7 +50,7 @@ void members(auto const& each, A<analysis::LargerSwings> auto& l) {
   each("parameters", l.parameters)("fitted", l.fitted)("predicted", l.predicted);
   each("least_predicted", l.least_predicted)("evaluations", l.evaluations);
 }
-void members(auto const& each, A<fit::AsSprings> auto& s) {
+void members(auto const& each, A<fit::SpringsFit> auto& s) {
   each("parameters", s.parameters)("law", s.law)("given", s.given)("fitted", s.fitted);
 }
 void members(auto const& each, A<DeviceAnalysis> auto& a) {

@@ -186,7 +186,7 @@ std::vector<Task> missing_runs(Contents const& contents, std::vector<Target> con
   std::set<std::tuple<std::size_t, std::string, int>> present;
   for (auto const& run : contents.runs) present.emplace(run.device, run.law, run.number);
   std::optional<RunAssignment> deal;
-  if (contents.part) deal.emplace(contents, contents.part->of);
+  if (contents.part) deal.emplace(contents, contents.part->total);
   auto const is_of_this_part = [&](Target const& target, int number) {
     return !deal || deal->part_of(target.place, number) == contents.part->number;
   };

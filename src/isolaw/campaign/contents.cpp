@@ -43,7 +43,7 @@ Part parse_part(std::string_view text) {
 }
 
 std::string text(Part const& part) {
-  return fmt::format("{}/{}", part.number, part.of);
+  return fmt::format("{}/{}", part.number, part.total);
 }
 
 std::string_view name(Outcome outcome) {
@@ -62,8 +62,8 @@ std::size_t Contents::expected_here() const {
   auto const all = expected_runs();
   if (!part) return all;
   // The parts get the runs in turn (part_assignment.hpp), so the first parts may have one run more.
-  auto const number = static_cast<std::size_t>(part->number), of = static_cast<std::size_t>(part->of);
-  return all < number ? 0 : (all - number) / of + 1;
+  auto const number = static_cast<std::size_t>(part->number), total = static_cast<std::size_t>(part->total);
+  return all < number ? 0 : (all - number) / total + 1;
 }
 
 std::size_t Contents::expected_analyses() const {

@@ -98,7 +98,7 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
   analysis::Intervals intervals;
   // The law fitted as springs around a circle (fit/as_springs.hpp). Present only if the settings ask for it and the law
   // has no coupled two-dimensional form with the parameters of the optimum.
-  std::optional<fit::AsSprings> springs = {};
+  std::optional<fit::SpringsFit> springs = {};
   std::optional<analysis::LargerSwings> larger_swings =
       {};  // empty if the test shows nothing about larger swings, or if no force is finite
   std::size_t maker = 0;
@@ -106,18 +106,18 @@ struct DeviceAnalysis {  // how well one device's tests determine a law's parame
 
 struct LotAnalysis {  // one parameter vector for all devices that are no copies and have an analysis
   std::string law;
-  int refinement = 1;                          // integration steps per sample: the largest number of any device's run
-  std::vector<std::size_t> devices;            // the devices that took part, in rising order
-  analysis::OneLaw mean = {};                  // law of least mean objective; its objectives[i] belongs to devices[i]
-  analysis::LeastWorst worst = {};             // the law whose largest objective on any device is least
-  std::optional<fit::AsSprings> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
+  int refinement = 1;                           // integration steps per sample: the largest number of any device's run
+  std::vector<std::size_t> devices;             // the devices that took part, in rising order
+  analysis::OneLaw mean = {};                   // law of least mean objective; its objectives[i] belongs to devices[i]
+  analysis::LeastWorst worst = {};              // the law whose largest objective on any device is least
+  std::optional<fit::SpringsFit> springs = {};  // as in DeviceAnalysis, but fitted to all devices, starting from `mean`
   std::size_t maker = 0;
 };
 
 struct LeftOutAnalysis {  // the law fitted to the lot without one device, judged on that device
   std::size_t device = 0;
   std::string law;
-  analysis::LeftOut left_out = {};
+  analysis::LeftOutFit left_out = {};
   std::size_t maker = 0;
 };
 
@@ -162,10 +162,10 @@ struct Acceptance {
   bool operator==(Acceptance const&) const = default;
 };
 
-// One of the `of` parts into which the runs of a campaign are divided, so that several machines can compute them.
+// One of the `total` parts into which the runs of a campaign are divided, so that several machines can compute them.
 // `number` counts from 1. No result depends on how the runs are divided.
 struct Part {
-  int number = 1, of = 1;
+  int number = 1, total = 1;
 
   bool operator==(Part const&) const = default;
 };

@@ -54,12 +54,12 @@ Estimate::Tasks& Estimate::tasks(TaskKind kind, std::string_view law) {
 }
 
 void Estimate::expect_none(TaskKind kind) {
-  for (auto& kinds : tasks_) kinds[static_cast<std::size_t>(kind)].left = 0;
+  for (auto& kinds : tasks_) kinds[static_cast<std::size_t>(kind)].remaining = 0;
 }
 
 void Estimate::done(TaskKind kind, std::string_view law) {
   auto& group = tasks(kind, law);
-  if (group.left > 0) --group.left;
+  if (group.remaining > 0) --group.remaining;
   done_s_ += group.each_s;
 }
 
@@ -67,7 +67,7 @@ double Estimate::work_left_s(TaskKind kind) const {
   double sum_s = 0.0;
   for (auto const& kinds : tasks_) {
     auto const& group = kinds[static_cast<std::size_t>(kind)];
-    sum_s += group.each_s * static_cast<double>(group.left);
+    sum_s += group.each_s * static_cast<double>(group.remaining);
   }
   return sum_s;
 }

@@ -22,7 +22,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
   explicit Estimate(Contents const& contents);  // expects every run and analysis that `contents` lacks
 
   void expect_none(TaskKind kind);  // forgets all tasks of this kind; later calls of expect() add new ones
-  void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).left; }
+  void expect(TaskKind kind, std::string_view law) { ++tasks(kind, law).remaining; }
   void done(TaskKind kind, std::string_view law);
 
   double work_left_s(TaskKind kind) const;  // processor time on the machine where the costs of the laws were measured
@@ -32,7 +32,7 @@ class Estimate {  // not thread-safe; `contents` must outlive it
  private:
   struct Tasks {
     double each_s = 0.0;
-    std::size_t left = 0;
+    std::size_t remaining = 0;
   };
   Tasks& tasks(TaskKind kind, std::string_view law);
   double all_left_s() const;

@@ -24,7 +24,7 @@ struct VerticalInput {  // a compression test before it is read: a file, or just
   std::optional<data::LoadRange> loads = {};
   std::optional<double> stated_kN_per_mm = {};
 
-  bool given() const { return !file.empty() || stated_kN_per_mm; }
+  bool is_given() const { return !file.empty() || stated_kN_per_mm; }
 };
 
 struct TestInput {                           // one test before its record is read

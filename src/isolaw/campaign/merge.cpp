@@ -51,17 +51,17 @@ class CampaignMerge : public Merge {
     Store::create(file, beginning, before_replacing).finish();
   }
 
-  void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) override {
+  void copy_runs(Path const& to, std::vector<Path> const& parts, MergeResult& merged) override {
     auto store = Store::open(to);
     for (auto const& file : parts) {
       auto const taken = store.take_runs(file);
       merged.added += taken.added;
-      merged.there += taken.there;
+      merged.already_there += taken.already_there;
     }
     store.finish();
   }
 
-  void tell_missing(Path const& file, Merged& merged) override {
+  void tell_missing(Path const& file, MergeResult& merged) override {
     // The keys of the runs tell which runs are missing, so the records' series are not read here.
     auto const campaign = Store::read_beginning(file);
     auto const runs = static_cast<std::size_t>(campaign.settings.runs);
@@ -93,7 +93,7 @@ class CampaignMerge : public Merge {
 
   bool has_every_run(Path const& file) override { return runs_in(file) == Store::read_beginning(file).expected_runs(); }
 
-  void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) override {
+  void complete(Path const& file, std::vector<Path> const& whole, MergeResult& merged) override {
     // An analysis starts from the best of all runs, so analyses are copied only from stores that have every run.
     auto const runs = whole.empty() ? 0 : runs_in(file);
     auto complete = whole;
@@ -110,8 +110,8 @@ class CampaignMerge : public Merge {
 
 }  // namespace
 
-Merged merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
-             MergeOptions const& options) {
+MergeResult merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
+                  MergeOptions const& options) {
   return CampaignMerge(options.missing).run(out, parts, options.fresh, options.before_replacing);
 }
 

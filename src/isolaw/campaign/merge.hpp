@@ -24,7 +24,7 @@ struct MergeOptions {
 
 // Merges as Merge::run() does, and copies the analyses from those stores that hold all runs. Memory holds the records
 // and one run at a time.
-Merged merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
-             MergeOptions const& options = {});
+MergeResult merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
+                  MergeOptions const& options = {});
 
 }  // namespace isolaw::campaign

@@ -63,7 +63,7 @@ void require_sound(Path const& file, std::string const& again) {
                  .advice = "copying it once more, or " + again});
 }
 
-std::string missing_text(Merged const& merged) {
+std::string missing_text(MergeResult const& merged) {
   if (merged.missing == 0) return {};
   std::vector<std::string> of_parts;
   for (auto const& [part, runs] : merged.missing_of)
@@ -82,10 +82,10 @@ void Merge::refuse_part(Path const& out, std::optional<Part> const& part) const 
                  .advice = "another directory"});
 }
 
-Merged Merge::run(Path const& out, std::vector<Path> const& parts, bool fresh,
-                  std::function<void()> const& before_replacing) {
+MergeResult Merge::run(Path const& out, std::vector<Path> const& parts, bool fresh,
+                       std::function<void()> const& before_replacing) {
   auto const& words = kind_.words();
-  Merged merged;
+  MergeResult merged;
   Path first;               // the first store, with which all others must agree
   Path dealt;               // the first store that states the number of parts
   std::vector<Path> whole;  // stores that are not parts
@@ -107,12 +107,12 @@ Merged Merge::run(Path const& out, std::vector<Path> const& parts, bool fresh,
       if (file != out) whole.push_back(file);
       return;
     }
-    if (merged.parts != 0 && merged.parts != part->of)
+    if (merged.parts != 0 && merged.parts != part->total)
       throw Error({.where = file.string(),
                    .found = fmt::format("is part {}; {} is one of {}", text(*part), dealt.string(), merged.parts),
                    .allowed = "parts of one deal",
                    .advice = "merging those of each deal into the same directory, one after the other"});
-    merged.parts = part->of;
+    merged.parts = part->total;
     if (dealt.empty()) dealt = file;
   };
   std::vector<Path> files;

@@ -15,9 +15,9 @@
 
 namespace isolaw::campaign {
 
-struct Merged {
-  std::size_t added = 0, there = 0;  // `there`: runs that were in `out` before or came twice
-  std::size_t analyses = 0;          // the number of analyses copied
+struct MergeResult {
+  std::size_t added = 0, already_there = 0;  // `already_there`: runs that were in `out` before or came twice
+  std::size_t analyses = 0;                  // the number of analyses copied
   std::size_t missing = 0;
   int parts = 0;                          // the number of parts; 0 if no store states it
   std::vector<std::string> absent;        // given paths that do not exist
@@ -25,7 +25,7 @@ struct Merged {
   std::map<int, std::size_t> missing_of;  // missing runs by the part that should hold them; part 0 if that is not known
 };
 // "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
-std::string missing_text(Merged const& merged);
+std::string missing_text(MergeResult const& merged);
 // Throws Error for a file in which SQLite finds faults. `again` tells the user how to compute the file once more.
 void require_sound(std::filesystem::path const& file, std::string const& again);
 
@@ -44,20 +44,20 @@ class Merge {
   // part is copied in one transaction, so the same call completes a merge that was stopped. Throws Error for a store
   // that is damaged or of another campaign or study, build or instruction set, for runs that contradict each other, and
   // if `out` is a part itself or would lose runs.
-  Merged run(Path const& out, std::vector<Path> const& parts, bool fresh,
-             std::function<void()> const& before_replacing);
+  MergeResult run(Path const& out, std::vector<Path> const& parts, bool fresh,
+                  std::function<void()> const& before_replacing);
 
  protected:
   // Returns a text for each difference between the campaigns or studies in `first` and `file`.
   virtual std::vector<std::string> differences(Path const& first, Path const& file) = 0;
   // Makes a store with the settings and inputs of the store `first`. It belongs to no part and has no runs.
   virtual void create(Path const& file, Path const& first, std::function<void()> const& before_replacing) = 0;
-  virtual void copy_runs(Path const& to, std::vector<Path> const& parts, Merged& merged) = 0;
-  virtual void tell_missing(Path const& file, Merged& merged) = 0;  // sets `missing` and `missing_of`
+  virtual void copy_runs(Path const& to, std::vector<Path> const& parts, MergeResult& merged) = 0;
+  virtual void tell_missing(Path const& file, MergeResult& merged) = 0;  // sets `missing` and `missing_of`
   virtual bool has_every_run(Path const& file) = 0;
   // Called when no run is missing, to complete the merged store `file`, for example with analyses. `whole` lists the
   // given stores that are not parts.
-  virtual void complete(Path const& file, std::vector<Path> const& whole, Merged& merged) = 0;
+  virtual void complete(Path const& file, std::vector<Path> const& whole, MergeResult& merged) = 0;
 
  private:
   void refuse_part(Path const& out, std::optional<Part> const& part) const;

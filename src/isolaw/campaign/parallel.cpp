@@ -18,7 +18,7 @@ std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::fu
   if (count == 0) return 1;
   threads = std::max<std::size_t>(threads, 1);
   std::atomic<std::size_t> next = 0, busy = 0;
-  WorkerGroup crew;
+  WorkerGroup group;
   std::mutex one_at_a_time;
   std::exception_ptr failure;
   std::vector<std::size_t> left;
@@ -40,11 +40,11 @@ std::size_t for_each_in_parallel(std::size_t count, std::size_t threads, std::fu
     return true;
   };
   auto const work_along = [&] {
-    Membership const member(crew);
+    Membership const member(group);
     bool const stays = work_through();
     --busy;
-    crew.changed();
-    if (stays) crew.help_until([&] { return busy == 0; });
+    group.changed();
+    if (stays) group.help_until([&] { return busy == 0; });
   };
   std::size_t helpers = 0;
   {

@@ -70,7 +70,7 @@ void clean(Device& device, data::CleanOptions const& cleaning, FalseSignals fals
   device.record = data::clean(device.raw, properties, cleaning);
   if (false_signals == FalseSignals::shown) return;
   auto const& scored = device.record.scored;
-  if (properties.is_false)
+  if (properties.refusal_is_of_fault)
     refuse_device(device, wording::reasons(properties.refusal));
   else if (!scored.empty() && std::ranges::count(scored, 1.0) < 2)
     throw Error({.where = device.file,

@@ -29,7 +29,7 @@ using sqlite::Connection;
 using sqlite::Statement;
 
 std::string to_json(data::VerticalTest const& test) {  // a compression test without its series; empty if there is none
-  if (!test.given()) return {};
+  if (!test.is_given()) return {};
   nlohmann::ordered_json object;  // members in alphabetical order
   if (test.found_kN_per_mm) object["K_v_kN_per_mm"] = *test.found_kN_per_mm;
   if (!test.curve_sha256.empty()) object["curve_sha256"] = test.curve_sha256;

@@ -316,13 +316,13 @@ Setting const* find_setting(std::string_view key) {
 
 void take(Setting const& setting, Json const& value, bool method_given, Settings& settings) {
   if (!setting.belongs_to(settings.method)) {
-    auto const own = methods[setting.of == Method::genetic].first,
+    auto const own = methods[setting.only_method == Method::genetic].first,
                chosen = methods[settings.method == Method::genetic].first;
     if (method_given)
       throw Error({.where = {},
                    .found = fmt::format("belongs to method {}, but the method is {}", own, chosen),
                    .allowed = fmt::format("with method {}, or without a method: it then chooses {}", own, own)});
-    settings.method = *setting.of;
+    settings.method = *setting.only_method;
   }
   setting.set(settings, value);
 }

@@ -46,7 +46,7 @@ Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> co
   judge_each(setting_table(), [&](Setting const& setting) {
     if (!setting.belongs_to(settings.method)) return;
     auto const found = stored.find(setting.key);
-    auto const value = found == stored.end() ? setting.without : Json::parse(found->second);
+    auto const value = found == stored.end() ? setting.value_if_absent : Json::parse(found->second);
     if (value.is_null()) throw Error({.where = {}, .found = "is missing in the store"});
     // A value that `settings` already has is not set again. A store may hold 0 runs, if the user left the number open,
     // and set() would refuse this 0.

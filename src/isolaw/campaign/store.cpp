@@ -107,20 +107,20 @@ Contents Store::read(std::filesystem::path const& file) {
   });
 }
 
-Store::Taken Store::take_runs(std::filesystem::path const& other) {
+Store::CopiedRuns Store::take_runs(std::filesystem::path const& other) {
   auto const theirs = campaign_store().to_read(other);
   auto const maker = own_maker();
   // Merging a part changes pages all over the database. With a long log, SQLite writes a page that several parts change
   // into the file once, and not once for each part.
   db_.execute("PRAGMA wal_autocheckpoint = 16384");
-  Taken taken;
+  CopiedRuns taken;
   Transaction transaction(db_);
   RunWriter writer(db_);
   auto const take = [&](Run run) {
     require_consistent(campaign_, run);
     run.maker = maker;
     if (writer.add_if_new(run)) return void(++taken.added);
-    ++taken.there;
+    ++taken.already_there;
     if (!writer.is_there(run))
       throw Error({.where = other.string(),
                    .found = fmt::format("run {} of {} on device '{}' is another one than that which is there already",

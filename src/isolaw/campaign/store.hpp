@@ -44,10 +44,10 @@ class Store {
   // Copies all runs of another store or, if it throws Error, none. The other store must belong to this campaign and
   // must have been computed by this build. A run that both stores hold must be the same in both. Memory holds one row
   // at a time.
-  struct Taken {
-    std::size_t added = 0, there = 0;
+  struct CopiedRuns {
+    std::size_t added = 0, already_there = 0;
   };
-  Taken take_runs(std::filesystem::path const& other);
+  CopiedRuns take_runs(std::filesystem::path const& other);
   // Copies all analyses that are missing here from another store of this campaign, and returns how many. The other
   // store must have every run. If take_analyses() throws, it has copied none.
   std::size_t take_analyses(std::filesystem::path const& other);

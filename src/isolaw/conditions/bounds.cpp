@@ -16,7 +16,7 @@ Loop operator-(Loop const& left, Loop const& right) {
   return {left.K_eff_kN_per_mm - right.K_eff_kN_per_mm, left.energy_kN_mm - right.energy_kN_mm};
 }
 
-std::vector<double> changed(laws::LawEntry const& law, std::span<double const> parameters, PartFactors const& by) {
+std::vector<double> changed(laws::LawEntry const& law, std::span<double const> parameters, LoopFactors const& by) {
   std::vector<double> values(parameters.begin(), parameters.end());
   law.with_factors(values, by.a, by.b);
   return values;
@@ -97,7 +97,7 @@ LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters
   return {.elastic = with(2.0, 1.0) - whole, .hysteretic = with(1.0, 2.0) - whole};
 }
 
-PartFactors factors_for(LoopParts const& parts, Loop const& target) {
+LoopFactors factors_for(LoopParts const& parts, Loop const& target) {
   auto const& [el, hy] = parts;
   double const determinant = el.K_eff_kN_per_mm * hy.energy_kN_mm - hy.K_eff_kN_per_mm * el.energy_kN_mm;
   return {.a = (target.K_eff_kN_per_mm * hy.energy_kN_mm - hy.K_eff_kN_per_mm * target.energy_kN_mm) / determinant,
@@ -112,7 +112,7 @@ std::optional<BoundLaw> bound_law(laws::LawEntry const& law, std::span<double co
   double const square = at_reference.K_eff_kN_per_mm * block.amplitude_mm * block.amplitude_mm;
   if (!sound(square) || !sound(at_reference.energy_kN_mm - rounding * square)) return std::nullopt;
   BoundLaw bound{.target = {C_K * at_reference.K_eff_kN_per_mm, C_E * at_reference.energy_kN_mm}};
-  auto const take = [&](PartFactors const& factors) {
+  auto const take = [&](LoopFactors const& factors) {
     bound.factors = factors;
     bound.parameters = changed(law, parameters, factors);
     bound.reached = loop_of(law, bound.parameters, block);

@@ -37,12 +37,12 @@ CycleCurve cycle_of(laws::LawEntry const& law, std::span<double const> parameter
 // For each part of the force: the loop with this part doubled minus the loop as it is.
 LoopParts parts_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
 
-struct PartFactors {
+struct LoopFactors {
   double a = 1.0, b = 1.0;
 };
 // The factors a and b with which the sum of the two parts becomes `target`. They are not finite if the loops of the
 // parts are proportional to one another.
-PartFactors factors_for(LoopParts const& parts, Loop const& target);
+LoopFactors factors_for(LoopParts const& parts, Loop const& target);
 
 // Why a bound law multiplies all forces by one factor, instead of the parts by a and b.
 enum class OneFactor {
@@ -54,7 +54,7 @@ enum class OneFactor {
 std::string_view name(OneFactor why);
 
 struct BoundLaw {
-  PartFactors factors = {};
+  LoopFactors factors = {};
   std::vector<double> parameters = {};  // in the law's order and units
   Loop target = {}, reached = {};
   // Set if one factor on all forces takes the place of a and b. It gives K_eff its target and leaves the damping as it

@@ -195,7 +195,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     if (level.ratios.size() != 1) level.replicate_se = level.replicate_df = std::nullopt;
     if (level.ratios.empty()) {
       if (at_reference.empty()) continue;
-      level.unpaired = unpaired_factors_.size();
+      level.unpaired_factor = unpaired_factors_.size();
       unpaired_factors_.push_back(unpaired_factor(tests, reference, lot_std, static_cast<int>(lot.size())));
     }
     levels_.push_back(std::move(level));
@@ -224,7 +224,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
 std::vector<Level const*> Response::paired_levels() const {
   std::vector<Level const*> paired;
   for (auto const& level : levels_)
-    if (!level.unpaired) paired.push_back(&level);
+    if (!level.unpaired_factor) paired.push_back(&level);
   return paired;
 }
 
@@ -233,9 +233,9 @@ double Response::abscissa(double condition) const {
   return effect_ == Effect::load ? condition * condition : condition;
 }
 
-Factor Response::of(Level const& level) const {
-  if (level.unpaired) {
-    auto factor = unpaired_factors_[*level.unpaired];
+Factor Response::factor_of(Level const& level) const {
+  if (level.unpaired_factor) {
+    auto factor = unpaired_factors_[*level.unpaired_factor];
     factor.at = level.at, factor.status = std::max(factor.status, strongest_);
     return factor;
   }
@@ -289,7 +289,7 @@ Level const* Response::level_at(double condition, bool only_paired) const {
   auto const asked = with_value(effect_, condition);
   std::vector<Level const*> near;
   for (auto const& level : levels_)
-    if (is_at(level, asked) && !(only_paired && level.unpaired)) near.push_back(&level);
+    if (is_at(level, asked) && !(only_paired && level.unpaired_factor)) near.push_back(&level);
   if (near.empty()) return nullptr;
   return *std::ranges::min_element(
       near, {}, [&](Level const* level) { return std::abs(abscissa(level->at) - abscissa(condition)); });
@@ -320,7 +320,7 @@ std::vector<Response::Line> Response::lines_at(double condition) const {
 Level const* Response::paired_level_at(Condition const& test) const {
   if (effect_ != Effect::ageing) return level_at(condition_of(effect_, test), true);
   auto const found =
-      std::ranges::find_if(levels_, [&](Level const& level) { return !level.unpaired && is_at(level, test); });
+      std::ranges::find_if(levels_, [&](Level const& level) { return !level.unpaired_factor && is_at(level, test); });
   return found == levels_.end() ? nullptr : &*found;
 }
 
@@ -338,9 +338,9 @@ Factor Response::at(double condition) const {
 }
 
 Factor Response::at(double condition, bool only_paired) const {
-  if (auto const* level = level_at(condition, only_paired)) return of(*level);
+  if (auto const* level = level_at(condition, only_paired)) return factor_of(*level);
   auto const lines = lines_at(condition);
-  if (lines.empty()) return Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
+  if (lines.empty()) return Factor::not_covered(levels_.size() < 2 ? Lack::no_test : Lack::too_far);
   std::vector<double> values;
   for (auto const& line : lines) values.push_back(line.ln);
   auto const of = num::moments(values);
@@ -362,19 +362,20 @@ Factor Response::at(double condition, bool only_paired) const {
 Factor Response::at(Ageing const& ageing) const {
   auto const level =
       std::ranges::find_if(levels_, [&](Level const& each) { return each.ageing && agrees(*each.ageing, ageing); });
-  return level == levels_.end() ? Factor::without(Lack::no_level) : of(*level);
+  return level == levels_.end() ? Factor::not_covered(Lack::no_level) : factor_of(*level);
 }
 
 Factor Response::paired_at(Condition const& test) const {
   if (effect_ != Effect::ageing) return at(condition_of(effect_, test), true);
   auto const* level = paired_level_at(test);
-  return level == nullptr ? Factor::without(levels_.size() < 2 ? Lack::no_test : Lack::no_level) : of(*level);
+  return level == nullptr ? Factor::not_covered(levels_.size() < 2 ? Lack::no_test : Lack::no_level)
+                          : factor_of(*level);
 }
 
 Response::Extremes Response::over(double low, double high) const {
   std::vector<Factor> all;
   for (auto const& level : levels_)
-    if (level.reference || (level.at >= low && level.at <= high)) all.push_back(of(level));
+    if (level.reference || (level.at >= low && level.at <= high)) all.push_back(factor_of(level));
   std::optional<Factor> lacking;
   for (double const end : {low, high}) {
     auto factor = at(end);
@@ -406,7 +407,7 @@ Response Response::of_device(std::string_view device) const {
 
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
                        int lot_devices) {
-  if (lot_devices < 2) return Factor::without(Lack::unknown_scatter);
+  if (lot_devices < 2) return Factor::not_covered(Lack::unknown_scatter);
   std::vector<double> there, here;
   for (auto const& [device, values] : by_device(level)) there.push_back(num::moments(values).mean);
   for (auto const& [device, values] : by_device(reference)) here.push_back(num::moments(values).mean);

@@ -34,7 +34,7 @@ struct Level {
   std::optional<double> replicate_se = {}, replicate_df = {};
   // Set if no device with a reference test was tested here: the index of the level's factor in
   // Response::unpaired_factors_.
-  std::optional<std::size_t> unpaired = {};
+  std::optional<std::size_t> unpaired_factor = {};
   int tests = 0;
 
   std::vector<double> lns() const;  // DeviceRatio::ln of each device
@@ -77,7 +77,7 @@ struct Factor {
   std::optional<Lack> lack = {};           // the reason, if the factor is not covered
 
   double lambda() const;
-  static Factor without(Lack lack) { return {.status = Status::not_covered, .lack = lack}; }
+  static Factor not_covered(Lack lack) { return {.status = Status::not_covered, .lack = lack}; }
 };
 
 // The value that an interval is meant to contain.
@@ -121,7 +121,7 @@ class Response {
 
   // Converts a condition to the scale over which ln is a straight line between two levels.
   double abscissa(double condition) const;
-  Factor of(Level const& level) const;
+  Factor factor_of(Level const& level) const;
   bool is_at(Level const& level, Condition const& test) const;  // whether a test with this condition is at the level
   // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between levels it is the mean over the
   // devices that were tested on both sides, each on its own line. It is extrapolated from the outermost level by at

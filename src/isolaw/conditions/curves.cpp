@@ -39,7 +39,7 @@ std::optional<double> exponent(Response const& response) {
   if ((response.effect() != Effect::temperature && !over_frequency) || reference == nullptr) return std::nullopt;
   double xx = 0.0, xy = 0.0;
   for (auto const& level : response.levels()) {
-    if (level.reference || level.unpaired) continue;
+    if (level.reference || level.unpaired_factor) continue;
     double const x = over_frequency ? std::log(level.at / reference->at) : level.at - reference->at;
     xx += x * x, xy += x * level.mean();
   }
@@ -53,7 +53,7 @@ double LoadCurve::at(double load_kN) const {
 std::optional<LoadCurve> load_curve(Response const& load) {
   std::vector<double> squares, factors;
   for (auto const& level : load.levels()) {
-    if (level.unpaired) continue;
+    if (level.unpaired_factor) continue;
     squares.push_back(level.at * level.at);
     factors.push_back(std::exp(level.mean()));
   }

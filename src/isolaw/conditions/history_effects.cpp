@@ -40,7 +40,7 @@ Factor aged_factor(Factor const& of_test, double years, double test_stands_for_y
   auto factor = of_test;
   if (factor.status == Status::not_covered || years <= test_stands_for_years) return factor;
   constexpr double farthest = 2.0;
-  if (years > farthest * test_stands_for_years) return Factor::without(Lack::too_long);
+  if (years > farthest * test_stands_for_years) return Factor::not_covered(Lack::too_long);
   double const times = years / test_stands_for_years;
   factor.ln *= times, factor.std *= times, factor.drift *= times;
   if (factor.se) *factor.se *= times;
@@ -74,7 +74,7 @@ std::optional<double> recovery_after(std::span<Recovered const> tested, double r
 }
 
 Factor mean_factor(std::span<double const> ln_ratios, Lack if_none) {
-  if (ln_ratios.empty()) return Factor::without(if_none);
+  if (ln_ratios.empty()) return Factor::not_covered(if_none);
   auto const of = num::moments(ln_ratios);
   Factor factor{.ln = of.mean, .devices = static_cast<int>(of.count), .std = of.std};
   if (of.count > 1) {

@@ -121,8 +121,8 @@ void warn_of_gaps(TestRecord& record) {
   record.warnings.push_back({.kind = FindingKind::time_jumps,
                              .numbers = {{"count", static_cast<double>(gaps.size())},
                                          {"length_s", gap.length_s},
-                                         {"sample", static_cast<double>(gap.after + 1)},
-                                         {"time_s", record.time_s[gap.after]},
+                                         {"sample", static_cast<double>(gap.last_before + 1)},
+                                         {"time_s", record.time_s[gap.last_before]},
                                          {"taken_s", gap.taken_s}}});
 }
 
@@ -164,7 +164,8 @@ void check_physics(TestRecord const& record, Properties const& properties, std::
 void find_faults(TestRecord& record) {
   record.faults.clear();
   for (auto const& test : test_ranges(record.starts, record.size()))
-    for (auto& fault : signal_faults(test.of(record.disp_mm), test.of(record.force_kN), test.of(record.time_s))) {
+    for (auto& fault :
+         signal_faults(test.slice(record.disp_mm), test.slice(record.force_kN), test.slice(record.time_s))) {
       for (auto& sample : fault.samples) sample += test.first;
       record.faults.push_back(std::move(fault));
     }
@@ -174,8 +175,8 @@ void add_warnings(TestRecord& record, Properties const& properties) {
   auto& warnings = record.warnings;
   warn_about_magnitude(record);
   // If no block is sound, the other warnings are computed from faulty signals and may be wrong, so they are left out.
-  if (properties.is_false && !properties.faults.empty()) return append(warnings, properties.refusal);
-  append(warnings, properties.faulty);
+  if (properties.refusal_is_of_fault && !properties.faults.empty()) return append(warnings, properties.refusal);
+  append(warnings, properties.block_faults);
   for (auto const& fault : properties.faults)
     if (fault.is_outside()) warnings.push_back(fault.finding);
   if (properties.failure) warnings.push_back(*properties.failure);

@@ -117,7 +117,7 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
   bool const any_faulty = std::ranges::any_of(properties.blocks, [](Block const& b) { return !b.fault.empty(); }) ||
                           std::ranges::any_of(properties.faults, &SignalFault::is_outside);
   // If no block is sound, the caller refuses the whole device and says why, so no samples need to be left out.
-  if (properties.is_false || (!any_faulty && !properties.failure)) return chosen;
+  if (properties.refusal_is_of_fault || (!any_faulty && !properties.failure)) return chosen;
   if (chosen.scored.empty()) chosen.scored.assign(raw.size(), 1.0);
   for (auto const& block : properties.blocks)
     if (!block.fault.empty() && !block.cycles.empty())
@@ -130,7 +130,7 @@ Chosen chosen_by(CleanOptions const& options, TestRecord const& raw, Properties 
       auto const at = static_cast<double>(fault.samples[k]);
       take_out(chosen, at - reach, at + static_cast<double>(fault.longest()) - 1.0 + reach);
     }
-  for (auto const& [first, last] : properties.lost) take_out(chosen, first, last);
+  for (auto const& [first, last] : properties.samples_without_force) take_out(chosen, first, last);
   return chosen;
 }
 
@@ -142,7 +142,7 @@ void note_unsound(FitRecord& record, Properties const& properties) {
     record.cleaning.push_back(
         {.kind = FindingKind::faulty_not_scored, .words = {{"outside", "the samples outside the blocks"}}});
   if (!properties.failure) return;
-  bool const for_good = std::isinf(properties.lost.back().second);
+  bool const for_good = std::isinf(properties.samples_without_force.back().second);
   record.cleaning.push_back(
       {.kind = FindingKind::failed_not_scored,
        .blocks = properties.failure->blocks,
@@ -167,12 +167,12 @@ void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& test
   if (asked == Weighting::time) return;
   auto const ranges = test_ranges(record.starts, record.size());
   auto const time_in = [&](TestRange const& range) {
-    return has_time ? range.of(record.time_s) : std::span<double const>();
+    return has_time ? range.slice(record.time_s) : std::span<double const>();
   };
   std::vector<Swing> all;
   std::vector<Weighting> used;
   for (auto const& range : ranges) {
-    auto const found = swings(range.of(record.disp_mm), time_in(range));
+    auto const found = swings(range.slice(record.disp_mm), time_in(range));
     all.insert(all.end(), found.begin(), found.end());
     auto const wanted = asked.value_or(Weighting::swing);
     used.push_back(wanted == Weighting::swing && found.empty() ? Weighting::time : wanted);
@@ -181,7 +181,7 @@ void weigh(FitRecord& record, bool has_time, std::vector<TestSource> const& test
   bool const one_way = std::ranges::count(used, used.front()) == std::ssize(used);
   if (!one_way || used.front() != Weighting::time)
     for (std::size_t t = 0; t < ranges.size(); ++t)
-      std::ranges::copy(sample_weights(ranges[t].of(record.disp_mm), time_in(ranges[t]), used[t]),
+      std::ranges::copy(sample_weights(ranges[t].slice(record.disp_mm), time_in(ranges[t]), used[t]),
                         std::back_inserter(record.weights));
   for (std::size_t t = 0; t < (one_way ? 1 : used.size()); ++t) {
     auto& finding = record.cleaning.emplace_back(
@@ -289,7 +289,8 @@ FitRecord clean(TestRecord const& raw, Properties const& properties, CleanOption
     int blocks = 0;
     for (std::size_t t = 0; t < tests.size(); ++t) {
       auto const of_test = cyclic_properties(tests[t]);
-      append(record, clean_test(tests[t], of_test, ranges[t].of(chosen.scored), ranges[t].of(chosen.block), options),
+      append(record,
+             clean_test(tests[t], of_test, ranges[t].slice(chosen.scored), ranges[t].slice(chosen.block), options),
              raw.tests[t], {.samples = ranges[t].first, .blocks = blocks});
       if (!of_test.blocks.empty()) blocks += of_test.blocks.back().number;
     }

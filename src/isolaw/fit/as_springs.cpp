@@ -130,10 +130,10 @@ class SpringsProblem final : public opt::DeviationProblem {
 
 }  // namespace
 
-AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
-                            SearchBox const& box, std::vector<double> parameters, int refinement) {
+SpringsFit fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
+                             SearchBox const& box, std::vector<double> parameters, int refinement) {
   SpringsProblem const springs(law, records, box, refinement);
-  AsSprings result{
+  SpringsFit result{
       .parameters = {}, .law = springs.objective_of_law(parameters), .given = springs.objective(parameters)};
   result.fitted = result.given;
   result.parameters = std::move(parameters);
@@ -145,8 +145,8 @@ AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord
   return result;
 }
 
-AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
-                            std::vector<double> parameters, int refinement) {
+SpringsFit fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
+                             std::vector<double> parameters, int refinement) {
   data::FitRecord const* const one[]{&record};
   return fitted_as_springs(law, one, box, std::move(parameters), refinement);
 }

@@ -12,7 +12,7 @@
 
 namespace isolaw::fit {
 
-struct AsSprings {
+struct SpringsFit {
   std::vector<double> parameters;  // the law's parameters in every spring, in the law's order and units
   // Objectives as in LawOnRecord, averaged over the records: `law` is that of the law itself, `given` that of springs
   // with the law's own parameters, and `fitted` that of springs with `parameters`.
@@ -22,9 +22,9 @@ struct AsSprings {
 // Fits springs to the record inside the box, by one descent that starts from `parameters`, the law's own fit to this
 // record. The motion is along the first spring. Uses converged integration with `refinement` steps per sample. Returns
 // `parameters` unchanged if the descent finds nothing better or if such springs have no finite force.
-AsSprings fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
-                            std::vector<double> parameters, int refinement = 1);
-AsSprings fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
-                            SearchBox const& box, std::vector<double> parameters, int refinement = 1);
+SpringsFit fitted_as_springs(laws::LawEntry const& law, data::FitRecord const& record, SearchBox const& box,
+                             std::vector<double> parameters, int refinement = 1);
+SpringsFit fitted_as_springs(laws::LawEntry const& law, std::span<data::FitRecord const* const> records,
+                             SearchBox const& box, std::vector<double> parameters, int refinement = 1);
 
 }  // namespace isolaw::fit

@@ -31,7 +31,7 @@ std::vector<Vector<double>> force_kN(laws::LawEntry const& law, laws::InPlane in
   return forces;
 }
 
-std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s) {
+std::vector<FigureOfEightResult> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s) {
   constexpr int samples = 200, turns = 2;
   PlaneMotion motion;
   double const rate = 2.0 * std::numbers::pi / duration_s;
@@ -41,10 +41,10 @@ std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_m
     motion.disp_mm.push_back({size_mm * std::sin(phase), 0.5 * size_mm * std::sin(2.0 * phase)});
     motion.vel_mm_s.push_back({rate * size_mm * std::cos(phase), rate * size_mm * std::cos(2.0 * phase)});
   }
-  std::vector<OnAnEight> results;
+  std::vector<FigureOfEightResult> results;
   auto const add = [&](std::string_view rule, Bidirectional how, Softening softening) {
     auto const force = force_kN(*law.law, law.form(how, softening), motion);
-    OnAnEight result{rule, 0.0, 0.0};
+    FigureOfEightResult result{rule, 0.0, 0.0};
     for (std::size_t i = (turns - 1) * samples + 1; i < force.size(); ++i) {
       result.peak_kN = std::max(result.peak_kN, std::hypot(force[i].x, force[i].y));
       result.work_kN_mm += 0.5 * laws::plane::dot(force[i] + force[i - 1], motion.disp_mm[i] - motion.disp_mm[i - 1]);
@@ -85,14 +85,14 @@ double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double d
   return of_springs / of_law;
 }
 
-Spread spread_of(std::vector<OnAnEight> const& rules) {
-  Spread spread;
+LargestDifference largest_difference_of(std::vector<FigureOfEightResult> const& rules) {
+  LargestDifference difference;
   for (auto const& a : rules)
     for (auto const& b : rules) {
-      spread.peak = std::max(spread.peak, (a.peak_kN - b.peak_kN) / std::abs(rules.front().peak_kN));
-      spread.work = std::max(spread.work, (a.work_kN_mm - b.work_kN_mm) / std::abs(rules.front().work_kN_mm));
+      difference.peak = std::max(difference.peak, (a.peak_kN - b.peak_kN) / std::abs(rules.front().peak_kN));
+      difference.work = std::max(difference.work, (a.work_kN_mm - b.work_kN_mm) / std::abs(rules.front().work_kN_mm));
     }
-  return spread;
+  return difference;
 }
 
 }  // namespace isolaw::fit

@@ -32,18 +32,18 @@ std::vector<laws::plane::Vector<double>> force_kN(laws::LawEntry const& law, law
                                                   PlaneMotion const& motion);
 
 // A law's results on the second turn of a figure of eight (200 samples): x = size_mm sin p, y = size_mm / 2 sin 2p.
-struct OnAnEight {
+struct FigureOfEightResult {
   std::string_view rule;       // the extension to two directions: "coupled", "springs", ...
   double peak_kN, work_kN_mm;  // the largest force, and the dissipated energy
 };
 // Returns one result for each extension that the law has: coupled and springs. A law that softens with the largest
 // displacement so far has a second coupled extension, which keeps a largest displacement for each axis.
-std::vector<OnAnEight> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
+std::vector<FigureOfEightResult> on_a_figure_of_eight(LawInPlane const& law, double size_mm, double duration_s);
 // The largest difference between the results of two extensions, divided by the first extension's result.
-struct Spread {
+struct LargestDifference {
   double peak = 0.0, work = 0.0;
 };
-Spread spread_of(std::vector<OnAnEight> const& rules);
+LargestDifference largest_difference_of(std::vector<FigureOfEightResult> const& rules);
 // The energy that the law dissipates as springs, divided by the energy that the law itself dissipates, in the second
 // cycle of a motion along one direction.
 double work_of_springs_on_a_line(LawInPlane const& law, double size_mm, double duration_s);

@@ -172,7 +172,7 @@ LawOnMotion::LawOnMotion(laws::LawEntry const& law, data::FitRecord const& motio
   x_ = motion.disp_mm;
   if (law.info.traits.remembers)
     for (auto const& range : data::test_ranges(motion.starts, motion.size()))
-      std::ranges::copy(laws::followed(range.of(motion.disp_mm), motion.dead_band_mm),
+      std::ranges::copy(laws::followed(range.slice(motion.disp_mm), motion.dead_band_mm),
                         x_.begin() + static_cast<std::ptrdiff_t>(range.first));
   x_ = in_unit(std::move(x_), law.info.length.in_record_units);
   v_ = in_unit(motion.vel_mm_s, law.info.length.in_record_units);
@@ -191,7 +191,7 @@ LawOnMotion LawOnMotion::refined(int refinement) const {
 void LawOnMotion::make_tests(std::span<data::TestRange const> ranges) {
   tests_.clear();
   for (auto const& range : ranges) {
-    std::span<double const> const x = range.of(x_), v = range.of(v_), t = range.of(time_s_);
+    std::span<double const> const x = range.slice(x_), v = range.slice(v_), t = range.slice(time_s_);
     bool const remembers = law_->info.traits.remembers;
     tests_.push_back({range, turning_points_ == laws::TurningPoints::interpolated
                                  ? laws::make_path_with_turning_points(x, v, t, refinement_, remembers)
@@ -235,7 +235,7 @@ LawOnMotion LawOnMotion::at(std::span<std::size_t const> samples) const {
 }
 
 void LawOnMotion::evaluate(std::span<double const> parameters, std::span<double> force) const {
-  for (auto const& test : tests_) law_->evaluate(parameters, test.path, integration_, test.samples.of(force));
+  for (auto const& test : tests_) law_->evaluate(parameters, test.path, integration_, test.samples.slice(force));
 }
 
 void LawOnMotion::force_kN(std::span<double const> parameters, std::span<double> force) const {
@@ -259,7 +259,7 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
     auto const weights = weights_of(tests[t]);
     bool const counts = weights.total > 0.0;
     for (double const w : weights.weight) share_.push_back(counts ? w / count : 0.0);
-    auto const range = motion_.tests()[t].samples.of(measured_);
+    auto const range = motion_.tests()[t].samples.slice(measured_);
     spread_.push_back(counts ? spread_of(tests[t], std::vector(range.begin(), range.end()), weights) : 1.0);
   }
   weigh();
@@ -268,13 +268,14 @@ LawOnRecord::LawOnRecord(laws::LawEntry const& law, data::FitRecord const& recor
 void LawOnRecord::weigh() {
   weight_ = share_;
   for (std::size_t t = 0; t < spread_.size(); ++t)
-    for (double& w : motion_.tests()[t].samples.of(std::span(weight_))) w /= spread_[t];
+    for (double& w : motion_.tests()[t].samples.slice(std::span(weight_))) w /= spread_[t];
 }
 
 std::vector<double> LawOnRecord::spreads_kN() const {
   std::vector<double> spreads(samples());
   for (std::size_t t = 0; t < spread_.size(); ++t)
-    std::ranges::fill(motion_.tests()[t].samples.of(std::span(spreads)), spread_[t] * law().info.force.in_record_units);
+    std::ranges::fill(motion_.tests()[t].samples.slice(std::span(spreads)),
+                      spread_[t] * law().info.force.in_record_units);
   return spreads;
 }
 
@@ -342,7 +343,7 @@ void LawOnRecord::objectives(std::size_t count, std::function<void(std::size_t, 
       KernelTimer const timer;
       sums.fill(0.0);
       for (auto const& test : motion_.tests()) {
-        KernelRecord const record{test.path, test.samples.of(measured_), test.samples.of(weight_)};
+        KernelRecord const record{test.path, test.samples.slice(measured_), test.samples.slice(weight_)};
         (width == wide_block ? code.wide : code.narrow)(block.data(), record, motion_.integration(), of_test.data());
         for (std::size_t lane = 0; lane < width; ++lane) sums[lane] += of_test[lane];
       }
@@ -386,7 +387,7 @@ void LawOnRecord::residual_rows(std::size_t count, std::function<void(std::size_
     for (std::size_t t = 0; t < spread_.size(); ++t) {
       auto const& [range, path] = motion_.tests()[t];
       (wide ? code.residuals : code.narrow_residuals)(block.data(), path, motion_.integration(),
-                                                      range.of(measured_).data(), 1.0 / spread_[t],
+                                                      range.slice(measured_).data(), 1.0 / spread_[t],
                                                       rows.data() + range.first * stride + first, stride);
     }
     first += used;
@@ -409,7 +410,7 @@ double LawOnRecord::integration_shift(std::span<double const> parameters) const 
   auto const fine = motion_.refined(shift_refinement * refinement());
   KernelTimer const timer;
   for (auto const& test : fine.tests())
-    law().evaluate(parameters, test.path, laws::Integration::converged, test.samples.of(std::span(force)));
+    law().evaluate(parameters, test.path, laws::Integration::converged, test.samples.slice(std::span(force)));
   return std::abs(misfit(force) - here);
 }
 
@@ -424,7 +425,7 @@ double objective_on(data::FitRecord const& record, std::span<double const> force
     if (!(weights.total > 0.0)) continue;
     double const spread = spread_of(tests[t], tests[t].force_kN, weights);
     double sum = 0.0;
-    auto const computed = ranges[t].of(force_kN);
+    auto const computed = ranges[t].slice(force_kN);
     for (std::size_t i = 0; i < weights.weight.size(); ++i)
       if (tests[t].is_scored(i)) sum += weights.weight[i] * std::abs(tests[t].force_kN[i] - computed[i]);
     mean += spread > 0.0 ? sum / spread : std::nan("");
@@ -434,8 +435,8 @@ double objective_on(data::FitRecord const& record, std::span<double const> force
 }
 
 IdentificationProblem::IdentificationProblem(LawOnRecord const& model, SearchBox const& box)
-    : model_(model), box_(box), fewer_(model.outline()) {
-  if (fewer_) outline_.reset(new IdentificationProblem(*fewer_, box, WithoutOutline()));
+    : model_(model), box_(box), thinned_model_(model.outline()) {
+  if (thinned_model_) outline_.reset(new IdentificationProblem(*thinned_model_, box, WithoutOutline()));
 }
 
 void IdentificationProblem::evaluate(opt::Points const& points, std::span<double> values) const {

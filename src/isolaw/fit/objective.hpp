@@ -156,7 +156,7 @@ class IdentificationProblem final : public opt::DeviationProblem {
 
   LawOnRecord const& model_;
   SearchBox const& box_;
-  std::optional<LawOnRecord> fewer_;
+  std::optional<LawOnRecord> thinned_model_;
   std::unique_ptr<IdentificationProblem> outline_;
 };
 

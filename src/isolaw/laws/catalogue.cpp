@@ -137,7 +137,7 @@ constexpr auto id_of = [](LawEntry const& law) { return law.info.id; };
 
 }  // namespace
 
-std::string_view called(std::string_view id) {
+std::string_view display_name(std::string_view id) {
   auto const found = std::ranges::find(catalogue(), id, id_of);
   return found == catalogue().end() ? id : found->info.name;
 }

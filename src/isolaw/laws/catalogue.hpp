@@ -61,8 +61,8 @@ inline constexpr std::pair<std::string_view, LawSet> law_sets[]{
 inline std::string_view name(LawSet set) {
   return law_sets[static_cast<std::size_t>(set)].first;
 }
-std::string_view memory_of(LawInfo const& law);  // what the law remembers of its path: "turning points", ...
-LawEntry const& find_law(std::string_view id);   // throws an Error that lists the laws
-std::string_view called(std::string_view id);    // "Bouc-Wen" for "bouc-wen"; the id itself if no law has it
+std::string_view memory_of(LawInfo const& law);      // what the law remembers of its path: "turning points", ...
+LawEntry const& find_law(std::string_view id);       // throws an Error that lists the laws
+std::string_view display_name(std::string_view id);  // "Bouc-Wen" for "bouc-wen"; the id itself if no law has it
 
 }  // namespace isolaw::laws

@@ -120,21 +120,22 @@ struct Gallardo {
   struct State {
     Side<N> sides[2];
     N z = N(0.0);
-    N here = N(1.0);   // strength (see strength_at) of the branch that z was on at the last turn of the motion
-    N ahead = N(1.0);  // strength of the branch that z is on once it has passed 0 after that turn
+    // The strength (see strength_at) of the branch that z was on at the last turn of the motion, and of the branch that
+    // z is on once it has passed 0 after that turn.
+    N strength_at_turn = N(1.0), strength_past_zero = N(1.0);
     // The travel [yield displacements uy] at the last turn and at present, counted from the place at which z passes 0.
     // It is negative before this place.
-    N from = N(0.0), way = N(0.0);
+    N travel_at_turn = N(0.0), travel = N(0.0);
     double turn_x = 0.0;  // displacement of the last turn
     template <class Each>
     void members(Each& each) {
-      each(sides[0], sides[1], z, here, ahead, from, way, turn_x);
+      each(sides[0], sides[1], z, strength_at_turn, strength_past_zero, travel_at_turn, travel, turn_x);
     }
   };
   template <class X>
   using Memory = Remembered<X, Softening<X>>;
   // z, taken positive in the direction of motion, is `strongest` times the u of `flow` until z passes 0. From there on
-  // it is State::ahead times u.
+  // it is State::strength_past_zero times u.
   template <class T, class X>
   struct Constants {
     T per_uy;     // 1 / uy
@@ -168,9 +169,9 @@ struct Gallardo {
                 PathMemory const& memory) {
     if (memory.turns) turn(p, c, state, value_of(step.x0), memory.direction);
     N const direction(memory.direction);
-    state.way = state.from + N(memory.direction * (step.x1 - state.turn_x)) * c.per_uy;
-    N const scale = select(state.way > N(0.0), state.ahead, N(c.strongest));
-    state.z = direction * scale * c.flow.value_at(c.zero + state.way / scale);
+    state.travel = state.travel_at_turn + N(memory.direction * (step.x1 - state.turn_x)) * c.per_uy;
+    N const scale = select(state.travel > N(0.0), state.strength_past_zero, N(c.strongest));
+    state.z = direction * scale * c.flow.value_at(c.zero + state.travel / scale);
     return rounded(p.fy * state.z) + elastic(p, state.sides[memory.side], step.x1, memory);
   }
 
@@ -185,12 +186,12 @@ struct Gallardo {
   template <class T, class X, class N>
   static void turn(Params<T> const& p, Constants<T, X> const& c, State<N>& state, double x, double direction) {
     N const none(0.0), z = N(direction) * state.z;
-    state.here = select(state.way > none, state.ahead, state.here);
+    state.strength_at_turn = select(state.travel > none, state.strength_past_zero, state.strength_at_turn);
     T const phi = p.phimax * (T(1.0) - exp(-p.pphi * abs(T(x) - p.uy) * c.per_uy));
     // If the motion turns back before z has passed 0, z returns to the branch that it left.
-    state.ahead = select(z > none, state.here, N(strength_at(p, phi)));
-    N const scale = select(z > none, state.here, N(c.strongest));
-    state.from = scale * (c.flow.time_at(z / scale) - c.zero);
+    state.strength_past_zero = select(z > none, state.strength_at_turn, N(strength_at(p, phi)));
+    N const scale = select(z > none, state.strength_at_turn, N(c.strongest));
+    state.travel_at_turn = scale * (c.flow.time_at(z / scale) - c.zero);
     state.turn_x = x;
   }
 

@@ -101,7 +101,7 @@ struct HistoryIntegral {
   static N step(Params<T> const& p, Constants<T, X> const& c, State<N>& state, StepOf<X> const& step,
                 PathMemory const& memory) {
     // The first sample counts as a motion from 0. Its step has no length, so the length comes from `memory`.
-    X const way = memory.inside + (memory.peak - memory.peak0);
+    X const way = memory.length_below_peak + (memory.peak - memory.peak0);
     if (may_move(way)) {
       N const towards(memory.direction), length(way);
       state.slow = towards + (state.slow - towards) * exp2(-length * c.per_slow);

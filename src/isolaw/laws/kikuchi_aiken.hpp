@@ -92,14 +92,14 @@ struct Loops {
   // every step. at_peak(m) gives AtPeak for a peak m.
   template <class T, class X, class PathMemory, class Functions>
   N force(Constants<T> const& c, X const& x0, X const& at, PathMemory const& memory, Functions&& at_peak) {
-    if (memory.turns) turn(c, memory.kept, value_of(x0), memory.peak0);
+    if (memory.turns) turn(c, memory.turn_index, value_of(x0), memory.peak0);
     if (memory.peak_grows) grow(c, at_peak(memory.peak));
     double const side = at < 0.0 ? -1.0 : 1.0;
     X const size = side * at / memory.peak;
-    if (memory.branch == memory.none) {
+    if (memory.branch_index == memory.none) {
       hysteretic = N(side) * strength;
     } else {
-      Turn const& from = turned[memory.branch];
+      Turn const& from = turned[memory.branch_index];
       X const s = memory.direction * (at - from.x) / memory.peak;
       hysteretic = from.force + N(memory.direction) * strength * from.scale * shape(c, s, from.bump);
     }
@@ -243,7 +243,7 @@ struct KikuchiAiken {
     auto const steepest = [&] { return p.G1 * power(T(1e-4), -p.p) / T(reference_mm); };
     if (!(memory.peak > 0.0)) return slope_alone(step.x1, N(steepest()));
     N force = state.force(c, step.x0, step.x1, memory, [&](X const& m) { return at_peak<N>(p, N(m)); });
-    if (memory.branch == memory.none)
+    if (memory.branch_index == memory.none)
       limit_slope(
           force, [&] { return force; }, steepest);
     return force;

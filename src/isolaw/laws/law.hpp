@@ -198,20 +198,21 @@ using Step = StepOf<double>;
 // rules still need (memory/open_branches.hpp). The skeleton is the force curve of the first loading.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  bool turns;           // whether the motion turned at the begin of this step
-  std::size_t kept;     // if it turned: stack index at which a law keeps its force at that turning point
-  std::size_t dropped;  // stack index of the first of two turning points that are dropped before this step; or none
+  bool turns;              // whether the motion turned at the begin of this step
+  std::size_t turn_index;  // if it turned: stack index at which a law keeps its force at that turning point
+  // Stack index of the first of two turning points that are dropped before this step; or none.
+  std::size_t first_dropped;
   // The turning point at which the present branch began: its stack index (none: the path is on the skeleton), and its
   // displacement.
-  std::size_t branch;
+  std::size_t branch_index;
   double branch_x;
-  double direction;    // direction of the step, +1 or -1; 0 before the first motion
-  double peak0, peak;  // largest |x| before and after the step
-  double inside;       // the part of the step's length in which |x| is below peak0
-  double side_peak;    // largest |x| so far on the side of x (x >= 0 or x < 0) on which the step ends
-  double virgin;       // (1 + N)^(-1/3); N is the travel on this side / side_peak, and fades as side_peak grows
-  double log2_worn;    // log2(1 + NT); NT is the travel on both sides / the largest |x|, and fades as that grows
-  double pushed;       // growth of the largest |x| at x > 0 minus its growth at x < 0
+  double direction;          // direction of the step, +1 or -1; 0 before the first motion
+  double peak0, peak;        // largest |x| before and after the step
+  double length_below_peak;  // the part of the step's length in which |x| is below peak0
+  double side_peak;          // largest |x| so far on the side of x (x >= 0 or x < 0) on which the step ends
+  double virgin_share;       // (1 + N)^(-1/3); N is the travel on this side / side_peak, and fades as side_peak grows
+  double log2_worn;          // log2(1 + NT); NT is the travel on both sides / the largest |x|, and fades as that grows
+  double one_sided_growth;   // growth of the largest |x| at x > 0 minus its growth at x < 0
   // log2 of G and log2 of C on this side. C is the travel back towards 0. G is half the travel outwards plus four times
   // the travel back, but at most side_peak.
   double log2_softening, log2_way_back;
@@ -267,9 +268,6 @@ inline bool moves(Step const& step) {
 inline bool grows(double growth) {
   return growth > 0.0;
 }
-inline bool unmoved(double) {
-  return false;
-}
 inline bool reaches(double size, double peak) {
   return size > peak;
 }
@@ -307,14 +305,14 @@ struct NoConstants {};
 // The argument of make_room() before the first step of a record. It sizes a law's stack for the largest number of
 // turning points that the record's path remembers at once.
 struct Depth {
-  std::size_t depth, dropped = Memory::none;
+  std::size_t depth, first_dropped = Memory::none;
 };
 // Called by make_room() in each step of a record. If two turning points are dropped, the values behind theirs move up.
 // The stack keeps its size.
 template <class List>
 void hold(List& list, Memory const& memory) {
-  if (memory.dropped == Memory::none) return;
-  auto const first = list.begin() + static_cast<std::ptrdiff_t>(memory.dropped);
+  if (memory.first_dropped == Memory::none) return;
+  auto const first = list.begin() + static_cast<std::ptrdiff_t>(memory.first_dropped);
   std::move(first + 2, list.end(), first);
 }
 

@@ -65,7 +65,7 @@ struct PowerMasingWorn : PowerMasing {
   static N step(Params<T> const& p, NoConstants const&, State<N>& state, StepOf<X> const& step,
                 PathMemory const& memory) {
     auto const [hysteretic, elastic] = forces(p, state, step, memory);
-    return hysteretic * exp2(-p.r * N(memory.log2_worn)) + elastic + p.B * N(memory.pushed / reference_mm);
+    return hysteretic * exp2(-p.r * N(memory.log2_worn)) + elastic + p.B * N(memory.one_sided_growth / reference_mm);
   }
   // [end]
 };

@@ -91,7 +91,7 @@ struct PowerScragging {
                 PathMemory const& memory) {
     T const rounding = T(0.01) * p.U;
     if (!(memory.peak > 0.0)) return state.scragging.force(p, step.x1, memory, N(0.0), rounding);
-    N way = N(memory.inside) * state.per_length;
+    N way = N(memory.length_below_peak) * state.per_length;
     if (memory.peak_grows) {
       way = way + T(log2_e) * growth(p, memory.peak0, memory.peak);
       state.strength = p.Y * power(N(memory.peak / reference_mm), p.g);

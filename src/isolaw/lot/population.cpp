@@ -170,7 +170,7 @@ Matrix between_devices(Matrix const& S, Matrix const& C, Population& population)
 
 // Variance of each parameter's error if all other parameters were known: 1 / (C^-1)_ii. It may be near zero if C is
 // singular.
-Vector alone(Matrix const& C) {
+Vector conditional_variances(Matrix const& C) {
   Vector const scale = or_one(C.diagonal().cwiseMax(0.0).cwiseSqrt());
   auto const parts = num::symmetric_eigen(scaled(C, scale.cwiseInverse()));
   Vector const inverse = parts.values.cwiseMax(rounding).cwiseInverse();
@@ -180,8 +180,8 @@ Vector alone(Matrix const& C) {
 // Sets the row and column of a parameter in S, the covariance of the estimates, to zero if the tests do not determine
 // the parameter and its estimates scatter no more than their errors, whose covariance is C. Nothing then shows that
 // devices differ in this parameter.
-void silence(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
-  Vector const error = alone(C);
+void zero_undetermined(Matrix& S, Matrix const& C, std::span<std::size_t const> undetermined) {
+  Vector const error = conditional_variances(C);
   for (auto const parameter : undetermined) {
     auto const i = static_cast<Index>(parameter);
     if (S(i, i) > error[i]) continue;
@@ -313,7 +313,7 @@ Population estimate_population(std::vector<std::string> const& names, std::span<
                  "errors below 1e150 times the value", "fixing a parameter that the test does not determine"});
   population.estimates = plain(S);
   population.uncertainty = plain(C);
-  silence(S, C, undetermined);
+  zero_undetermined(S, C, undetermined);
   Matrix sigma = between_devices(S, C, population);
   // Sets variances that are only rounding errors to zero. Otherwise correlations would be computed from them.
   for (Index i = 0; i < n; ++i)

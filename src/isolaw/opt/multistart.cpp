@@ -79,8 +79,8 @@ constexpr double ragged = 0.5;
 constexpr std::ptrdiff_t more_when_ragged = 3;  // if the floor is ragged, a third of the starts is added
 // Above this number of dimensions, hops (starts near the best point) found better valleys than scattered starts, at a
 // quarter of the cost.
-constexpr std::size_t wide = 14;
-constexpr double more_when_wide = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
+constexpr std::size_t many_dimensions = 14;
+constexpr double more_in_many_dimensions = 2.5;  // factor on the starts, half of which are hops: 180 instead of 72
 // A descent is given up if its value after approach() exceeds the best value by this factor, since settle() gains less.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // hops of 0.03 to 0.5, to leave a valley
@@ -88,7 +88,7 @@ constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5; 
 
 // In hit tolerances. The floor of the valley counts as smooth if at least half of the hits, and at least twice
 // MultistartOptions::hits, are this close to the best value.
-constexpr double sharp = 0.2;
+constexpr double smooth_floor_height = 0.2;
 // If the values of the hits scatter, this many of the best descents are polished. Polishing only the best one left the
 // result 0.1 % too high in 3 of 29 logged searches.
 constexpr std::size_t polished = 6;
@@ -114,7 +114,7 @@ struct Cost {
     return *this;
   }
 };
-void write_cost(Cost const& cost, DeviationProblem const& problem, Found& result) {
+void write_cost(Cost const& cost, DeviationProblem const& problem, BestPoint& result) {
   std::size_t const per_point = problem.weights().size();
   auto const in_points = [&](std::size_t residuals) {
     return static_cast<int>((residuals + per_point - 1) / per_point);
@@ -383,7 +383,7 @@ class Search {
         scattered_.push_back(count_in(results[i]));
       }
       if (!result_.usable()) return ended(Outcome::no_finite_value);
-      int const hops = is_wide() ? options_.scattered : options_.hops;
+      int const hops = has_many_dimensions() ? options_.scattered : options_.hops;
       for (int hop = 1; hop <= hops && !is_confirmed(); ++hop) {
         if (interrupted && interrupted()) return ended(Outcome::interrupted);
         num::Draws hop_draws(stream_, round, static_cast<std::uint32_t>(hop));
@@ -416,7 +416,8 @@ class Search {
     auto const scattered_hits = count(scattered_, near);
     auto const share = static_cast<double>(scattered_hits) / static_cast<double>(scattered_.size());
     if (share >= tuning::one_valley) return least;
-    if (is_wide()) return static_cast<std::ptrdiff_t>(tuning::more_when_wide * static_cast<double>(starts));
+    if (has_many_dimensions())
+      return static_cast<std::ptrdiff_t>(tuning::more_in_many_dimensions * static_cast<double>(starts));
     bool const agreed = hits >= tuning::many_hits && share >= tuning::agreeing;
     if (agreed) return std::max(least, starts / tuning::part_when_agreed);
     auto const crowd = count(scattered_, within(tuning::close * options_.hit_tolerance));
@@ -424,7 +425,7 @@ class Search {
     return ragged ? starts + starts / tuning::more_when_ragged : starts;
   }
 
-  bool is_wide() const { return problem_.dimension() > tuning::wide; }
+  bool has_many_dimensions() const { return problem_.dimension() > tuning::many_dimensions; }
 
   void keep(Located const& end) {
     if (end.value >= result_.best_value) return;
@@ -478,17 +479,18 @@ class Search {
       add(descent.cost());
     };
     auto const hits = count(ends_, within(options_.hit_tolerance));
-    auto const agreeing = count(ends_, within(tuning::sharp * options_.hit_tolerance));
-    bool const sharp = agreeing >= 2 * options_.hits && 2 * agreeing >= hits;
+    auto const agreeing = count(ends_, within(tuning::smooth_floor_height * options_.hit_tolerance));
+    bool const floor_is_smooth = agreeing >= 2 * options_.hits && 2 * agreeing >= hits;
     double const near = within(tuning::near_enough * options_.hit_tolerance);
     std::vector<std::size_t> order(ends_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ends_[i]; });
-    order.resize(std::min<std::size_t>(order.size(), sharp ? 1 : tuning::polished));
+    order.resize(std::min<std::size_t>(order.size(), floor_is_smooth ? 1 : tuning::polished));
     for (std::size_t const i : order)
       if (ends_[i] <= near) polish(end_points_[i]);
     int without_gain = 0;
-    for (std::uint32_t hop = 0; !sharp && without_gain < tuning::hops_in_vain && hop < tuning::most_last_hops; ++hop) {
+    for (std::uint32_t hop = 0; !floor_is_smooth && without_gain < tuning::hops_in_vain && hop < tuning::most_last_hops;
+         ++hop) {
       if (interrupted && interrupted()) break;
       num::Draws hop_draws(stream_, std::numeric_limits<std::uint32_t>::max(), hop);
       double const before = result_.best_value;
@@ -542,9 +544,9 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
   return Search(problem, stream, options).run(interrupted);
 }
 
-Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
+BestPoint descend(DeviationProblem const& problem, std::span<double const> start, double rounding, bool brief) {
   require_dimension(problem);
-  Found result;
+  BestPoint result;
   Descent descent(problem, start, rounding);
   if (descent.usable() && brief) descent.settle(tuning::finish_briefly);
   if (descent.usable() && !brief) {

@@ -54,7 +54,7 @@ Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& dra
 // times the value at the start; a small delta keeps the descent in its valley. A `brief` descent ends with about four
 // correct digits, which is enough where many results are summarised, as in a bootstrap. Throws Error if the problem has
 // no dimensions.
-Found descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
-              bool brief = false);
+BestPoint descend(DeviationProblem const& problem, std::span<double const> start, double rounding = 0.3,
+                  bool brief = false);
 
 }  // namespace isolaw::opt

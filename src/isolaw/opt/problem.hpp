@@ -51,7 +51,7 @@ class DeviationProblem : public Problem {
   virtual std::vector<double> on_outline(std::span<double const> weights) const;
 };
 
-struct Found {
+struct BestPoint {
   std::vector<double> best;  // in the unit box; empty if no point had a finite value
   double best_value = std::numeric_limits<double>::infinity();
   int evaluations = 0;         // number of points computed
@@ -63,7 +63,7 @@ struct Found {
 // How a search ended; genetic.hpp and multistart.hpp explain it. After `interrupted`, `best` is the best point so far.
 enum class Outcome { confirmed, budget_spent, all_generations, stagnated, no_finite_value, interrupted };
 
-struct SearchResult : Found {
+struct SearchResult : BestPoint {
   Outcome outcome = Outcome::no_finite_value;
   std::vector<double> history;  // best value after each generation or descent; never rises
 };

@@ -24,12 +24,12 @@ std::string parameters_struct(Subject const& subject) {
                                  subject.law->info.force.symbol, subject.law->info.length.symbol);
   for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
     auto const& p = subject.law->parameters[i];
-    text += fmt::format("  double {} = {};  // {}: {}\n", member(p.name), exactly(subject.parameters[i]), p.unit,
+    text += fmt::format("  double {} = {};  // {}: {}\n", member(p.name), exact_text(subject.parameters[i]), p.unit,
                         p.meaning);
   }
   if (subject.law->info.traits.remembers)
     text += fmt::format("  double dead_band = {};  // {}: the law ignores movements within plus or minus this value\n",
-                        exactly(subject.dead_band_mm / subject.law->info.length.in_record_units),
+                        exact_text(subject.dead_band_mm / subject.law->info.length.in_record_units),
                         subject.law->info.length.symbol);
   return text + "};\n";
 }
@@ -41,13 +41,13 @@ std::string constants(Subject const& subject, UnitSystem const& units) {
       "inline constexpr double force_from_law = {};  // {} of the program per {} of the law\n"
       "inline constexpr int substeps = {};  // parts into which the law divides each step, as in the fit\n"
       "inline constexpr double nominal = 1.0;  // a factor on the force, as are the bounds\n",
-      exactly(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
-      exactly(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
+      exact_text(units.length.in_record_units / law.length.in_record_units), law.length.symbol, units.length.symbol,
+      exact_text(law.force.in_record_units / units.force.in_record_units), units.force.symbol, law.force.symbol,
       subject.refinement);
   if (subject.bounds.lower)
-    text += fmt::format("inline constexpr double lower = {};\n", exactly(subject.bounds.lower->overall));
+    text += fmt::format("inline constexpr double lower = {};\n", exact_text(subject.bounds.lower->overall));
   if (subject.bounds.upper)
-    text += fmt::format("inline constexpr double upper = {};\n", exactly(subject.bounds.upper->overall));
+    text += fmt::format("inline constexpr double upper = {};\n", exact_text(subject.bounds.upper->overall));
   return text;
 }
 
@@ -57,7 +57,7 @@ std::string bounds_check(Subject const& subject, UnitSystem const& units) {
   auto const space = identifier(subject, units);
   std::string rows;
   for (auto const& [name, bound] : {std::pair("lower", &subject.bounds.lower), {"upper", &subject.bounds.upper}})
-    if (*bound) rows += fmt::format(", {{{}::{}, {}}}", space, name, exactly((*bound)->overall));
+    if (*bound) rows += fmt::format(", {{{}::{}, {}}}", space, name, exact_text((*bound)->overall));
   return fmt::format(R"text(  // Each factor of this file, and its value as isolaw wrote it.
   double const factors[][2] = {{{{{0}::nominal, 1.0}}{1}}};
   for (auto const& factor : factors)
@@ -66,7 +66,7 @@ std::string bounds_check(Subject const& subject, UnitSystem const& units) {
       numbers = false;
     }}
 )text",
-                     space, rows, exactly(check_tolerance));
+                     space, rows, exact_text(check_tolerance));
 }
 
 }  // namespace
@@ -132,7 +132,7 @@ int main() {{
 #endif
 )text",
       number_lines(check.disp, ", ", "      "), number_lines(check.velocity, ", ", "      "),
-      number_lines(check.force, ", ", "      "), identifier(subject, units), material, exactly(check_tolerance),
+      number_lines(check.force, ", ", "      "), identifier(subject, units), material, exact_text(check_tolerance),
       subject.law->info.id, bounds_check(subject, units));
 }
 

@@ -31,8 +31,8 @@ std::string abaqus_element(Subject const& subject, UnitSystem const& units) {
   std::array<std::pair<std::string_view, std::string>, 3> const marks{
       {{"name", name}, {"law", std::string(subject.law->info.id)}, {"variables", std::to_string(variables)}}};
   std::string factors = "1.0 as fitted";
-  if (subject.bounds.lower) factors += fmt::format(", {} lower", exactly(subject.bounds.lower->overall));
-  if (subject.bounds.upper) factors += fmt::format(", {} upper bound", exactly(subject.bounds.upper->overall));
+  if (subject.bounds.lower) factors += fmt::format(", {} lower", exact_text(subject.bounds.lower->overall));
+  if (subject.bounds.upper) factors += fmt::format(", {} upper bound", exact_text(subject.bounds.upper->overall));
   return with_own_number(
       cpp_facts(subject, units, "Abaqus/Standard, user subroutine UEL in C++") +
       fmt::format(

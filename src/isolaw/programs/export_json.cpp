@@ -159,7 +159,7 @@ std::string export_json(Subject const& subject, Realisation const& realisation, 
   out.member("prediction", wording::remark(doubts.prediction));
   out.member("objection", doubts.objection ? wording::remark(*doubts.objection) : std::string());
   out.member("warnings", wording::sentences(doubts.findings, wording::with_law));
-  out.member("beyond_the_tests", subject.beyond);
+  out.member("beyond_the_tests", subject.beyond_tests);
   out.key("bounds").begin_object();
   write_factors(out, "lower", subject, subject.bounds.lower);
   write_factors(out, "upper", subject, subject.bounds.upper);

@@ -58,7 +58,7 @@ std::string check_procedure(SelfCheck const& check) {
       "  # Forces that OpenSees must give along these displacements. isolaw computed them by the same algorithm.\n"
       "  variable expected\n  array set expected {{}}\n",
       number_lines(check.disp, " ", "    "), number_lines(check.law, " ", "    "));
-  text += fmt::format("  variable checks {}\n  variable allowed {}\n", checks, exactly(check_tolerance));
+  text += fmt::format("  variable checks {}\n  variable allowed {}\n", checks, exact_text(check_tolerance));
   for (auto const& form : check.forms)
     for (auto const& variant : form.variants)
       text += fmt::format("  set expected({},{}) {{\n{}\n  }}\n", form.function, variant.name,

@@ -12,8 +12,8 @@ namespace {
 std::string tcl_bearings(ModelNumbers const& numbers) {
   std::string text;
   for (auto const& b : numbers.bearings)
-    text += fmt::format("    {{{{{}}} {} {} {} {} {} {}}}\n", b.name, exactly(b.x), exactly(b.y), exactly(b.angle_rad),
-                        exactly(b.load), exactly(b.K_v), exactly(b.mass));
+    text += fmt::format("    {{{{{}}} {} {} {} {} {} {}}}\n", b.name, exact_text(b.x), exact_text(b.y),
+                        exact_text(b.angle_rad), exact_text(b.load), exact_text(b.K_v), exact_text(b.mass));
   return text;
 }
 
@@ -29,9 +29,9 @@ std::string tcl_data(ModelNumbers const& n, UnitSystem const& units) {
       "  variable cases {{{}}}\n"
       "  # Ground motion: seconds between samples, analysis steps per sample, accelerations [{}/s2].\n"
       "  variable sample_s {}\n  variable pieces {}\n",
-      tcl_bearings(n), exactly(n.weight), exactly(n.mass), exactly(n.inertia), exactly(n.x), exactly(n.y),
-      n.held ? 1 : 0, exactly(n.tolerance), exactly(n.tested), joined(n.cases, " "), units.length.symbol,
-      exactly(n.motion_step_s), n.pieces);
+      tcl_bearings(n), exact_text(n.weight), exact_text(n.mass), exact_text(n.inertia), exact_text(n.x),
+      exact_text(n.y), n.held ? 1 : 0, exact_text(n.tolerance), exact_text(n.tested), joined(n.cases, " "),
+      units.length.symbol, exact_text(n.motion_step_s), n.pieces);
   for (std::size_t i = 0; i < 2; ++i)
     text += fmt::format("  variable acceleration_{} {{\n{}\n  }}\n", i == 0 ? "x" : "y",
                         i < n.motions.size() ? number_lines(n.motions[i], " ", "    ") : std::string());

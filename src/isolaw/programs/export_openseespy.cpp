@@ -63,7 +63,7 @@ std::string openseespy_script(Subject const& subject, Realisation const& realisa
   text += fmt::format(
       "# Forces that OpenSees must give, which isolaw computed by the same algorithm: function, variant, forces.\n"
       "ALLOWED = {}  # largest difference, as a share of the peak force\nEXPECTED = [\n",
-      exactly(check_tolerance));
+      exact_text(check_tolerance));
   for (auto const& form : check.forms) {
     for (auto const& variant : form.variants)
       text += fmt::format("    ({}, \"{}\", [\n{}\n    ]),\n", form.function, variant.name,

@@ -22,9 +22,9 @@ namespace {
 std::string peaks(Subject const& subject, LawCheck const& check) {
   double nominal = 0.0;
   for (double const force : check.force) nominal = std::max(nominal, std::abs(force));
-  auto text = fmt::format("\"nominal\": {}", exactly(nominal));
+  auto text = fmt::format("\"nominal\": {}", exact_text(nominal));
   for (auto const& [name, bound] : {std::pair("lower", &subject.bounds.lower), {"upper", &subject.bounds.upper}})
-    if (*bound) text += fmt::format(", \"{}\": {}", name, exactly((*bound)->overall * nominal));
+    if (*bound) text += fmt::format(", \"{}\": {}", name, exact_text((*bound)->overall * nominal));
   return text;
 }
 
@@ -37,11 +37,11 @@ std::string law_in_python(Subject const& subject, UnitSystem const& units, std::
   auto text = capitals + "PARAMETERS = {\n";
   for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
     auto const& p = subject.law->parameters[i];
-    text += fmt::format("    \"{}\": {},  # {}: {}\n", p.name, exactly(subject.parameters[i]), p.unit, p.meaning);
+    text += fmt::format("    \"{}\": {},  # {}: {}\n", p.name, exact_text(subject.parameters[i]), p.unit, p.meaning);
   }
   text += fmt::format("}}\n# Factors on the force.\n{}BOUNDS = {{\"nominal\": 1.0", capitals);
-  if (subject.bounds.lower) text += fmt::format(", \"lower\": {}", exactly(subject.bounds.lower->overall));
-  if (subject.bounds.upper) text += fmt::format(", \"upper\": {}", exactly(subject.bounds.upper->overall));
+  if (subject.bounds.lower) text += fmt::format(", \"lower\": {}", exact_text(subject.bounds.lower->overall));
+  if (subject.bounds.upper) text += fmt::format(", \"upper\": {}", exact_text(subject.bounds.upper->overall));
   text += "}\n";
   bool const drawn = subject.model && !subject.model->draws.empty();
   if (drawn) {
@@ -50,7 +50,7 @@ std::string law_in_python(Subject const& subject, UnitSystem const& units, std::
     for (std::size_t d = 0; d < draws.size(); ++d)
       for (std::size_t b = 0; b < draws[d].size(); ++b)
         text += fmt::format("    \"{}\": ({},),\n", drawn_variant(d + 1, b + 1),
-                            joined(draws[d][b] | std::views::transform(exactly)));
+                            joined(draws[d][b] | std::views::transform(exact_text)));
     text += "}\n";
   }
   return text +
@@ -118,11 +118,11 @@ def {prefix}self_check():
                                 capitals)),
              fmt::arg("bound", capitals + (drawn ? "BOUNDS.get(variant, 1.0)" : "BOUNDS[variant]")),
              fmt::arg("id", subject.law->info.id), fmt::arg("force", units.force.symbol),
-             fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exactly(subject.dead_band_mm)),
+             fmt::arg("length", units.length.symbol), fmt::arg("dead_band", exact_text(subject.dead_band_mm)),
              fmt::arg("refinement", subject.refinement), fmt::arg("disp", number_lines(check.disp, ", ", "    ")),
              fmt::arg("velocity", number_lines(check.velocity, ", ", "    ")),
              fmt::arg("expected", number_lines(check.force, ", ", "    ")), fmt::arg("peaks", peaks(subject, check)),
-             fmt::arg("tolerance", exactly(check_tolerance)));
+             fmt::arg("tolerance", exact_text(check_tolerance)));
 }
 
 std::string openseespy_law(Subject const& subject, UnitSystem const& units) {

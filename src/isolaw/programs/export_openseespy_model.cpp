@@ -14,8 +14,8 @@ namespace {
 std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
   std::string bearings, cases;
   for (auto const& b : n.bearings)
-    bearings += fmt::format("    (\"{}\", {}, {}, {}, {}, {}, {}),\n", b.name, exactly(b.x), exactly(b.y),
-                            exactly(b.angle_rad), exactly(b.load), exactly(b.K_v), exactly(b.mass));
+    bearings += fmt::format("    (\"{}\", {}, {}, {}, {}, {}, {}),\n", b.name, exact_text(b.x), exact_text(b.y),
+                            exact_text(b.angle_rad), exact_text(b.load), exact_text(b.K_v), exact_text(b.mass));
   for (auto const& each : n.cases) cases += (cases.empty() ? "\"" : ", \"") + each + "\"";
   std::string text = fmt::format(
       "# A row for each isolator: name, x, y, angle [rad], load, vertical stiffness, mass above it.\n"
@@ -28,8 +28,9 @@ std::string python_data(ModelNumbers const& n, UnitSystem const& units) {
       "CASES = [{}]\n"
       "# Ground motion: seconds between samples, analysis steps per sample, accelerations [{}/s2].\n"
       "SAMPLE_S, PIECES = {}, {}\n",
-      bearings, exactly(n.weight), exactly(n.mass), exactly(n.inertia), exactly(n.x), exactly(n.y), n.held ? 1 : 0,
-      exactly(n.tolerance), exactly(n.tested), cases, units.length.symbol, exactly(n.motion_step_s), n.pieces);
+      bearings, exact_text(n.weight), exact_text(n.mass), exact_text(n.inertia), exact_text(n.x), exact_text(n.y),
+      n.held ? 1 : 0, exact_text(n.tolerance), exact_text(n.tested), cases, units.length.symbol,
+      exact_text(n.motion_step_s), n.pieces);
   text += "ACCELERATIONS = [\n";
   for (auto const& motion : n.motions)
     text += fmt::format("    [\n{}\n    ],\n", number_lines(motion, ", ", "        "));
@@ -80,7 +81,7 @@ std::string python_isolator_with_law(Subject const& subject) {
 std::string python_springs_of_law(Subject const& subject) {
   std::string text = "# Parameters that were fitted to the tests for the springs of a section.\nLAW_SPRINGS = {\n";
   for (std::size_t i = 0; i < subject.springs->size(); ++i)
-    text += fmt::format("    \"{}\": {},\n", subject.law->parameters[i].name, exactly((*subject.springs)[i]));
+    text += fmt::format("    \"{}\": {},\n", subject.law->parameters[i].name, exact_text((*subject.springs)[i]));
   return text + "}\n\n\n";
 }
 

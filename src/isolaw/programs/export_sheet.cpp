@@ -55,7 +55,7 @@ Errors errors_of(Subject const& subject, BuildingOnLaw const& building, std::str
                  laws::LawEntry const& law, std::span<double const> parameters) {
   return {deviation_of_law(subject, law, parameters),
           other_cycles(subject, [&](History const& history) { return law_force(law, parameters, history); }),
-          building.with(link, law, parameters)};
+          building.compare(link, law, parameters)};
 }
 
 template <class Values>

@@ -33,9 +33,9 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
         fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}", form.nominal.title,
                     other_cycle_far_off_percent, text(form.other_cycles)));
   else if (realisation.fidelity == Fidelity::refitted)
-    remarks.cautions.push_back(
-        fmt::format("{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
-                    marked(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
+    remarks.cautions.push_back(fmt::format(
+        "{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
+        needs_warning(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
   remarks.add(realisation.response, subject);
   return realisation;
 }
@@ -64,13 +64,13 @@ constexpr std::array all{
     Target{.name = "opensees-model",
            .write = [](Subject const& s, UnitSystem const& units,
                        Remarks& remarks) { return opensees_model(s, realised_model(s, remarks), units); },
-           .of_model = true,
+           .needs_building = true,
            .is_named = true,
            .refits = true},
     Target{.name = "openseespy-model",
            .write = [](Subject const& s, UnitSystem const& units,
                        Remarks& remarks) { return openseespy_model(s, realised_model(s, remarks), units); },
-           .of_model = true,
+           .needs_building = true,
            .is_named = true,
            .refits = true},
     Target{.name = "cpp",
@@ -131,10 +131,10 @@ Target const& find_target(std::string_view name) {
 
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway) {
   Export result;
-  auto const where =
-      study::whose(subject.law->info.id, subject.lot ? std::nullopt : std::optional<std::string_view>(subject.device));
-  study::require_taken(subject.doubts, where, anyway);
-  if (target.of_model && !subject.model)
+  auto const where = study::law_and_device_text(
+      subject.law->info.id, subject.lot ? std::nullopt : std::optional<std::string_view>(subject.device));
+  study::require_no_objection(subject.doubts, where, anyway);
+  if (target.needs_building && !subject.model)
     throw Error({.where = fmt::format("--to {}", target.name),
                  .found = "a law without a model",
                  .allowed = "a layout of isolators, their mass and the motion of the ground"});
@@ -148,8 +148,9 @@ Export write_export(Subject const& subject, Target const& target, UnitSystem con
                  .found = joined(to_form, "; "),
                  .allowed = "a form that is near to the law",
                  .advice = fmt::format("{}; or --anyway", the_law_itself)});
-  if (subject.doubts.objection) result.let_through.push_back(wording::remark(*subject.doubts.objection, units));
-  std::ranges::move(to_form, std::back_inserter(result.let_through));
+  if (subject.doubts.objection)
+    result.overridden_objections.push_back(wording::remark(*subject.doubts.objection, units));
+  std::ranges::move(to_form, std::back_inserter(result.overridden_objections));
   return result;
 }
 

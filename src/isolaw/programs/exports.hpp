@@ -24,9 +24,9 @@ struct Remarks {
 struct Target {
   std::string_view name;
   std::string (*write)(Subject const& subject, UnitSystem const& units, Remarks& remarks);
-  bool of_model = false;  // writes a whole building and needs Subject::model
-  bool is_named = false;  // the file defines a name, which the user may choose (Subject::name)
-  bool refits = false;    // may write a re-fit, which is another law fitted to this one, in the law's place
+  bool needs_building = false;  // writes a whole building and needs Subject::model
+  bool is_named = false;        // the file defines a name, which the user may choose (Subject::name)
+  bool refits = false;          // may write a re-fit, which is another law fitted to this one, in the law's place
 };
 std::span<Target const> targets();
 std::vector<std::string_view> targets_where(bool Target::*is);
@@ -34,12 +34,12 @@ Target const& find_target(std::string_view name);  // throws Error with a list o
 
 struct Export {
   std::string text;
-  std::vector<std::string> let_through, cautions;
+  std::vector<std::string> overridden_objections, cautions;
   std::vector<Finding> responses;
 };
 // Throws Error if the law is not fit for use (its prediction is unusable, for example), or if the material that stands
-// for it in the analysis program is far off the law. With `anyway` these reasons go to `let_through` instead. Always
-// throws Error if the target needs a building and `subject` has none.
+// for it in the analysis program is far off the law. With `anyway` these reasons go to `overridden_objections` instead.
+// Always throws Error if the target needs a building and `subject` has none.
 Export write_export(Subject const& subject, Target const& target, UnitSystem const& units, bool anyway);
 
 std::string opensees_script(Subject const& subject, Realisation const& realisation, UnitSystem const& units,

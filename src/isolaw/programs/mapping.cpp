@@ -253,7 +253,7 @@ struct ToForms {
     v.Kb *= scale.stiffness;
     v.f0 *= scale.strength;
     v.beta1 *= scale.stiffness;
-    Mapping mapping{.forms = {hysteretic_asym(v)}, .why = {}};
+    Mapping mapping{.forms = {hysteretic_asym(v)}, .reason = {}};
     if (v.beta1 != 0.0) return mapping;
     // Without hardening, the law is Bouc-Wen with n = 1, beta = alpha and gamma = 0, whose force never becomes NaN.
     for (auto& form : bouc_wen_forms(without_hardening(v))) {

@@ -44,7 +44,7 @@ std::vector<Command> in_units(Form const& form, UnitSystem const& units);
 
 struct Mapping {
   std::vector<Form> forms;  // the preferred form is first; empty if OpenSees cannot express the law
-  std::string why;          // why OpenSees cannot express the law
+  std::string reason;       // why OpenSees cannot express the law
 };
 
 // scale.stiffness multiplies the part of the force that grows with displacement, scale.strength the hysteretic part.

@@ -66,14 +66,14 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
   auto const& model = *subject.model;
   Deviation worst;
   if (model.draws.empty()) return worst;
-  auto& of_model = form_of_model(realisation);
+  auto& model_form = form_of_model(realisation);
   auto one = subject;
   one.model.reset();
   one.histories.resize(1);
   one.histories[0].measured_kN.clear();
   auto const fails = [&](std::size_t draw, std::size_t bearing, std::string why) {
     return Error({.where = fmt::format("--draws, draw {}, bearing {}", draw + 1, model.bearings[bearing].name),
-                  .found = fmt::format("{} cannot be had with {}: {}", of_model.nominal.title,
+                  .found = fmt::format("{} cannot be had with {}: {}", model_form.nominal.title,
                                        parameter_text(*subject.law, model.draws[draw][bearing]), why),
                   .allowed = "draws that the program's materials can give",
                   .advice = "another --seed, or the bounds: without --draws"});
@@ -92,15 +92,15 @@ Deviation add_draws(Realisation& realisation, Subject const& subject) {
         parameters = std::move(fitted.parameters);
       }
       auto const mapping = map_law(*law, parameters);
-      auto const* form = with_id(mapping, of_model.nominal.id);
-      if (form == nullptr) throw fails(draw, bearing, mapping.why.empty() ? "it has another form" : mapping.why);
+      auto const* form = with_id(mapping, model_form.nominal.id);
+      if (form == nullptr) throw fails(draw, bearing, mapping.reason.empty() ? "it has another form" : mapping.reason);
       Realised realised;
       auto const failure = failure_of(*form, one, realised);
       // A substitute that differs from the law is accepted and its deviation is reported, but its force must be finite.
       bool const has_force = std::isfinite(realised.from_law.largest);
       if (!failure.empty() && (realisation.substitute.empty() || !has_force)) throw fails(draw, bearing, failure);
       keep_worst(worst, realised.from_law);
-      of_model.draws.emplace_back(drawn_variant(draw + 1, bearing + 1), *form);
+      model_form.draws.emplace_back(drawn_variant(draw + 1, bearing + 1), *form);
     }
   realisation.draws_from_law = worst;
   return worst;

@@ -200,7 +200,7 @@ Realisation refit(Subject const& subject, Realisation realisation) {
     realisation.substitute = std::string(one.law->info.id);
     realisation.substitute_parameters = one.parameters;
     realisation.response =
-        BuildingOnLaw(subject).with(realisation.forms.front().nominal.title, *one.law, one.parameters);
+        BuildingOnLaw(subject).compare(realisation.forms.front().nominal.title, *one.law, one.parameters);
     realisation.explanation += fmt::format(
         "; in its place the nearest {} law{}, fitted to this law's force on the record of {}", realisation.substitute,
         &one == fitted.data() ? "" : ", the nearest whose force the program finds", subject.histories.front().device);
@@ -353,7 +353,7 @@ Deviation deviation_of_law(Subject const& subject, laws::LawEntry const& law, st
 Realisation realise(Subject const& subject) {
   Realisation realisation;
   auto const mapping = map_law(*subject.law, subject.parameters);
-  realisation.explanation = mapping.why;
+  realisation.explanation = mapping.reason;
   for (std::size_t i = 0; i < mapping.forms.size(); ++i) {
     Realised realised;
     auto const failure = failure_of(mapping.forms[i], subject, realised);

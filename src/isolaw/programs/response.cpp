@@ -44,7 +44,7 @@ class MassOnBearing {
     auto const run = building::integrate(
         model_, bearing, {.name = motion.file, .step_s = motion.step_s, .x_mm_s2 = motion.acceleration_mm_s2});
     if (run.outcome != building::Outcome::completed) return std::nullopt;
-    return Peaks{.disp_mm = run.of(building::Measure::isolator), .shear_kN = run.of(building::Measure::shear)};
+    return Peaks{.disp_mm = run.value(building::Measure::isolator), .shear_kN = run.value(building::Measure::shear)};
   }
 
  private:
@@ -168,8 +168,8 @@ void BuildingOnLaw::fail(std::string why) {
   on_law_.why_not = std::move(why);
 }
 
-RefitResponse BuildingOnLaw::with(std::string_view refit, laws::LawEntry const& law,
-                                  std::span<double const> parameters) const {
+RefitResponse BuildingOnLaw::compare(std::string_view refit, laws::LawEntry const& law,
+                                     std::span<double const> parameters) const {
   auto response = on_law_;
   if (motions_.empty()) return response;
   MassOnBearing const on_refit(response.mass_Mg, law, parameters);

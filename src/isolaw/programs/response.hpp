@@ -22,13 +22,13 @@ inline constexpr double response_off_percent = 10.0;
 // If no vertical load is known, the mass is such that it has this period with the law's K_eff at the tested amplitude.
 inline constexpr double usual_period_s = 2.5;
 
-struct UnderMotion {
+struct PeaksUnderMotion {
   std::string motion;
   double law_disp_mm = 0.0, law_shear_kN = 0.0, refit_disp_mm = 0.0, refit_shear_kN = 0.0;  // peaks
 };
 
 struct RefitResponse {
-  std::vector<UnderMotion> motions;
+  std::vector<PeaksUnderMotion> motions;
   // FindingKind::refit_response, or refit_response_off if the difference is beyond the limit. The finding has the
   // difference between the mean peaks with the re-fit and with the law, and the least and largest difference under one
   // motion. If the integration fails under one motion, `finding` and `motions` are empty, and why_not has the reason.
@@ -47,7 +47,7 @@ class BuildingOnLaw {
  public:
   explicit BuildingOnLaw(Subject const& subject);
   // `refit` names the re-fit in sentences.
-  RefitResponse with(std::string_view refit, laws::LawEntry const& law, std::span<double const> parameters) const;
+  RefitResponse compare(std::string_view refit, laws::LawEntry const& law, std::span<double const> parameters) const;
 
  private:
   void fail(std::string why);

@@ -66,7 +66,7 @@ void widen(std::optional<double>& least, std::optional<double>& most, std::optio
   if (high) most = std::max(most.value_or(*high), *high);
 }
 
-void add_tested(Tested& tested, study::DeviceResult const& device) {
+void add_tested(TestedRange& tested, study::DeviceResult const& device) {
   study::Ranges own;
   own.add(device.record);
   if (device.rubber_thickness_mm)
@@ -107,7 +107,7 @@ std::optional<double> own_value(study::Summary const& summary, Subject const& su
 rules::Bound const* chosen_bound(rules::LotQuantity const& view) {
   rules::Bound const* chosen = nullptr;
   for (auto const& bound : view.bounds) {
-    if (bound.spread == rules::Spread::contract) return &bound;
+    if (bound.scope == rules::BoundScope::contract) return &bound;
     if (bound.is_tolerance) chosen = &bound;
   }
   return chosen;
@@ -206,9 +206,9 @@ Bounds bounds_of_the_lot(study::Summary const& summary, Subject const& subject, 
 // those from the scatter would be too narrow.
 Bounds bounds_of(study::Summary const& summary, Subject const& subject, UnitSystem const& units) {
   auto const design = study::design_bounds(summary, *subject.law, subject.parameters);
-  if (design.none) {
+  if (design.obstacle) {
     bool const asked = summary.conditions && !summary.conditions->bounds.empty();
-    if (asked || !summary.no_conditions.empty()) return {.source = wording::remark(*design.none, units)};
+    if (asked || !summary.no_conditions.empty()) return {.source = wording::remark(*design.obstacle, units)};
     return bounds_of_the_lot(summary, subject, units);
   }
   auto const factors = [](study::DesignBound const& bound) {
@@ -401,7 +401,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
     if (other.name != subject.device && plain_name(other.name) == plain_name(subject.device))
       subject.number_among_alike = chosen.value_or(contents.devices.size()) + 1;
   auto const one = subject.lot ? std::nullopt : std::optional<std::string_view>(device);
-  auto const where = study::whose(law, one);
+  auto const where = study::law_and_device_text(law, one);
   if (chosen)
     add_device_parameters(subject, contents, *chosen, where);
   else
@@ -437,7 +437,7 @@ Subject make_subject(campaign::Contents const& contents, study::Summary const& s
   subject.protocol.law_kN = law_force(*subject.law, subject.parameters, subject.protocol);
   require_finite(subject, where);
   subject.bounds = bounds_of(summary, subject, units);
-  subject.beyond = beyond_the_tests(subject, units);
+  subject.beyond_tests = beyond_the_tests(subject, units);
   return subject;
 }
 

@@ -29,7 +29,7 @@ struct History {
 };
 
 // Ranges of the tests. A value is empty if neither the records nor the lot file state it.
-struct Tested : study::Range {
+struct TestedRange : study::Range {
   std::optional<double> strain_percent;
   std::optional<double> lowest_Hz, highest_Hz;
   std::optional<double> load_min_kN, load_max_kN;
@@ -37,7 +37,7 @@ struct Tested : study::Range {
   std::optional<double> temperature_min_C, temperature_max_C;
 };
 
-struct Fitted : study::Range {
+struct FittedRange : study::Range {
   std::string part;  // part of the record used for the fit: "block 1", ...; empty for all blocks
 };
 
@@ -79,8 +79,8 @@ struct Subject {
   History protocol;           // check_path() of the tests, with the law's force
   double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
-  Tested tested;
-  Fitted fitted;
+  TestedRange tested;
+  FittedRange fitted;
   study::Doubts doubts;
   Bounds bounds;
   std::uint64_t seed = 1;
@@ -88,7 +88,7 @@ struct Subject {
   double dead_band_mm = 0.0;  // dead band of the device's record; for a lot the largest dead band of its records
   std::optional<double> K_eff_kN_per_mm, damping_percent;  // measured on the device; for a lot the mean
   double design_disp_mm = 0.0;                             // amplitude of the reported cycle; for a lot the largest
-  std::vector<std::string> beyond;                         // what beyond_the_tests() says about the law
+  std::vector<std::string> beyond_tests;                   // what beyond_the_tests() says about the law
   std::vector<std::string> notes;
   std::optional<Model> model;               // only for targets that write a whole building
   std::vector<data::GroundMotion> motions;  // to compare a re-fit with the law (response.hpp)

@@ -63,10 +63,10 @@ std::vector<Fact> replay_facts(Subject const& subject, Realisation const& realis
     if (form.from_measured && first == 0)
       facts.push_back({"  against the measured force", deviation_text(*form.from_measured)});
     if (!form.other_cycles.empty())
-      facts.push_back(
-          {"  at other amplitudes",
-           text(form.other_cycles) +
-               (marked(form.other_cycles) ? fmt::format("; MORE THAN {:.0f} % OFF", marked_percent) : std::string())});
+      facts.push_back({"  at other amplitudes",
+                       text(form.other_cycles) + (needs_warning(form.other_cycles)
+                                                      ? fmt::format("; MORE THAN {:.0f} % OFF", warning_percent)
+                                                      : std::string())});
     if (form.nominal.exactness == Exactness::small_steps)
       facts.push_back(
           {"  time step",
@@ -144,7 +144,7 @@ std::string with_own_number(std::string text) {
   return text;
 }
 
-std::string exactly(double value) {
+std::string exact_text(double value) {
   auto text = fmt::format("{}", value);
   // Tcl would read "2" as an integer and use integer division. The text is therefore "2.0".
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
@@ -157,14 +157,14 @@ std::string argument_values(Command const& command, std::string_view separator) 
     // OpenSees reads maxIter as an integer, which has no decimal point.
     bool const count = (i == 10 && command.name == "BoucWen") || (i == 9 && command.name == "BoucWenOriginal");
     text += separator;
-    text += count ? fmt::format("{:.0f}", command.arguments[i]) : exactly(command.arguments[i]);
+    text += count ? fmt::format("{:.0f}", command.arguments[i]) : exact_text(command.arguments[i]);
   }
   return text;
 }
 
 std::string element_options(Command const& command, std::string_view separator, std::string_view quote) {
   if (command.name != "elastomericBearingBoucWen") return {};
-  return fmt::format("{0}{1}-iter{1}{0}{2}{0}{3}", separator, quote, bearing_iterations, exactly(bearing_tolerance));
+  return fmt::format("{0}{1}-iter{1}{0}{2}{0}{3}", separator, quote, bearing_iterations, exact_text(bearing_tolerance));
 }
 
 std::string argument_names(Form const& form) {
@@ -182,7 +182,7 @@ std::string parameter_text(laws::LawEntry const& law, std::span<double const> pa
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     auto const& p = law.parameters[i];
-    texts.push_back(fmt::format("{} = {}{}{}", p.name, exactly(parameters[i]), p.unit == "1" ? "" : " ",
+    texts.push_back(fmt::format("{} = {}{}{}", p.name, exact_text(parameters[i]), p.unit == "1" ? "" : " ",
                                 p.unit == "1" ? "" : p.unit));
   }
   return joined(texts);
@@ -257,7 +257,7 @@ std::vector<Fact> measured_facts(Subject const& subject) {
 
 std::vector<Fact> away_facts(Subject const& subject, Realisation const& realisation) {
   std::vector<Fact> facts;
-  for (auto const& sentence : subject.beyond) facts.push_back({"Beyond the tests", sentence});
+  for (auto const& sentence : subject.beyond_tests) facts.push_back({"Beyond the tests", sentence});
   bool const coupled =
       std::ranges::any_of(realisation.forms, [](Realised const& form) { return form.nominal.id == "bearing"; });
   if (auto const springs = coupled ? std::nullopt : two_springs(subject))

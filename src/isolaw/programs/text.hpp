@@ -26,7 +26,7 @@ inline constexpr std::string_view own_number_mark = "@own number@";
 std::string with_own_number(std::string text);
 
 // Returns the shortest text that is read back as the same number.
-std::string exactly(double value);
+std::string exact_text(double value);
 std::string argument_values(Command const& command, std::string_view separator);
 // Returns the commands of a form with their arguments' names, for users: "Command argument argument; Command ...".
 std::string argument_names(Form const& form);

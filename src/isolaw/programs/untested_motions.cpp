@@ -107,8 +107,8 @@ std::string text(std::vector<OtherCycle> const& cycles) {
   return "of the tested amplitude, " + joined(parts, "; ");
 }
 
-bool marked(std::vector<OtherCycle> const& cycles) {
-  return std::ranges::any_of(cycles, [](auto const& c) { return !(c.largest() <= marked_percent); });
+bool needs_warning(std::vector<OtherCycle> const& cycles) {
+  return std::ranges::any_of(cycles, [](auto const& c) { return !(c.largest() <= warning_percent); });
 }
 
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units) {

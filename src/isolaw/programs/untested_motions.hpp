@@ -30,8 +30,8 @@ std::vector<OtherCycle> other_cycles(Subject const& subject, ForceOf const& stan
 std::string text(std::vector<OtherCycle> const& cycles);
 
 // A substitute that differs by more than the first percentage gets a warning. Beyond the second it is refused.
-inline constexpr double marked_percent = 10.0, other_cycle_far_off_percent = 30.0;
-bool marked(std::vector<OtherCycle> const& cycles);
+inline constexpr double warning_percent = 10.0, other_cycle_far_off_percent = 30.0;
+bool needs_warning(std::vector<OtherCycle> const& cycles);
 
 // Returns a sentence for each fault of the law at 1.25 and 1.5 times the tested amplitude: no finite force, a peak
 // force that falls or rises steeply, a negative stiffness, or a cycle that returns energy.

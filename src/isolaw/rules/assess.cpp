@@ -32,7 +32,7 @@ Assessment compared(DerivedValue const& derived, Quantity quantity, Design const
   result.formula = derived.formula;
   result.value = derived.value;
   result.unit = unit(quantity);
-  result.nominal = design.of(quantity);
+  result.nominal = design.value(quantity);
   if (result.value && result.nominal)
     result.deviation_percent = 100.0 * (*result.value - *result.nominal) / *result.nominal;
   return result;
@@ -104,7 +104,7 @@ void assess_load(RuleSet const& rules, LoadVariation const& limit, Design const&
     result.formula = "(value at the largest load - value at the smallest)/design value";
     result.unit = "%";
     result.limit = fmt::format("{:g} % or less", limit.largest_percent);
-    auto const nominal = design.of(quantity);
+    auto const nominal = design.value(quantity);
     auto const at_largest = loads ? device_value(rules, quantity, loads->largest) : std::nullopt;
     auto const at_smallest = loads ? device_value(rules, quantity, loads->smallest) : std::nullopt;
     if (!loads) {
@@ -239,7 +239,7 @@ std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, D
   without_limit.push_back(Quantity::K_v);
   for (auto const quantity : without_limit) {
     // K_v is always listed, so that a missing compression test is seen.
-    bool const asked = design.of(quantity) || quantity == Quantity::K_v;
+    bool const asked = design.value(quantity) || quantity == Quantity::K_v;
     bool const limited = std::ranges::any_of(
         rules.limits, [&](Limit const& limit) { return limit.quantity == quantity && limit.scope == Scope::each; });
     if (limited || !asked) continue;

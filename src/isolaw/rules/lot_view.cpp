@@ -22,8 +22,8 @@ constexpr double property_error = 0.005;          // relative error of a propert
 struct Values {
   std::vector<std::string> names;
   std::vector<double> values;
-  std::vector<std::string> without;
-  std::vector<std::string> usual_names, other_names;  // see DeviceValues::usual
+  std::vector<std::string> devices_without_value;
+  std::vector<std::string> usual_names, other_names;  // see DeviceValues::at_usual_amplitude
   std::vector<double> usual_values;
 };
 
@@ -39,11 +39,11 @@ Values collect(RuleSet const& rules, Quantity quantity, std::span<DeviceValues c
     if (auto const value = device_value(rules, quantity, device.block)) {
       collected.names.push_back(device.name);
       collected.values.push_back(*value);
-      bool const usual = device.usual || quantity == Quantity::K_v;
+      bool const usual = device.at_usual_amplitude || quantity == Quantity::K_v;
       (usual ? collected.usual_names : collected.other_names).push_back(device.name);
       if (usual) collected.usual_values.push_back(*value);
     } else {
-      collected.without.push_back(device.name);
+      collected.devices_without_value.push_back(device.name);
     }
   }
   return collected;
@@ -56,8 +56,8 @@ std::string no_lower_bound(double half_width_percent) {
 
 }  // namespace
 
-std::string_view name(Spread spread) {
-  return spread == Spread::contract ? "contract" : spread == Spread::device ? "device" : "system";
+std::string_view name(BoundScope scope) {
+  return scope == BoundScope::contract ? "contract" : scope == BoundScope::device ? "device" : "system";
 }
 
 namespace {
@@ -90,7 +90,7 @@ void describe_spread(Values const& found, LotQuantity& view) {
 }
 
 void compare_with_design(Design const& design, LotQuantity& view) {
-  view.nominal = design.of(view.quantity);
+  view.nominal = design.value(view.quantity);
   if (!view.nominal || !view.mean) return;
   auto const deviation = [&](double value) { return 100.0 * (value - *view.nominal) / *view.nominal; };
   view.mean_deviation_percent = deviation(*view.mean);
@@ -113,7 +113,8 @@ std::vector<std::string> unmet_of_lot(RuleSet const& rules, LotView const& lot, 
   std::vector<std::string> unmet;
   if (!lot.note.empty()) unmet.push_back(lot.note);
   if (auto sample = unmet_sample(rules, lot, view); !sample.empty()) unmet.push_back(std::move(sample));
-  if (!view.without.empty()) unmet.push_back(fmt::format("no value of {}", fmt::join(view.without, ", ")));
+  if (!view.devices_without_value.empty())
+    unmet.push_back(fmt::format("no value of {}", fmt::join(view.devices_without_value, ", ")));
   if (view.quantity == Quantity::K_v) return unmet;  // the conditions below are those of the shear test
   for (auto const& device : devices)
     if (!device.copy_of.empty())
@@ -180,7 +181,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
   // max_not_below and min_not_above apply only to properties that have factors of their own in the set.
   auto const rule = given == nullptr ? FactorRule{} : rules.factors;
   auto const test = view.test_factors.value_or(TestFactors{}).pair();
-  auto const add = [&](std::string source, Spread spread, FactorPair spec, std::string note) {
+  auto const add = [&](std::string source, BoundScope scope, FactorPair spec, std::string note) {
     std::string no_lower;
     if (spec.min <= 0.0) {
       no_lower = no_lower_bound(100.0 * (1.0 - spec.min * base / *view.mean));
@@ -188,7 +189,7 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
     }
     auto const combined = combine(rule, environment, test, spec);
     view.bounds.push_back({.source = std::move(source),
-                           .spread = spread,
+                           .scope = scope,
                            .spec = spec,
                            .combined = combined,
                            .lower = base * combined.min,
@@ -202,22 +203,22 @@ void add_bounds(RuleSet const& rules, std::optional<int> lot_size, LotQuantity& 
                       .max = centre * (1.0 + half_width_percent / 100.0)};
   };
   if (given != nullptr && given->spec_min)
-    add("contract band", Spread::contract, {.min = *given->spec_min, .max = *given->spec_max},
+    add("contract band", BoundScope::contract, {.min = *given->spec_min, .max = *given->spec_max},
         "as agreed in the rule set");
   if (!view.cov_percent) return;  // fewer than two tested devices have no spread
-  add("observed", Spread::device, {.min = *view.min / base, .max = *view.max / base},
+  add("observed", BoundScope::device, {.min = *view.min / base, .max = *view.max / base},
       "lowest and highest device tested");
-  add("statistical, each device", Spread::device, about_mean(*view.tolerance_factor * *view.cov_percent),
+  add("statistical, each device", BoundScope::device, about_mean(*view.tolerance_factor * *view.cov_percent),
       fmt::format("holds 95 % of the devices with confidence 95 %, k = {:.4g}; not for the system",
                   *view.tolerance_factor));
   view.bounds.back().is_tolerance = true;
   if (!lot_size) return;
   auto const tested = static_cast<int>(view.count);
-  add("statistical, system", Spread::system,
+  add("statistical, system", BoundScope::system,
       about_mean(system_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices, {} of them tested, 95 %; the lot's mean and CoV taken as known", *lot_size,
                   tested));
-  add("statistical, system predicted", Spread::system,
+  add("statistical, system predicted", BoundScope::system,
       about_mean(prediction_half_width_percent(*view.cov_percent, *lot_size, tested)),
       fmt::format("mean of {} devices predicted from {} tested, 95 %; mean and CoV estimated", *lot_size, tested));
 }
@@ -241,7 +242,7 @@ LotQuantity quantity_view(RuleSet const& rules, LotView const& lot, Quantity qua
   view.quantity = quantity;
   view.unit = unit(quantity);
   view.count = found.values.size();
-  view.without = found.without;
+  view.devices_without_value = found.devices_without_value;
   if (!found.values.empty()) describe_spread(found, view);
   compare_with_design(design, view);
   view.outliers = find_outliers(found.usual_names, found.usual_values);

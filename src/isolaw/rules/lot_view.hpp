@@ -18,7 +18,8 @@ struct DeviceValues {
   // The name of another device with the same record; empty if there is none. A copy is no tested device: it enters
   // neither the means nor the spread, except those of K_v, which comes from another test.
   std::string copy_of = {};
-  bool usual = true;  // tested at the lot's usual amplitude; only such devices can be outliers, except in K_v
+  // Whether it was tested at the lot's usual amplitude. Only such devices can be outliers, except in K_v.
+  bool at_usual_amplitude = true;
 };
 
 struct Outlier {
@@ -35,12 +36,12 @@ std::vector<Outlier> find_outliers(std::span<std::string const> names, std::span
 
 // Which values lie within a bound. contract: those that the contract allows, as the rule set states them; device: the
 // value of any single device of the lot; system: the mean over all devices of the isolation system.
-enum class Spread { contract, device, system };
-std::string_view name(Spread spread);  // "contract", "device", "system"
+enum class BoundScope { contract, device, system };
+std::string_view name(BoundScope scope);  // "contract", "device", "system"
 
 struct Bound {         // factors on the design value (or the lot's mean), and the resulting property
   std::string source;  // "contract band", "observed", "statistical, each device", "statistical, system", ...
-  Spread spread = Spread::device;
+  BoundScope scope = BoundScope::device;
   FactorPair spec;                  // lambda_spec; without a lower bound all minima and `lower` are NaN
   CombinedFactors combined;         // `spec` combined with the factors of environment and test; see combine()
   double lower = 0.0, upper = 0.0;  // combined factors times the design value or the mean
@@ -52,8 +53,8 @@ struct Bound {         // factors on the design value (or the lot's mean), and t
 struct LotQuantity {
   Quantity quantity = Quantity::K_eff;
   std::string unit;
-  std::size_t count = 0;             // devices with a value; without copies, except for K_v
-  std::vector<std::string> without;  // devices without a value
+  std::size_t count = 0;  // devices with a value; without copies, except for K_v
+  std::vector<std::string> devices_without_value;
   std::optional<double> mean, min, max;
   std::string min_device, max_device;
   std::optional<double> std, cov_percent;         // spread of the values; nullopt for fewer than two tested devices

@@ -148,7 +148,7 @@ data::Cycle const* BlockValues::find(int cycle) const {
   return found == cycles.end() ? nullptr : &*found;
 }
 
-std::optional<double> Design::of(Quantity quantity) const {
+std::optional<double> Design::value(Quantity quantity) const {
   auto const* known = std::ranges::find(design_names, name(quantity), &DesignName::name);
   return known == design_names.end() ? std::nullopt : this->*(known->member);
 }

@@ -39,7 +39,7 @@ struct Design {  // design values of the devices; all are positive
   std::optional<double> frequency_Hz;  // frequency at which the design values hold
   std::optional<double> load_kN;       // vertical load under which the design values hold
 
-  std::optional<double> of(Quantity quantity) const;
+  std::optional<double> value(Quantity quantity) const;
 };
 
 struct DesignName {

@@ -199,7 +199,7 @@ LotAcceptance assess_lot(rules::RuleSet const& rules, rules::Design const& desig
   std::vector<double> amplitudes;
   for (auto const& one : measured) amplitudes.push_back(one.block.amplitude_mm);
   auto const usual = usual_amplitude(std::move(amplitudes), rules, alike);
-  for (auto& one : measured) one.usual = usual.has(one.block.amplitude_mm);
+  for (auto& one : measured) one.at_usual_amplitude = usual.has(one.block.amplitude_mm);
   result.lot = rules::lot_view(rules, measured, design, lot_size);
   return result;
 }

@@ -37,7 +37,7 @@ void add_front(Summary const& summary, std::vector<Finding>& findings) {
   auto const converged = laws_on(summary, &LawResult::on_front_converged);
   if (converged.empty()) return;
   Names run_names;
-  for (auto const& id : runs) run_names.emplace_back(laws::called(id));
+  for (auto const& id : runs) run_names.emplace_back(laws::display_name(id));
   findings.push_back({.kind = FindingKind::converged_front,
                       .other_laws = converged,
                       .words = {{"same", runs == converged ? "yes" : "no"},

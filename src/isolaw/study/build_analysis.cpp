@@ -381,8 +381,8 @@ void add_outliers(Summary& summary) {
         return fit != nullptr ? fit->*member : std::nullopt;
       };
     };
-    add(fmt::format("misfit of {}", called(law)), "", law.id, misfit(&DeviceFit::optimum));
-    add(fmt::format("misfit of {} as fitted to the other devices", called(law)), "", law.id,
+    add(fmt::format("misfit of {}", display_name(law)), "", law.id, misfit(&DeviceFit::optimum));
+    add(fmt::format("misfit of {} as fitted to the other devices", display_name(law)), "", law.id,
         misfit(&DeviceFit::left_out_objective));
   }
   for (auto const& found : lot::find_outliers(names, values)) {
@@ -413,7 +413,7 @@ std::string_view name(Collapse collapse) {
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted) {
   if (!(worst_predicted <= collapsed_objective)) return Collapse::constant;
   bool const near = predicted_objective < collapsed_least || predicted_objective <= collapsed_ratio * fitted_objective;
-  return near ? Collapse::no : Collapse::far;
+  return near ? Collapse::no : Collapse::much_worse;
 }
 
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted) {

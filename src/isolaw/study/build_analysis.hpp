@@ -20,9 +20,9 @@ inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_predi
 // docs/decision.md gives the reasons.
 inline constexpr double collapsed_objective = 1.0, collapsed_ratio = 10.0, collapsed_least = 0.2;
 PredictionGrade graded(double fitted_objective, double predicted_objective, double worst_predicted);
-// `constant`: on some predicted block the law does worse than a constant force. `far`: it does much worse on predicted
-// blocks than on fitted ones.
-enum class Collapse { no, constant, far };
+// `constant`: on some predicted block the law does worse than a constant force. `much_worse`: it does much worse on
+// predicted blocks than on fitted ones.
+enum class Collapse { no, constant, much_worse };
 std::string_view name(Collapse collapse);  // "no", "constant", "far"
 Collapse collapse(double fitted_objective, double predicted_objective, double worst_predicted);
 // Adds the analysis of a search (a law on a device) to its fit. The fit must already have the force of its best run.

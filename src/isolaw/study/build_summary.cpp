@@ -58,7 +58,7 @@ std::vector<double> collect(Runs const& runs, Get&& get) {
 
 void add_vertical(DeviceResult& result) {
   auto& test = result.vertical_test;
-  if (!test.given()) return;
+  if (!test.is_given()) return;
   try {
     if (test.refusal.empty()) result.vertical = data::vertical_stiffness(test);
   } catch (Error const& error) {
@@ -82,7 +82,7 @@ rules::VerticalValue vertical_value(DeviceResult const& device) {
   if (!device.vertical_test.refusal.empty()) value.reason = "vertical test: " + device.vertical_test.refusal;
   if (!device.vertical) return value;
   value.K_v_kN_per_mm = device.vertical->K_v_kN_per_mm;
-  value.formula = device.vertical->how;
+  value.formula = device.vertical->description;
   return value;
 }
 
@@ -90,7 +90,7 @@ rules::VerticalValue vertical_value(DeviceResult const& device) {
 // ones. Empty if the tests have no such swings.
 std::vector<bool> in_large_swings(data::FitRecord const& record, std::optional<data::Weighting> weighting) {
   auto const sizes = data::swing_sizes(data::tests_of(record), weighting.value_or(data::Weighting::swing));
-  if (!sizes.tell) return {};
+  if (!sizes.shows_larger_swings) return {};
   std::vector<bool> inside;
   auto const ranges = data::test_ranges(record.starts, record.size());
   for (std::size_t t = 0; t < ranges.size(); ++t)
@@ -215,7 +215,7 @@ void compare_tests(DeviceFit& fitted, data::FitRecord const& record, std::vector
   auto const ranges = data::test_ranges(record.starts, record.size());
   std::vector<TestFit> all;
   for (std::size_t t = 0; t < tests.size(); ++t) {
-    auto const force = ranges[t].of(fitted.force_kN);
+    auto const force = ranges[t].slice(fitted.force_kN);
     auto& one = all.emplace_back();
     if (t < sources.size()) one.test = sources[t].name;
     if (double const misfit = fit::objective_on(tests[t], force, tests[t].scored); !std::isnan(misfit))

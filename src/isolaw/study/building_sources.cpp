@@ -29,7 +29,7 @@ std::vector<Finding> doubts_of(Summary const& summary, std::string_view law,
   };
   add(doubts(summary, law, std::nullopt));
   for (auto const& bearing : bearings)
-    if (bearing.stands == building::Stands::device &&
+    if (bearing.kind == building::BearingKind::device &&
         std::ranges::find(summary.devices, bearing.device, &DeviceResult::name) != summary.devices.end())
       add(doubts(summary, law, bearing.device));
   return all;
@@ -104,9 +104,9 @@ std::optional<campaign::Contents> with_springs_of(campaign::Contents contents, s
 void take_bounds(building::LawSource& source, Summary const& summary, building::Settings const& asked,
                  std::string_view where) {
   auto const bounds = design_bounds(summary, laws::find_law(source.law), source.lot);
-  if (bounds.none)
+  if (bounds.obstacle)
     throw Error({.where = fmt::format("{}, law {}", where, source.law),
-                 .found = wording::remark(*bounds.none),
+                 .found = wording::remark(*bounds.obstacle),
                  .allowed = "a campaign whose tests cover all design conditions, or numbers for lower and upper"});
   auto const take = [&](std::string_view which, DesignBound const& bound,
                         std::optional<building::PartFactors> building::LawSource::*member) {

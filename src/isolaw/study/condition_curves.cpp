@@ -49,7 +49,7 @@ void add_curves(std::vector<ConditionCurve>& curves, EffectResponse const& of, C
   };
   std::vector<Level const*> paired;
   for (auto const& level : response.levels())
-    if (!level.unpaired) paired.push_back(&level);
+    if (!level.unpaired_factor) paired.push_back(&level);
 
   std::vector<std::string> devices;
   for (auto const* level : paired)

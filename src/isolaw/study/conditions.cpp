@@ -30,7 +30,7 @@ class Builder {
       : stated_(observed.stated), rules_(rules_of(stated_, acceptance)), bounds_(rules_, stated_) {
     if (!acceptance.design.empty()) design_values_ = rules::parse_design(acceptance.design);
     out_.rules = rules_.id;
-    out_.combined = bounds_.how();
+    out_.combination = bounds_.combination();
     out_.title = std::move(title);
     out_.stated = stated_;
     out_.installed = acceptance.lot_size;
@@ -86,7 +86,7 @@ class Builder {
       if (shows(seen) && tests[seen.block.device].contains(*history(seen))) ++tests[seen.block.device][*history(seen)];
     std::set<conditions::History> of_reference;  // the histories of the reference tests that are taken
     auto const leave_out = [&](Observed const& seen, TestRole why) {
-      auto& row = out_.tests[*seen.row];
+      auto& row = out_.tests[*seen.test_index];
       row.role = why, row.effect.reset();
     };
     for (auto const& seen : all_) {
@@ -128,8 +128,8 @@ class Builder {
   void mark_unpaired(Compared const& tests, conditions::Response const& response) {
     for (auto const* seen : tests.without_reference)
       for (auto const& level : response.levels())
-        if (level.unpaired && response.is_at(level, seen->block.condition)) {
-          auto& row = out_.tests[*seen->row];
+        if (level.unpaired_factor && response.is_at(level, seen->block.condition)) {
+          auto& row = out_.tests[*seen->test_index];
           row.role = TestRole::effect, row.effect = response.effect();
         }
   }
@@ -157,7 +157,7 @@ class Builder {
         out_.levels.push_back({.quantity = quantity,
                                .effect = effect,
                                .level = level_text(effect, level),
-                               .factor = response.of(level),
+                               .factor = response.factor_of(level),
                                .ratios = level.ratios,
                                .ageing = level.ageing});
       }
@@ -239,14 +239,14 @@ class Builder {
     auto const& design = stated_.design;
     if (design.aged) return response.at(conditions::Ageing{.days = design.aged->days, .at_C = design.aged->at_C});
     if (!design.years) return std::nullopt;
-    if (!stated_.activation_energy_kJ_per_mol) return Factor::without(conditions::Lack::no_energy);
+    if (!stated_.activation_energy_kJ_per_mol) return Factor::not_covered(conditions::Lack::no_energy);
     auto const* chosen = conditions::ageing_level_for(*design.years, response.levels(), *design.service_temperature_C,
                                                       *stated_.activation_energy_kJ_per_mol);
-    if (chosen == nullptr) return Factor::without(conditions::Lack::no_test);
+    if (chosen == nullptr) return Factor::not_covered(conditions::Lack::no_test);
     double const life = conditions::stands_for_years(*chosen->ageing, *design.service_temperature_C,
                                                      *stated_.activation_energy_kJ_per_mol);
     out_.ageing_stands_for_years = life, out_.ageing_test = chosen->ageing;
-    return conditions::aged_factor(response.of(*chosen), *design.years, life);
+    return conditions::aged_factor(response.factor_of(*chosen), *design.years, life);
   }
 
   static Factor as_reference() { return {.se = 0.0, .df = 1.0}; }
@@ -321,7 +321,7 @@ class Builder {
     if (design.full_rest) add_one(Effect::scragging, conditions::scragging_factor(first));
     if (design.rest_h) {
       auto const share = conditions::recovery_after(recovered_, *design.rest_h);
-      auto factor = share ? conditions::scragging_factor(first, share) : Factor::without(conditions::Lack::no_rest);
+      auto factor = share ? conditions::scragging_factor(first, share) : Factor::not_covered(conditions::Lack::no_rest);
       bool const is_tested =
           std::ranges::find(recovered_, *design.rest_h, &conditions::Recovered::rest_h) != recovered_.end();
       // No interval is given, because it would have to include the uncertainty of the recovery, which few devices show.

@@ -71,7 +71,8 @@ struct DoubtedTest {  // a test with a doubt about its record
   Finding doubt;
 };
 
-struct LacksTests {  // the lot file lacks tests of this device: the order of its last test is above their number
+// A device whose last test has an order above the number of its tests: the lot file lacks some.
+struct DeviceLackingTests {
   std::string device;
   int tests = 0, last_order = 0;
 };
@@ -128,7 +129,7 @@ struct BoundRow {  // the bounds of a property from all effects together
   int devices = 0;
 };
 
-struct HowCombined {  // how the factors of all effects make a bound
+struct CombinationMethod {  // how the factors of all effects make a bound
   conditions::Form form = conditions::Form::product;
   double adjust = 1.0, margin = 1.0;  // see rules::CombinationRule
   std::string rules = {};             // the rule set that states the form; empty: isolaw's own rule
@@ -171,13 +172,13 @@ struct ConditionsResult {
   std::vector<ConditionsTest> tests;
   std::vector<RefusedTest> refused;
   std::vector<DoubtedTest> doubted;
-  std::vector<LacksTests> lacks_tests;
+  std::vector<DeviceLackingTests> devices_lacking_tests;
   std::vector<LevelRow> levels;
   std::vector<EffectResponse> responses;  // one for each measured quantity and each of the four conditions of a test
   std::vector<EndRow> ends;
   std::vector<DesignRow> design;
   std::string rules;  // id of the rule set; empty if there is none
-  HowCombined combined;
+  CombinationMethod combination;
   std::vector<BoundRow> bounds;
   std::vector<RecoveryRow> recovery;
   std::vector<CurveRow> curves;

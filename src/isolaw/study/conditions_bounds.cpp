@@ -23,8 +23,8 @@ bool is_covered(DesignRow const& row) {
 
 // Returns the form that the rule set states. A set that states only property modification factors gets Form::asce, and
 // any other set the product of all effects.
-HowCombined how_combined(rules::RuleSet const& rules) {
-  HowCombined how;
+CombinationMethod how_combined(rules::RuleSet const& rules) {
+  CombinationMethod how;
   if (auto const& stated = rules.combination)
     how = {.form = stated->form, .adjust = stated->adjust, .margin = stated->margin, .clause = stated->clause};
   else if (!rules.factors.properties.empty())
@@ -69,7 +69,7 @@ std::optional<Defaults> defaults(rules::RuleSet const& rules, Effect effect, Qua
 }  // namespace
 
 BoundMaker::BoundMaker(rules::RuleSet const& rules, campaign::StatedConditions const& stated)
-    : rules_(rules), stated_(stated), how_(how_combined(rules)) {
+    : rules_(rules), stated_(stated), combination_(how_combined(rules)) {
   std::vector<std::string> known;
   for (auto const effect : rules::effects())
     if (std::ranges::any_of(rules_.effects,
@@ -102,7 +102,7 @@ std::vector<DesignRow> BoundMaker::completed(std::vector<DesignRow> rows, Quanti
     bool const is_asked = std::ranges::find(rules_.effects, effect, &rules::EffectRule::effect) != rules_.effects.end();
     if (!is_asked || std::ranges::find(rows, effect, &DesignRow::effect) != rows.end()) continue;
     auto const none =
-        Factor::without(effect == Effect::contamination ? conditions::Lack::no_test : conditions::Lack::no_design);
+        Factor::not_covered(effect == Effect::contamination ? conditions::Lack::no_test : conditions::Lack::no_design);
     rows.push_back({.quantity = quantity, .effect = effect, .max = none, .min = none});
   }
   for (auto& row : rows)
@@ -121,7 +121,7 @@ std::vector<DesignRow> BoundMaker::completed(std::vector<DesignRow> rows, Quanti
 }
 
 conditions::Combined BoundMaker::combined(Quantity quantity, std::vector<DesignRow> const& effects, bool upper) const {
-  conditions::Combination how{.form = how_.form, .adjust = how_.adjust, .margin = how_.margin};
+  conditions::Combination how{.form = combination_.form, .adjust = combination_.adjust, .margin = combination_.margin};
   if (auto const* supply = rules_.factors_of(quantity))
     how.supply = (upper ? supply->spec_max : supply->spec_min).value_or(1.0);
   std::vector<conditions::Part> parts;

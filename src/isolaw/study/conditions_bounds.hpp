@@ -15,7 +15,7 @@ class BoundMaker {
   // Throws Error if [conditions] assumes an effect for which the rule set has no default factors.
   BoundMaker(rules::RuleSet const& rules, campaign::StatedConditions const& stated);
 
-  HowCombined const& how() const { return how_; }
+  CombinationMethod const& combination() const { return combination_; }
 
   // `shown` has a row for each effect that the tests or the design concern. Adds the effects that only the rule set
   // asks for. If no test covers an effect that [conditions] assumes, its row gets the rule set's default factors. If no
@@ -34,7 +34,7 @@ class BoundMaker {
 
   rules::RuleSet const& rules_;
   campaign::StatedConditions const& stated_;
-  HowCombined how_;
+  CombinationMethod combination_;
 };
 
 }  // namespace isolaw::study

@@ -152,7 +152,7 @@ void add_stiffer_when_warm(ConditionsResult const& result, std::vector<Finding>&
 }
 
 void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& findings) {
-  for (auto const& [device, tests, last_order] : result.lacks_tests)
+  for (auto const& [device, tests, last_order] : result.devices_lacking_tests)
     findings.push_back(
         {.kind = FindingKind::order_lacks_tests,
          .devices = {device},

@@ -158,7 +158,7 @@ class Planner {
     auto const& response = response_to(effect);
     DesignEnd end{.effect = effect, .condition = condition, .cycles = least_cycles()};
     if (auto const* level = response.paired_level_at(condition);
-        level != nullptr && response.of(*level).status == Status::shown)
+        level != nullptr && response.factor_of(*level).status == Status::shown)
       for (auto const& ratio : level->ratios) end.shown_on.push_back(ratio.device);
     for (auto const& test : result_.tests) {
       if (test.effect == effect) end.tested.push_back(test.device);

@@ -89,9 +89,9 @@ class TestReader {
     std::vector<Observed> own;
     campaign::ObservedTest const* aged = nullptr;  // the latest test so far of the aged device; nullptr if not aged yet
     if (*of_device.back().stated.order > static_cast<int>(of_device.size()))
-      out_.lacks_tests.push_back({.device = of_device.back().device,
-                                  .tests = static_cast<int>(of_device.size()),
-                                  .last_order = *of_device.back().stated.order});
+      out_.devices_lacking_tests.push_back({.device = of_device.back().device,
+                                            .tests = static_cast<int>(of_device.size()),
+                                            .last_order = *of_device.back().stated.order});
     for (auto const& test : of_device) {
       for (auto const& doubt : test.doubts)
         out_.doubted.push_back({.device = test.device, .test = test.test, .place = test.place, .doubt = doubt});
@@ -120,7 +120,7 @@ class TestReader {
     out_.devices.push_back(std::move(device));
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i].largest_before_percent = before[i];
-      if (own[i].row) add_history_words(own[i], out_.tests[*own[i].row]);
+      if (own[i].test_index) add_history_words(own[i], out_.tests[*own[i].test_index]);
       all_.push_back(std::move(own[i]));
     }
   }
@@ -258,7 +258,7 @@ class TestReader {
                               .number = block.number,
                               .condition = condition,
                               .rest_h = first ? test.stated.rest_h : 0.0},
-                    .row = out_.tests.size(),
+                    .test_index = out_.tests.size(),
                     .is_scaled = test.stated.is_scaled};
       for (auto const& cycle : block.cycles) seen.block.cycles.push_back(values_of(cycle));
       out_.tests.push_back({.device = test.device,
@@ -321,8 +321,8 @@ class TestReader {
   }
 
   void judge(Observed& seen) {
-    if (!seen.row) return;
-    auto& row = out_.tests[*seen.row];
+    if (!seen.test_index) return;
+    auto& row = out_.tests[*seen.test_index];
     auto const& condition = seen.block.condition;
     auto reference = reference_;
     // All tests agree in a condition that the reference does not state (require_one_value()).
@@ -350,11 +350,11 @@ class TestReader {
   std::string nearest_text() const {
     Observed const* nearest = nullptr;
     for (auto const& seen : all_)
-      if (seen.row && is_compared(out_.tests[*seen.row].of_device) &&
+      if (seen.test_index && is_compared(out_.tests[*seen.test_index].of_device) &&
           (nearest == nullptr || seen.differs.size() < nearest->differs.size()))
         nearest = &seen;
     if (nearest == nullptr) return "; no device has the compound and the size that [conditions] names";
-    auto const& row = out_.tests[*nearest->row];
+    auto const& row = out_.tests[*nearest->test_index];
     auto const& at = row.condition;
     auto text = fmt::format("; the nearest is {} of {}{}: {:g} C", printable(row.test), printable(row.device),
                             row.place.empty() ? "" : " (" + printable(row.place) + ")", at.temperature_C.value_or(0.0));

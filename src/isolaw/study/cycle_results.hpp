@@ -195,7 +195,7 @@ inline constexpr Result<DeviceResult> vertical_results[]{
      significant(4)},
     {"how", "", "how",
      "how K_v was found: from which loads of which loading it is computed, or that the laboratory states it",
-     of_vertical<&data::VerticalStiffness::how>},
+     of_vertical<&data::VerticalStiffness::description>},
     {"low_kN", "kN", "from load", "vertical load at the lower end of the secant; compression is positive",
      [](DeviceResult const& device) {
        return device.vertical && device.vertical->loads ? Value(device.vertical->loads->low_kN) : Value();

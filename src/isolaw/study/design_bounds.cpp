@@ -50,17 +50,17 @@ std::optional<conditions::ReferenceBlock> reference_block(ConditionsResult const
 
 DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, std::span<double const> parameters) {
   if (!summary.conditions)
-    return {.none = none_because(summary.no_conditions.empty() ? "no-table" : summary.no_conditions)};
+    return {.obstacle = none_because(summary.no_conditions.empty() ? "no-table" : summary.no_conditions)};
   auto const& conditions = *summary.conditions;
   auto const *K_eff = row_of(conditions, rules::Quantity::K_eff), *energy = row_of(conditions, rules::Quantity::energy);
-  if (K_eff == nullptr || energy == nullptr) return {.none = none_because("no-design")};
+  if (K_eff == nullptr || energy == nullptr) return {.obstacle = none_because("no-design")};
   if (auto const effects = not_covered(*K_eff, *energy); !effects.empty()) {
     auto none = none_because("not-covered");
     none.words.push_back({"effects", joined(effects)});
-    return {.none = std::move(none)};
+    return {.obstacle = std::move(none)};
   }
   auto const block = reference_block(conditions, law);
-  if (!block) return {.none = none_because("no-frequency")};
+  if (!block) return {.obstacle = none_because("no-frequency")};
   auto const bound = [&](conditions::Combined const& stiffness,
                          conditions::Combined const& work) -> std::optional<DesignBound> {
     auto found = conditions::bound_law(law, parameters, *block, stiffness.factor, work.factor);
@@ -75,7 +75,7 @@ DesignBounds design_bounds(Summary const& summary, laws::LawEntry const& law, st
   if (bounds.lower && bounds.upper) return bounds;
   auto none = none_because("no-loop");
   none.numbers.push_back({"amplitude_mm", block->amplitude_mm});
-  return {.none = std::move(none)};
+  return {.obstacle = std::move(none)};
 }
 
 Finding about_bound(std::string_view which, DesignBound const& bound) {
@@ -112,7 +112,7 @@ std::vector<LawBounds> law_bounds(Summary const& summary) {
     }
     auto const& entry = laws::find_law(law.id);
     of.bounds = design_bounds(summary, entry, parameters);
-    if (!of.bounds.none) {
+    if (!of.bounds.obstacle) {
       auto const block = *reference_block(*summary.conditions, entry);
       of.reference = conditions::cycle_of(entry, parameters, block);
       of.lower_kN = conditions::cycle_of(entry, of.bounds.lower->law.parameters, block).force_kN;

@@ -22,7 +22,7 @@ struct DesignBound {
 
 struct DesignBounds {
   std::optional<DesignBound> lower = {}, upper = {};  // both are set or neither
-  std::optional<Finding> none = {};                   // why there are no bounds
+  std::optional<Finding> obstacle = {};               // why there are no bounds
 };
 
 // `parameters` are those of a device or of the lot. K_eff and energy are simulated in a block with the mean amplitude

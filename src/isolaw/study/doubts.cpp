@@ -34,7 +34,7 @@ Finding prediction_of(Summary const& summary, LawResult const& law) {
                               {"fitted_objective", *law.fitted_objective}}};
   if (!law.prediction_unusable()) return finding;
   auto const how = collapse(*law.fitted_objective, *law.predicted_objective, *law.worst_predicted);
-  bool const exact = how == Collapse::far && !(*law.fitted_objective > 0.0);
+  bool const exact = how == Collapse::much_worse && !(*law.fitted_objective > 0.0);
   finding.words = {{"collapse", exact ? "far_from_exact" : std::string(name(how))}};
   if (!exact) finding.numbers.push_back({"times_as_far", *law.predicted_objective / *law.fitted_objective});
   if (auto const mm = largest_displacement(summary, law)) finding.numbers.push_back({"fitted_to_mm", *mm});
@@ -60,7 +60,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     if (!advice->law) result.findings.push_back(advice->answer.front());
     for (auto const& standing : advice->standings)
       if (summary.laws[standing.law].id == law_id)
-        result.findings.insert(result.findings.end(), standing.weak.begin(), standing.weak.end());
+        result.findings.insert(result.findings.end(), standing.doubts.begin(), standing.doubts.end());
     if (advice->spread) result.findings.push_back(finding_of(*advice->spread));
   }
   for (auto const& fault : law.faults_inside)
@@ -70,11 +70,11 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
   return result;
 }
 
-std::string whose(std::string_view law, std::optional<std::string_view> device) {
+std::string law_and_device_text(std::string_view law, std::optional<std::string_view> device) {
   return fmt::format("law {}, {}", law, device ? fmt::format("device '{}'", *device) : std::string("the lot"));
 }
 
-void require_taken(Doubts const& doubts, std::string const& where, bool anyway) {
+void require_no_objection(Doubts const& doubts, std::string const& where, bool anyway) {
   if (doubts.objection && !anyway)
     throw Error({.where = where,
                  .found = wording::remark(*doubts.objection),
@@ -82,7 +82,7 @@ void require_taken(Doubts const& doubts, std::string const& where, bool anyway) 
                  .advice = "another law, or --anyway"});
 }
 
-std::string let_through(std::string_view objection) {
+std::string override_warning(std::string_view objection) {
   return fmt::format("warning: taken because of --anyway, although {}", objection);
 }
 

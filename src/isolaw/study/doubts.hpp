@@ -26,10 +26,11 @@ struct Doubts {
 // The doubts about the law on one device or, if `device` is empty, about the lot's law.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
 // "law bouc-wen, device 'a'" or "law bouc-wen, the lot": names a law's parameters in messages.
-std::string whose(std::string_view law, std::optional<std::string_view> device);
-// Throws Error if there is an objection and `anyway` is false. `where` begins the message, such as a text from whose().
-void require_taken(Doubts const& doubts, std::string const& where, bool anyway);
-std::string let_through(std::string_view objection);
+std::string law_and_device_text(std::string_view law, std::optional<std::string_view> device);
+// Throws Error if there is an objection and `anyway` is false. `where` begins the message, such as a text from
+// law_and_device_text().
+void require_no_objection(Doubts const& doubts, std::string const& where, bool anyway);
+std::string override_warning(std::string_view objection);
 // Names the part of the tests that a law was fitted to. `part` is a data::Selection as text, empty for all tests.
 std::string part_text(std::string_view part);
 

@@ -247,7 +247,7 @@ std::string_view name(Role role) {
 bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning) {
   if (!answer.law) return true;
   if (!warning.law.empty() && warning.law != summary.laws[*answer.law].id) return false;
-  return std::ranges::none_of(answer.weak(),
+  return std::ranges::none_of(answer.doubts(),
                               [&](auto const& doubt) { return says_the_same(doubt.kind, warning.kind); });
 }
 

@@ -44,7 +44,7 @@ std::vector<FrontPoint> front_points(Summary const& summary, FrontView view) {
     if (x && y && std::isfinite(*x) && std::isfinite(*y))
       points.push_back({law.id, *x, *y, on_front, false, is_adequate(law)});
   }
-  for (auto& point : points) point.stands = stands_among(points, point);
+  for (auto& point : points) point.is_unbeaten = stands_among(points, point);
   return points;
 }
 

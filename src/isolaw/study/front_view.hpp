@@ -21,8 +21,8 @@ struct FrontPoint {
   std::string law;
   double x = 0.0, y = 0.0;  // x: beta, or the objective on devices left out; y: objective
   bool on_front = false;
-  // is_adequate: the law describes the devices. stands: it is adequate, and no other adequate law beats it.
-  bool stands = false, is_adequate = true;
+  // is_adequate: the law describes the devices. is_unbeaten: it is adequate, and no other adequate law beats it.
+  bool is_unbeaten = false, is_adequate = true;
 };
 
 // One point for each law that has both numbers, in the order of the summary.

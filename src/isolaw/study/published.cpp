@@ -98,7 +98,8 @@ std::string ordered(ByNumber const& laws, Numbers numbers, Compared quantity) {
   std::ranges::stable_sort(numbers, {}, [&](int number) { return number_of(laws, number, quantity); });
   std::vector<std::string> texts;
   for (int const number : numbers)
-    texts.push_back(std::string(laws::called(law_of(laws, number).law)) + " " + values_text(laws, number, quantity));
+    texts.push_back(std::string(laws::display_name(law_of(laws, number).law)) + " " +
+                    values_text(laws, number, quantity));
   return joined(texts);
 }
 
@@ -204,7 +205,7 @@ Judged published_front(ByNumber const& laws) {
   for (int const number : all) {
     if (!law_of(laws, number).numbers.on_front) continue;
     front.push_back(number);
-    names.emplace_back(laws::called(law_of(laws, number).law));
+    names.emplace_back(laws::display_name(law_of(laws, number).law));
   }
   return {front == expected, "not dominated: " + enumerate(names, study_laws)};
 }
@@ -250,13 +251,13 @@ constexpr Statement stated[]{
 
 std::string verdict_of(std::vector<PublishedStatement> const& statements) {
   auto const count = [&](std::optional<bool> here) {
-    return std::ranges::count(statements, here, &PublishedStatement::here);
+    return std::ranges::count(statements, here, &PublishedStatement::holds_here);
   };
   auto const holds = count(true), fails = count(false), open = count(std::nullopt);
   auto text = fmt::format("{} of {} statements of the published study hold here, {} do{} not", holds, statements.size(),
                           fails, fails == 1 ? "es" : "");
   if (open > 0) text += fmt::format(", {} cannot be judged", open);
-  auto const in_table = std::ranges::count(statements, true, &PublishedStatement::in_table);
+  auto const in_table = std::ranges::count(statements, true, &PublishedStatement::holds_in_table);
   return text + fmt::format("; {} hold in its own Table A.5.", in_table);
 }
 
@@ -280,7 +281,7 @@ std::optional<Published> published(Summary const& summary) {
       auto const result = std::ranges::find(summary.laws, name, &LawResult::id);
       if (result == summary.laws.end() || !result->objective.mean) continue;
       comparison.laws.push_back({law.number, name, !found, {}, numbers_here(*result)});
-      if (!found) here[place] = {name, comparison.laws.back().here};
+      if (!found) here[place] = {name, comparison.laws.back().computed};
       found = true;
     }
     if (!found) comparison.laws.push_back({law.number, names.front(), false, {}, {}});
@@ -292,7 +293,7 @@ std::optional<Published> published(Summary const& summary) {
   for (auto& law : comparison.laws) {
     auto const place = static_cast<std::size_t>(law.number - 1);
     law.printed = printed[place].numbers;
-    if (law.compared) law.here.on_front = here[place].numbers.on_front;
+    if (law.compared) law.computed.on_front = here[place].numbers.on_front;
   }
   for (auto const& [where, text, judge] : stated) {
     auto const [holds, found] = judge(here);

@@ -23,15 +23,15 @@ struct PublishedLaw {
   int number = 0;         // the law's number in the study
   std::string law;        // isolaw's id; law 5 has two rows, one for each reading of its equations
   bool compared = false;  // the campaign has this law, and the statements are judged with this reading of it
-  PublishedNumbers printed, here;
+  PublishedNumbers printed, computed;
 };
 
 struct PublishedStatement {
-  std::string where;         // place in the study
-  std::string text;          // the statement in isolaw's words
-  bool in_table = false;     // the statement holds in the study's own Table A.5
-  std::optional<bool> here;  // whether it holds in the campaign; empty if laws, beta or scatter are missing
-  std::string found;         // the campaign's numbers, or what is missing
+  std::string where;               // place in the study
+  std::string text;                // the statement in isolaw's words
+  bool holds_in_table = false;     // the statement holds in the study's own Table A.5
+  std::optional<bool> holds_here;  // whether it holds in the campaign; empty if laws, beta or scatter are missing
+  std::string found;               // the campaign's numbers, or what is missing
 };
 
 struct Published {

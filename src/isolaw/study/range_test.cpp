@@ -214,12 +214,12 @@ void test_range(LawResult& law, Summary const& summary, Tested const& tested, ca
   auto const as_far = std::ranges::find(limits, tested.disp_mm, &Tested::disp_mm);
   if (as_far == limits.end()) return;
   auto const& shown = all[static_cast<std::size_t>(as_far - limits.begin())];
-  law.beyond = BeyondTests{.tested_mm = tested.disp_mm,
-                           .asked_mm = tested.asked_mm,
-                           .K_kN_per_mm = shown.asked.K_kN_per_mm,
-                           .energy_kN_mm = shown.asked.energy_kN_mm,
-                           .stiffness_ratio = shown.asked.K_kN_per_mm / shown.tested.K_kN_per_mm,
-                           .damping_ratio = shown.asked.damping / shown.tested.damping};
+  law.beyond_tests = BeyondTests{.tested_mm = tested.disp_mm,
+                                 .asked_mm = tested.asked_mm,
+                                 .K_kN_per_mm = shown.asked.K_kN_per_mm,
+                                 .energy_kN_mm = shown.asked.energy_kN_mm,
+                                 .stiffness_ratio = shown.asked.K_kN_per_mm / shown.tested.K_kN_per_mm,
+                                 .damping_ratio = shown.asked.damping / shown.tested.damping};
   Measured any_viscous;
   for (auto const* device : devices)
     if (device != nullptr && measured_on(*device).viscous) any_viscous.viscous = true;

@@ -8,9 +8,9 @@
 
 namespace isolaw::study {
 
-// Sets `beyond`, `runs_away` and `faults_inside` of every law that was identified. A law runs away if it exceeds a
-// limit with the lot's parameters. It also runs away if its fits to devices exceed a limit: with fewer than 20 devices,
-// one such fit is enough; with 20 or more, it takes more than 5 % of the fits.
+// Sets `beyond_tests`, `runs_away` and `faults_inside` of every law that was identified. A law runs away if it exceeds
+// a limit with the lot's parameters. It also runs away if its fits to devices exceed a limit: with fewer than 20
+// devices, one such fit is enough; with 20 or more, it takes more than 5 % of the fits.
 void add_range_tests(Summary& summary, campaign::Contents const& contents);
 
 inline constexpr double period_of_building_s = 2.0;

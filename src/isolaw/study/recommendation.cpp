@@ -129,8 +129,8 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
     add(FindingKind::weak_cycle_energy, energy);
   else if (measured < small_damping_percent && damping / 100.0 * measured > doubtful_damping_points)
     add(FindingKind::weak_cycle_damping, damping);
-  if (!law.beyond) return;
-  auto const& beyond = *law.beyond;
+  if (!law.beyond_tests) return;
+  auto const& beyond = *law.beyond_tests;
   auto const add_ratio = [&](FindingKind kind, double ratio, double low) {
     if (ratio >= low && ratio <= high_ratio) return;
     doubts.push_back({.kind = kind,
@@ -145,8 +145,8 @@ void add_doubts_about_cycles(Summary const& summary, LawResult const& law, std::
 std::optional<double> asked_far_beyond(LawResult const& law) {
   // If no design displacement is stated, asked_mm is twice tested_mm. The 1e-9 keeps this case from counting as far.
   constexpr double far = 2.0 * (1.0 + 1e-9);
-  if (!law.beyond || law.beyond->asked_mm <= far * law.beyond->tested_mm) return std::nullopt;
-  return law.beyond->asked_mm;
+  if (!law.beyond_tests || law.beyond_tests->asked_mm <= far * law.beyond_tests->tested_mm) return std::nullopt;
+  return law.beyond_tests->asked_mm;
 }
 
 bool identifies_several(Summary const& summary) {
@@ -190,7 +190,7 @@ std::vector<Finding> doubts_about(Summary const& summary, Standing const& standi
   add_doubts_about_cycles(summary, law, doubts);
   if (auto found = one_sided(summary)) doubts.push_back(std::move(*found));
   if (auto const far = asked_far_beyond(law))
-    add(FindingKind::weak_far_beyond, {{"asked_mm", *far}, {"times", *far / law.beyond->tested_mm}});
+    add(FindingKind::weak_far_beyond, {{"asked_mm", *far}, {"times", *far / law.beyond_tests->tested_mm}});
   if (!identifies_several(summary)) add(FindingKind::weak_only_law);
   if (summary.missing_runs() > 0 || summary.missing_analyses() > 0) add(FindingKind::weak_incomplete);
   if (summary.conditions_differ) add(FindingKind::weak_conditions);
@@ -222,9 +222,9 @@ Standing standing_of(Summary const& summary, std::size_t index) {
   if (standing.error && standing.predicts) standing.error = 0.5 * (*standing.error + *standing.predicts);
   if (!standing.error && standing.predicts) standing.error = standing.predicts;
   if (standing.reason)
-    standing.place = Rank::ruled_out;
+    standing.rank = Rank::ruled_out;
   else
-    standing.weak = doubts_about(summary, standing);
+    standing.doubts = doubts_about(summary, standing);
   return standing;
 }
 
@@ -244,10 +244,10 @@ void rank(std::vector<Standing>& standings) {
   if (count == 0) return;
   double const most = (1.0 + tie_share) * or_infinite(standings.front().error);
   std::size_t tied = 0;
-  for (; tied < count && or_infinite(standings[tied].error) <= most; ++tied) standings[tied].place = Rank::tied;
+  for (; tied < count && or_infinite(standings[tied].error) <= most; ++tied) standings[tied].rank = Rank::tied;
   std::ranges::stable_sort(standings.begin(), standings.begin() + static_cast<std::ptrdiff_t>(tied), {},
                            &Standing::parameters);
-  standings.front().place = Rank::taken;
+  standings.front().rank = Rank::taken;
 }
 
 bool predicts_blocks(Summary const& summary) {
@@ -288,7 +288,7 @@ std::vector<Finding> why_none(Summary const& summary, std::vector<Standing> cons
   for (auto const& s : standings) {
     auto const& id = summary.laws[s.law].id;
     if (!s.reason) {
-      if (s.place != Rank::behind) tied.push_back(id);
+      if (s.rank != Rank::behind) tied.push_back(id);
     } else if (s.reason->kind == FindingKind::out_prediction) {
       failing.push_back(id);
     } else if (s.reason->kind == FindingKind::out_partial) {
@@ -307,8 +307,8 @@ std::vector<Finding> why_none(Summary const& summary, std::vector<Standing> cons
                .law = summary.laws[best.law].id,
                .numbers = {{"error", least}, {"most", usable_error}}}};
     bool const energy_is_off = std::ranges::all_of(standings, [](Standing const& s) {
-      return (s.place != Rank::taken && s.place != Rank::tied) ||
-             std::ranges::find(s.weak, FindingKind::weak_cycle_energy, &Finding::kind) != s.weak.end();
+      return (s.rank != Rank::taken && s.rank != Rank::tied) ||
+             std::ranges::find(s.doubts, FindingKind::weak_cycle_energy, &Finding::kind) != s.doubts.end();
     });
     if (!energy_is_off) return {};
     return {{.kind = FindingKind::none_energy,
@@ -328,7 +328,7 @@ std::vector<Finding> why_none(Summary const& summary, std::vector<Standing> cons
 
 std::vector<Finding> why_taken(Summary const& summary, std::vector<Standing> const& standings) {
   std::vector<Finding> why;
-  auto const next = std::ranges::find(standings, Rank::behind, &Standing::place);
+  auto const next = std::ranges::find(standings, Rank::behind, &Standing::rank);
   if (next != standings.end() && next->error)
     why.push_back(
         {.kind = FindingKind::why_next, .law = summary.laws[next->law].id, .numbers = {{"error", *next->error}}});
@@ -347,7 +347,7 @@ std::vector<Finding> answer_of(Summary const& summary, Recommendation const& adv
   auto const& law = summary.laws[taken.law];
   Finding errors{.kind = FindingKind::law_errors, .law = law.id};
   for (auto const& s : advice.standings)
-    if (s.place == Rank::tied) errors.other_laws.push_back(summary.laws[s.law].id);
+    if (s.rank == Rank::tied) errors.other_laws.push_back(summary.laws[s.law].id);
   bool const is_lot = taken.new_device.has_value();
   errors.numbers.push_back({"fits", or_infinite(is_lot ? taken.new_device : taken.fits)});
   if (taken.predicts)
@@ -355,26 +355,27 @@ std::vector<Finding> answer_of(Summary const& summary, Recommendation const& adv
   else if (law.predicted_objective)
     errors.numbers.push_back({"blocks", *law.predicted_objective});
   errors.words = {{"fitted_to", is_lot ? "devices" : "tests"}, {"larger", taken.predicts ? "known" : "unknown"}};
-  return {{.kind = FindingKind::law_recommended, .law = law.id, .words = {{"sure", std::string(name(advice.sure))}}},
-          std::move(errors)};
+  return {
+      {.kind = FindingKind::law_recommended, .law = law.id, .words = {{"sure", std::string(name(advice.confidence))}}},
+      std::move(errors)};
 }
 
 std::optional<LawSpread> spread_of(Summary const& summary, std::vector<Standing> const& standings) {
   constexpr std::size_t most = 5;
   std::vector<Standing const*> best;
   for (auto const& s : standings)
-    if (!s.reason && s.error && summary.laws[s.law].beyond) best.push_back(&s);
+    if (!s.reason && s.error && summary.laws[s.law].beyond_tests) best.push_back(&s);
   std::ranges::stable_sort(best, {}, [](Standing const* s) { return *s->error; });
   best.resize(std::min(best.size(), most));
   if (best.size() < 2) return std::nullopt;
   auto const in = [&](double BeyondTests::*member) {
     return std::ranges::minmax(
-        best | std::views::transform([&](Standing const* s) { return (*summary.laws[s->law].beyond).*member; }));
+        best | std::views::transform([&](Standing const* s) { return (*summary.laws[s->law].beyond_tests).*member; }));
   };
   auto const K = in(&BeyondTests::K_kN_per_mm), energy = in(&BeyondTests::energy_kN_mm);
   return LawSpread{.count = best.size(),
-                   .disp_mm = summary.laws[best.front()->law].beyond->asked_mm,
-                   .tested_mm = summary.laws[best.front()->law].beyond->tested_mm,
+                   .disp_mm = summary.laws[best.front()->law].beyond_tests->asked_mm,
+                   .tested_mm = summary.laws[best.front()->law].beyond_tests->tested_mm,
                    .K_low_kN_per_mm = K.min,
                    .K_high_kN_per_mm = K.max,
                    .energy_low_kN_mm = energy.min,
@@ -383,14 +384,14 @@ std::optional<LawSpread> spread_of(Summary const& summary, std::vector<Standing>
 
 }  // namespace
 
-std::string_view name(Rank place) {
+std::string_view name(Rank rank) {
   constexpr std::string_view names[]{"taken", "ties", "behind", "ruled out"};
-  return names[static_cast<std::size_t>(place)];
+  return names[static_cast<std::size_t>(rank)];
 }
 
-std::string_view name(Sure sure) {
+std::string_view name(Confidence confidence) {
   constexpr std::string_view names[]{"clear", "tie", "weak"};
-  return names[static_cast<std::size_t>(sure)];
+  return names[static_cast<std::size_t>(confidence)];
 }
 
 bool compares_laws(Summary const& summary) {
@@ -423,26 +424,26 @@ std::optional<Recommendation> recommendation(Summary const& summary) {
   rank(advice.standings);
   auto const& best = advice.standings.front();
   advice.spread = spread_of(summary, advice.standings);
-  if (advice.spread) advice.reach.push_back(finding_of(*advice.spread));
-  advice.why = why_none(summary, advice.standings);
-  if (!advice.why.empty()) {
+  if (advice.spread) advice.range_findings.push_back(finding_of(*advice.spread));
+  advice.reasons = why_none(summary, advice.standings);
+  if (!advice.reasons.empty()) {
     for (auto& s : advice.standings)
-      if (!s.reason) s.place = Rank::behind;
+      if (!s.reason) s.rank = Rank::behind;
     advice.answer = {{.kind = FindingKind::no_law_recommended}};
-    advice.surer = what_would_decide(summary, best.predicts.has_value(), true);
+    advice.improvements = what_would_decide(summary, best.predicts.has_value(), true);
     return advice;
   }
   auto const& law = summary.laws[best.law];
   advice.law = best.law;
-  bool const ties = advice.standings.size() > 1 && advice.standings[1].place == Rank::tied;
-  advice.sure = !best.weak.empty() ? Sure::weak : ties ? Sure::tie : Sure::clear;
-  advice.why = why_taken(summary, advice.standings);
+  bool const ties = advice.standings.size() > 1 && advice.standings[1].rank == Rank::tied;
+  advice.confidence = !best.doubts.empty() ? Confidence::weak : ties ? Confidence::tie : Confidence::clear;
+  advice.reasons = why_taken(summary, advice.standings);
   advice.answer = answer_of(summary, advice);
-  advice.surer = what_would_decide(summary, best.predicts.has_value(), advice.sure != Sure::clear);
+  advice.improvements = what_would_decide(summary, best.predicts.has_value(), advice.confidence != Confidence::clear);
   advice.valid_mm = largest_displacement(summary, law);
   if (advice.valid_mm)
-    advice.reach.insert(
-        advice.reach.begin(),
+    advice.range_findings.insert(
+        advice.range_findings.begin(),
         {.kind = FindingKind::law_shown_up_to, .law = law.id, .numbers = {{"disp_mm", *advice.valid_mm}}});
   if (!law.in_programs) advice.programs = Finding{.kind = FindingKind::not_in_opensees, .law = law.id};
   return advice;

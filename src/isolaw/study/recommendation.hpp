@@ -12,15 +12,15 @@
 
 namespace isolaw::study {
 
-enum class Sure { clear, tie, weak };
-std::string_view name(Sure sure);
+enum class Confidence { clear, tie, weak };
+std::string_view name(Confidence confidence);
 
 enum class Rank { taken, tied, behind, ruled_out };
-std::string_view name(Rank place);  // "taken", "ties", "behind", "ruled out"
+std::string_view name(Rank rank);  // "taken", "ties", "behind", "ruled out"
 
 struct Standing {
   std::size_t law = 0;  // index into Summary::laws
-  Rank place = Rank::behind;
+  Rank rank = Rank::behind;
   // Errors of the law, as means over the devices. `fits`: on the tests (or the part of them) to which it was fitted.
   // `new_device`: on devices to which it was not fitted. `predicts`: on larger swings, or on blocks of larger
   // amplitude, to which it was not fitted.
@@ -29,9 +29,9 @@ struct Standing {
   // `new_device` if it is known and there are three devices or more, else `fits`. If only one of the two is known, it
   // is that one.
   std::optional<double> error;
-  std::size_t parameters = 0;      // parameters that were searched
-  std::optional<Finding> reason;   // why the law is ruled out
-  std::vector<Finding> weak = {};  // doubts about a law that is not ruled out
+  std::size_t parameters = 0;        // parameters that were searched
+  std::optional<Finding> reason;     // why the law is ruled out
+  std::vector<Finding> doubts = {};  // doubts about a law that is not ruled out
 };
 
 // How far the laws of least error (at most five, none ruled out) differ in steady cycles at BeyondTests::asked_mm. This
@@ -43,18 +43,19 @@ struct LawSpread {
 };
 
 struct Recommendation {
-  std::optional<std::size_t> law;   // index into Summary::laws; empty: none can be recommended
-  Sure sure = Sure::weak;           // weak if there is a doubt about the law, even if it ties with others
-  std::vector<Standing> standings;  // every law: the law taken, tied laws, others by error, those ruled out
-  std::vector<Finding> answer;      // recommends this law and says how well it does, or recommends none
-  std::vector<Finding> why;
-  std::vector<Finding> surer;       // tests that would make the choice surer; empty if there are none
-  std::optional<LawSpread> spread;  // empty with fewer than two laws
-  std::vector<Finding> reach;       // up to which displacement tests support the law, and how far laws differ beyond it
+  std::optional<std::size_t> law;            // index into Summary::laws; empty: none can be recommended
+  Confidence confidence = Confidence::weak;  // weak if there is a doubt about the law, even if it ties with others
+  std::vector<Standing> standings;           // every law: the law taken, tied laws, others by error, those ruled out
+  std::vector<Finding> answer;               // recommends this law and says how well it does, or recommends none
+  std::vector<Finding> reasons;
+  std::vector<Finding> improvements;  // tests that would make the choice surer; empty if there are none
+  std::optional<LawSpread> spread;    // empty with fewer than two laws
+  // Up to which displacement tests support the law, and how far laws differ beyond it.
+  std::vector<Finding> range_findings;
   std::optional<double> valid_mm;   // largest displacement at which the law was shown to hold
   std::optional<Finding> programs;  // how to use the law in analysis programs that lack it
 
-  std::vector<Finding> const& weak() const { return standings.front().weak; }  // doubts about the law that is taken
+  std::vector<Finding> const& doubts() const { return standings.front().doubts; }  // doubts about the law that is taken
 };
 
 bool compares_laws(Summary const& summary);

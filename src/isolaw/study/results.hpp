@@ -68,13 +68,13 @@ Value nested(Object const&) {
 // The unit of a result that has another unit in each object, such as a parameter's value. Another row gives that unit.
 inline constexpr std::string_view own_unit = "its own";
 
-struct Printed {
+struct PrintFormat {
   std::optional<int> decimals, significant;
 };
-constexpr Printed decimals(int count) {
+constexpr PrintFormat decimals(int count) {
   return {.decimals = count, .significant = {}};
 }
-constexpr Printed significant(int count) {
+constexpr PrintFormat significant(int count) {
   return {.decimals = {}, .significant = count};
 }
 
@@ -82,8 +82,8 @@ template <class Object>
 struct Result {
   // unit: "-" for a number without a unit, "" for other values. heading: "" if no table and no page shows the result.
   std::string_view key, unit, heading, meaning;
-  Value (*of)(Object const&) = nullptr;
-  Printed printed{};
+  Value (*value)(Object const&) = nullptr;
+  PrintFormat printed{};
   int digits = 9;  // significant digits in the page's data, for numbers that are only plotted
 };
 
@@ -100,7 +100,7 @@ inline std::optional<double> energy_fall_of_law(DeviceFit const& fit) {
 
 template <double BeyondTests::*member>
 Value beyond(LawResult const& law) {
-  return law.beyond ? value_of((*law.beyond).*member) : Value();
+  return law.beyond_tests ? value_of((*law.beyond_tests).*member) : Value();
 }
 
 inline constexpr Result<LawResult> law_results[]{
@@ -117,7 +117,7 @@ inline constexpr Result<LawResult> law_results[]{
     {"devices", "", "", "the fits: one object for each device on which the law was tried", nested<LawResult>},
     {"beta_note", "", "note", "why `beta` is null; empty otherwise", get<&LawResult::beta_note>},
     {"name", "", "", "common name of the law, such as `\"Abe (constant yield)\"`",
-     [](LawResult const& law) { return value_of(laws::called(law.id)); }},
+     [](LawResult const& law) { return value_of(laws::display_name(law.id)); }},
     {"title", "", "", "longer name that says what kind of law it is", get<&LawResult::title>},
     {"notes", "", "", "how isolaw reads the source of the law where the source leaves something open",
      get<&LawResult::notes>},
@@ -423,7 +423,7 @@ std::vector<Heading> headings(std::string_view heading, std::string_view unit, V
 template <class Object>
 std::vector<Heading> headings(Result<Object> const& row) {
   if constexpr (std::default_initializable<Object>)
-    return headings(row.heading, row.unit, row.of(Object{}));
+    return headings(row.heading, row.unit, row.value(Object{}));
   else
     return headings(row.heading, row.unit, {});
 }

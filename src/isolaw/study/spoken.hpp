@@ -14,8 +14,8 @@ using wording::enumerate;
 using wording::percent;
 using wording::with_decimals;
 // The name of a law in sentences. Its id is for options and files.
-inline std::string called(LawResult const& law) {
-  return std::string(laws::called(law.id));
+inline std::string display_name(LawResult const& law) {
+  return std::string(laws::display_name(law.id));
 }
 
 }  // namespace isolaw::study

@@ -166,7 +166,7 @@ struct LawResult {
   // The first two are means of the members of the same names in DeviceFit, over the devices that have them. The third
   // is the largest larger_swings_objective of any device.
   std::optional<double> larger_swings_objective, larger_swings_least, larger_swings_worst;
-  std::optional<BeyondTests> beyond;  // empty if no parameters are known with which to compute it
+  std::optional<BeyondTests> beyond_tests;  // empty if no parameters are known with which to compute it
   // Faults of the law inside the tested displacements. Each names the device with whose parameters it occurs; a fault
   // that occurs with the lot's parameters names none.
   std::vector<Finding> faults_inside = {};

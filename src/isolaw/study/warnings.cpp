@@ -79,7 +79,7 @@ class Collector {
                                   {"expected_runs", static_cast<double>(summary_.expected_runs)}}};
       if (summary_.part) {
         finding.numbers.push_back({"part", static_cast<double>(summary_.part->number)});
-        finding.numbers.push_back({"parts", static_cast<double>(summary_.part->of)});
+        finding.numbers.push_back({"parts", static_cast<double>(summary_.part->total)});
       }
       add(std::move(finding));
     } else if (summary_.missing_analyses() > 0) {

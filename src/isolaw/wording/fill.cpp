@@ -242,10 +242,10 @@ class Filler {
     if (name == "block") return std::to_string(first().blocks.empty() ? 0 : first().blocks.front());
     if (name == "laws") {
       std::vector<std::string> names;
-      for (auto const& id : first().other_laws) names.emplace_back(laws::called(id));
+      for (auto const& id : first().other_laws) names.emplace_back(laws::display_name(id));
       return list(names);
     }
-    if (inner == "law") return std::string(laws::called(first().word(name)));
+    if (inner == "law") return std::string(laws::display_name(first().word(name)));
     bool const in_unit = inner.starts_with("unit");
     if (!in_unit && !first().has_number(name)) return word(name);
     auto const number = in_unit ? fmt::format("{}_{}", name, first().word("unit")) : std::string(name);

@@ -11,9 +11,9 @@ namespace {
 using Sentence = std::string (*)(Group, UnitSystem const&);
 
 constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view topic, Severity severity,
-                       std::string_view action, unsigned grouping, unsigned appears, Subject subject,
+                       std::string_view action, unsigned grouping, unsigned appearance, Subject subject,
                        std::string_view text) {
-  return {kind, key, topic, severity, action, grouping, appears, subject, text};
+  return {kind, key, topic, severity, action, grouping, appearance, subject, text};
 }
 // A row for a piece of an answer. It is printed only where code asks for this kind of finding.
 constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,

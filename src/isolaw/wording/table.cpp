@@ -91,7 +91,7 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
   std::vector<std::vector<Finding>> groups;
   for (auto const& finding : findings) {
     auto const& about = row(finding.kind);
-    if (place != anywhere && (about.appears & place) == 0) continue;
+    if (place != anywhere && (about.appearance & place) == 0) continue;
     auto const group = std::ranges::find_if(
         groups, [&](auto const& other) { return belongs(finding, other.front(), about.grouping); });
     if (group == groups.end())

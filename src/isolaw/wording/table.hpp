@@ -46,7 +46,7 @@ struct Row {
   Severity severity;
   std::string_view action;  // tells the reader what to do
   unsigned grouping;
-  unsigned appears;
+  unsigned appearance;
   Subject subject;
   std::string_view text;  // the sentence without its subject, with fields in braces (wording/fill.hpp)
   std::string (*compose)(Group, UnitSystem const&) = nullptr;  // makes the sentence if `text` is not enough

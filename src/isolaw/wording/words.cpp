@@ -35,7 +35,7 @@ std::string capitalised(std::string text) {
 }
 
 std::string law_name(Finding const& finding) {
-  return finding.law.empty() ? std::string() : std::string(laws::called(finding.law));
+  return finding.law.empty() ? std::string() : std::string(laws::display_name(finding.law));
 }
 
 std::string range(Group group, std::string_view name, int digits) {

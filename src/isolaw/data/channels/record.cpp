@@ -10,7 +10,7 @@ namespace {
 template <class Record>
 void keep_only(TestRange const& range, std::initializer_list<std::vector<double> Record::*> channels, Record& record) {
   for (auto const channel : channels) {
-    auto const kept = range.of(record.*channel);
+    auto const kept = range.slice(record.*channel);
     record.*channel = std::vector<double>(kept.begin(), kept.end());
   }
   record.starts.clear();

@@ -89,10 +89,10 @@ struct TestRange {  // the samples of one test, from `first` to before `end`
 
   std::size_t size() const { return end - first; }
   template <class T>
-  std::span<T> of(std::span<T> values) const {  // empty for a channel without values
+  std::span<T> slice(std::span<T> values) const {  // empty for a channel without values
     return values.empty() ? values : values.subspan(first, size());
   }
-  std::span<double const> of(std::vector<double> const& values) const { return of(std::span(values)); }
+  std::span<double const> slice(std::vector<double> const& values) const { return slice(std::span(values)); }
 };
 // The tests of a record with `samples` samples, whose tests begin at `starts`; empty `starts` stand for one test.
 std::vector<TestRange> test_ranges(std::span<std::size_t const> starts, std::size_t samples);

@@ -19,10 +19,11 @@ namespace {
 
 void describe_part(Rows const& rows, RowRange const& range, std::vector<Finding>& recognised) {
   if (range == RowRange{}) return;
-  recognised.push_back(decision(FindingKind::rows_read,
-                                fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
-                                            range.last.value_or(rows.of), rows.of, rows_text(range)),
-                                "--rows"));
+  recognised.push_back(
+      decision(FindingKind::rows_read,
+               fmt::format("rows {} to {} of {} are read (--rows {})", range.first,
+                           range.last.value_or(rows.rows_in_file), rows.rows_in_file, rows_text(range)),
+               "--rows"));
 }
 
 void describe_rows(Rows const& rows, Header const& header, TestRecord const& record, bool timed, bool of_header,
@@ -148,12 +149,12 @@ void cut_time(Rows& rows, std::vector<std::size_t>& places, Columns const& colum
 }
 
 void check_range(Rows const& rows, RowRange const& range, std::vector<Complaint>& complaints) {
-  if (range.first <= rows.of && range.last.value_or(rows.of) <= rows.of) return;
-  complaints.push_back(
-      {"--rows",
-       fmt::format("'{}', but there {} {}", rows_text(range), rows.of == 1 ? "is" : "are", counted(rows.of, "row")),
-       fmt::format("1 to {}", rows.of),
-       {}});
+  if (range.first <= rows.rows_in_file && range.last.value_or(rows.rows_in_file) <= rows.rows_in_file) return;
+  complaints.push_back({"--rows",
+                        fmt::format("'{}', but there {} {}", rows_text(range), rows.rows_in_file == 1 ? "is" : "are",
+                                    counted(rows.rows_in_file, "row")),
+                        fmt::format("1 to {}", rows.rows_in_file),
+                        {}});
 }
 
 void check_interval(std::string const& file, ReadOptions const& options, Header const& header, Columns const& columns,

@@ -63,7 +63,7 @@ std::vector<std::string> idle_options(std::string_view bytes, ReadOptions const&
   bool const numbers = is_mat(bytes) || is_json(bytes);
   if (!numbers && !is_zip(bytes)) return {};
   std::vector<std::string> found;
-  if (options.thousands) found.push_back(fmt::format("--thousands {}", digit_group(*options.thousands).typed));
+  if (options.thousands) found.push_back(fmt::format("--thousands {}", digit_group(*options.thousands).shell_text));
   if (numbers && options.skip_footer) found.emplace_back("--footer skip");
   return found;
 }

@@ -36,7 +36,7 @@ std::vector<Gap> gaps_of_test(std::span<double const> x, std::span<double const>
     double const way = std::abs(x[i + 1] - x[i]);
     // If the device stands still on both sides of the gap, it is assumed to have rested during the whole gap.
     double const taken = speed > 0.0 ? std::clamp(way / speed, interval, length) : length;
-    gaps.push_back({.after = i, .length_s = length, .taken_s = taken});
+    gaps.push_back({.last_before = i, .length_s = length, .taken_s = taken});
   }
   return gaps;
 }
@@ -47,8 +47,8 @@ std::vector<Gap> time_gaps(std::span<double const> disp_mm, std::span<double con
                            std::span<std::size_t const> starts) {
   std::vector<Gap> gaps;
   for (auto const& range : test_ranges(starts, disp_mm.size()))
-    for (auto gap : gaps_of_test(range.of(disp_mm), range.of(time_s))) {
-      gap.after += range.first;
+    for (auto gap : gaps_of_test(range.slice(disp_mm), range.slice(time_s))) {
+      gap.last_before += range.first;
       gaps.push_back(gap);
     }
   return gaps;
@@ -61,7 +61,7 @@ std::vector<double> without_gaps(std::span<double const> time_s, std::vector<Gap
   std::size_t next = 0;
   for (std::size_t i = 0; i < time.size(); ++i) {
     time[i] -= cut;
-    if (next < gaps.size() && gaps[next].after == i) cut += gaps[next].length_s - gaps[next].taken_s, ++next;
+    if (next < gaps.size() && gaps[next].last_before == i) cut += gaps[next].length_s - gaps[next].taken_s, ++next;
   }
   return time;
 }

@@ -14,8 +14,8 @@ inline constexpr double most_intervals = 5.0;
 // A jump of the clock by more than most_intervals usual intervals. taken_s is the time that the device needs to cross
 // the gap at the speed that it has beside the gap; it is at least one interval and at most length_s.
 struct Gap {
-  std::size_t after = 0;  // last sample before the gap
-  double length_s = 0.0;  // by the clock
+  std::size_t last_before = 0;  // last sample before the gap
+  double length_s = 0.0;        // by the clock
   double taken_s = 0.0;
 };
 // Finds the gaps of a record. If it holds several tests, which begin at `starts`, each test has its own usual interval.

@@ -145,7 +145,7 @@ double or_zero(double disp_mm) {
 }
 
 bool is_within(Gap const& gap, double first, double last) {
-  auto const after = static_cast<double>(gap.after);
+  auto const after = static_cast<double>(gap.last_before);
   return after >= first && after < last;
 }
 bool has_gap(std::vector<Gap> const& gaps, double first, double last) {
@@ -174,7 +174,7 @@ struct Motion {
   // Whether the logger left out cycles in the gap. A loop across the gap would then be made of two cycles.
   bool skips_cycles(Gap const& gap) const {
     auto const& logged = further.logged_cycle;
-    return !logged.empty() && logged[gap.after + 1] - logged[gap.after] > 1.0;
+    return !logged.empty() && logged[gap.last_before + 1] - logged[gap.last_before] > 1.0;
   }
 };
 
@@ -466,7 +466,7 @@ Segmentation with_half_cycles(Segmentation segmentation, Motion const& motion) {
 void part_at_gaps(Motion& motion) {
   for (auto const& gap : motion.gaps) {
     if (gap.taken_s >= gap.length_s) continue;  // the logger only skipped a rest
-    auto const after = static_cast<double>(gap.after);
+    auto const after = static_cast<double>(gap.last_before);
     constexpr double rounding = 0.5;  // the boundary of two excursions may lie up to this many samples after the gap
     auto const excursion = std::ranges::lower_bound(motion.excursions, after, {}, &Excursion::last);
     if (excursion == motion.excursions.end() || excursion + 1 == motion.excursions.end() ||
@@ -605,9 +605,9 @@ Segmentation segment(std::span<double const> disp_mm, std::span<double const> ti
   Segmentation all;
   int blocks = 0;
   for (auto const& range : test_ranges(starts, disp_mm.size())) {
-    auto test = cut_test(range.of(disp_mm), range.of(time_s),
-                         {.load_kN = range.of(further.load_kN),
-                          .logged_cycle = range.of(further.logged_cycle),
+    auto test = cut_test(range.slice(disp_mm), range.slice(time_s),
+                         {.load_kN = range.slice(further.load_kN),
+                          .logged_cycle = range.slice(further.logged_cycle),
                           .half_cycles = further.half_cycles});
     if (test.cyclic == all.cyclic ? test.band_mm > all.band_mm : test.cyclic) {
       all.band_mm = test.band_mm;

@@ -34,7 +34,8 @@ Stretch sharpened(std::span<double const> x, Stretch const& stretch, double leve
   auto sharp = stretch;
   while (sharp.first < sharp.last && !within(sharp.first)) ++sharp.first;
   while (sharp.first < sharp.last && !within(sharp.last)) --sharp.last;
-  return static_cast<double>(sharp.size()) >= clear_edges * static_cast<double>(stretch.size()) ? sharp : stretch;
+  return static_cast<double>(sharp.intervals()) >= clear_edges * static_cast<double>(stretch.intervals()) ? sharp
+                                                                                                          : stretch;
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
   auto const least =
       std::max<std::size_t>(2, static_cast<std::size_t>(least_stretch * static_cast<double>(end - begin)));
   auto stretches = stretches_within(disp_mm, begin, end, width, least);
-  std::ranges::sort(stretches, [&](auto const& a, auto const& b) { return a.size() > b.size(); });
+  std::ranges::sort(stretches, [&](auto const& a, auto const& b) { return a.intervals() > b.intervals(); });
   double moving = time_at(piece.last) - time_at(piece.first);
   std::vector<Stretch> holds;
   for (auto const& stretch : stretches) {
@@ -91,13 +92,13 @@ StillTime still_time(std::span<double const> disp_mm, std::span<double const> ti
     std::ranges::nth_element(values, half);
     double const level = *half;  // the median, since a mean may fall between two steps of the digitiser
     auto const hold = sharpened(disp_mm, stretch, level, half_edge);
-    double const reach = (hold.size() == stretch.size() ? width / 2.0 : half_edge) / piece.amplitude;
+    double const reach = (hold.intervals() == stretch.intervals() ? width / 2.0 : half_edge) / piece.amplitude;
     double const centred = (level - piece.middle) / piece.amplitude;
     double const share = lingering(centred - reach, centred + reach);
     double const without = (moving - duration(hold)) / (1.0 - share);
     double const stands = moving - without;
     if (!(stands > least_hold * without)) break;
-    still.samples += static_cast<double>(hold.size()) * stands / duration(hold);
+    still.samples += static_cast<double>(hold.intervals()) * stands / duration(hold);
     still.time += stands;
     moving = without;
     holds.push_back(stretch);

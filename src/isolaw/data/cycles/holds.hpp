@@ -12,7 +12,7 @@ namespace isolaw::data {
 struct Stretch {
   std::size_t first = 0;  // first and last sample
   std::size_t last = 0;
-  std::size_t size() const { return last - first; }
+  std::size_t intervals() const { return last - first; }
 };
 // Returns the stretches of samples in [begin, end) in which x varies by at most `width` and which cannot be extended.
 // Leaves out stretches of fewer than `least` intervals. Stretches may overlap. Takes O(n).

@@ -62,7 +62,7 @@ SwingSizes swing_sizes(std::span<FitRecord const> tests, Weighting weighting) {
     if (both > 0.0) small_share += (1.0 - share) / static_cast<double>(tests.size());
     sizes.tests.push_back(std::move(test));
   }
-  sizes.tell =
+  sizes.shows_larger_swings =
       large >= fewest_large && small >= fewest_small && large_share >= least_share && small_share >= least_share;
   return sizes;
 }

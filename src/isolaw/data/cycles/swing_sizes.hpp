@@ -23,7 +23,7 @@ struct SwingSizes {
   std::vector<Test> tests = {};  // one for each record
   // Whether the tests show how a law predicts larger swings. For this they need at least two large and four small
   // swings, and each of the two sizes must hold at least a twentieth of the swings' weight, on average over the tests.
-  bool tell = false;
+  bool shows_larger_swings = false;
 };
 
 // Returns the swings of the record in which the objective counts every sample.

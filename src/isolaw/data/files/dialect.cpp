@@ -353,14 +353,14 @@ std::optional<Dialect> recognise_dialect(std::span<std::string_view const> lines
   dialect.thousands = group;
   dialect.columns = best.columns + (has_sparse_last_column(sample, best, group) ? 1 : 0);
   study_columns(dialect, sample);
-  dialect.why = fmt::format(
+  dialect.explanation = fmt::format(
       "columns are separated by {}, decimals by a {}: {} of {} lines looked at read as rows of {}",
       delimiter_name(dialect.delimiter), decimal_name(dialect.decimal), best.rows, sample.size(), dialect.columns);
   if (!dialect.decimal_seen)
-    dialect.why += " whole numbers (no decimal separator occurs)";
+    dialect.explanation += " whole numbers (no decimal separator occurs)";
   else if (second.points > 0.1 * best.points)
-    dialect.why += fmt::format(" (next best: {} with decimal {})", delimiter_name(second.pair.delimiter),
-                               decimal_name(second.pair.decimal));
+    dialect.explanation += fmt::format(" (next best: {} with decimal {})", delimiter_name(second.pair.delimiter),
+                                       decimal_name(second.pair.decimal));
   return dialect;
 }
 
@@ -379,8 +379,8 @@ std::optional<Dialect> one_column_dialect(std::span<std::string_view const> line
   dialect.thousands = group;
   dialect.columns = 1;
   study_columns(dialect, sample, 1);
-  dialect.why = fmt::format("one column, decimals by a {}: {} of {} lines looked at are numbers",
-                            decimal_name(dialect.decimal), best.rows, sample.size());
+  dialect.explanation = fmt::format("one column, decimals by a {}: {} of {} lines looked at are numbers",
+                                    decimal_name(dialect.decimal), best.rows, sample.size());
   return dialect;
 }
 

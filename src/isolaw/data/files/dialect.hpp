@@ -17,8 +17,8 @@ namespace isolaw::data {
 // A mark that groups digits. The user types a blank as "blank", because files write it as several different characters.
 struct DigitGroup {
   char mark;
-  // `word`: value of the option; `typed`: as typed in a shell; `said`: in a sentence
-  std::string_view word, typed, said;
+  // `word`: value of the option; `shell_text`: as typed in a shell; `sentence_text`: in a sentence
+  std::string_view word, shell_text, sentence_text;
 };
 inline constexpr std::array digit_groups{DigitGroup{',', ",", ",", "','"}, DigitGroup{'.', ".", ".", "'.'"},
                                          DigitGroup{'\'', "'", "\"'\"", "'''"},
@@ -39,7 +39,7 @@ struct Dialect {
   std::vector<bool> numeric;      // for each column: whether most cells are numbers
   std::vector<StampKind> stamps;  // for each column: the kind of its dates and times
   bool decimal_seen = false;      // at least one number holds the decimal separator
-  std::string why;                // one sentence that explains the choice
+  std::string explanation;        // one sentence that explains the choice
   bool sheet = false;             // the rows of a worksheet: split_row() cuts or fills them to `columns` cells
 
   NumberFormat format() const { return {decimal, thousands}; }

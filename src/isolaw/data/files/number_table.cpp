@@ -118,7 +118,7 @@ Rows NumberTable::read(ChannelColumns const& columns, RowChoice const& choice,
     if (!stamped) report_odd(column.index, rows.channels.back(), choice, complaints);
   }
   auto const length = rows.channels.empty() ? 0 : rows.channels.front().values.size();
-  rows.of = length;
+  rows.rows_in_file = length;
   for (std::size_t i = 0; i < length; ++i) {
     auto const is_finite = [&](auto const& raw) { return std::isfinite(raw.values[i]); };
     bool const may_be_missing = choice.missing != MissingValues::refused;

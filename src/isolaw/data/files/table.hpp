@@ -70,7 +70,7 @@ struct Rows {
   std::vector<RawChannel> channels;
   std::vector<std::size_t> numbers;  // number of each sample's line, sheet row or element, from 1
   std::size_t comments = 0;          // comment lines among the rows
-  std::size_t of = 0;                // number of all rows in the file, with those that the user does not want
+  std::size_t rows_in_file = 0;      // number of all rows in the file, with those that the user does not want
   std::vector<Finding> recognised;
   std::optional<double> origin_s;  // time stamp at time zero, if the file has time stamps
   bool dated = false;              // origin_s is in s from 1970; else from midnight

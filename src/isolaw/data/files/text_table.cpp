@@ -62,8 +62,8 @@ class RowReader {
         continue;
       }
       if (is_blank(lines_[i], dialect_.delimiter)) continue;
-      ++rows_.of;
-      if (choice_.contains(rows_.of)) read_line(i);
+      ++rows_.rows_in_file;
+      if (choice_.contains(rows_.rows_in_file)) read_line(i);
     }
     widths_.append_to(complaints);
     numbers_.append_to(complaints);
@@ -234,8 +234,8 @@ class RowReader {
     std::vector<std::string_view> cells;
     for (auto i = header_.first_data; i < lines_.size(); ++i)
       if (is_row(i) && choice_.contains(++count) && !is_good(i, cells)) bad.push_back(count);
-    return advice_ =
-               bad.empty() ? without_row(choice_.range, rows_.of, count) : without_rows(choice_.range, bad, count);
+    return advice_ = bad.empty() ? without_row(choice_.range, rows_.rows_in_file, count)
+                                 : without_rows(choice_.range, bad, count);
   }
   bool is_good(std::size_t i, std::vector<std::string_view>& cells) const {
     split_row(lines_[i], dialect_, cells);
@@ -259,7 +259,7 @@ class RowReader {
     if (kind == CellKind::grouped && !dialect_.sheet)
       numbers_.add(i + 1, fmt::format("{} in {} has thousands separators", in_quotes(cell), column),
                    fmt::format("a number with a decimal {} and no other separator", decimal_name(dialect_.decimal)),
-                   fmt::format("--thousands {}", group_in(cell, dialect_.decimal)->typed));
+                   fmt::format("--thousands {}", group_in(cell, dialect_.decimal)->shell_text));
     else if (kind == CellKind::not_finite)
       numbers_.add(i + 1, fmt::format("{} in {} is not a finite number", in_quotes(cell), column), "a finite number",
                    leave_out() + std::string(or_missing));
@@ -285,10 +285,10 @@ class RowReader {
     char const other = dialect_.decimal == ',' ? '.' : ',';
     if (dialect_.thousands != '\0') return std::nullopt;
     bool const in_groups = parse_cell(cell, {dialect_.decimal, other}).kind == CellKind::number;
-    if (in_groups) return digit_group(other).typed;
+    if (in_groups) return digit_group(other).shell_text;
     auto const kind = parse_cell(cell, {other, dialect_.decimal}).kind;
     if (kind != CellKind::number || !all_in_threes()) return std::nullopt;
-    return digit_group(dialect_.decimal).typed;
+    return digit_group(dialect_.decimal).shell_text;
   }
   bool all_in_threes() {
     if (!in_threes_) in_threes_ = look_for_threes();
@@ -493,10 +493,10 @@ Tests text_tests(std::string_view bytes, std::string const& file, TextOptions co
   if (page->text.byte_order_mark) decide("a UTF-8 byte order mark is left out");
   if (legacy) decide(fmt::format("the text is read as {}", legacy->encoding));
   if (page->text.windows_1252) decide("bytes that are no UTF-8 are read as Windows-1252");
-  decide(page->dialect.why);
+  decide(page->dialect.explanation);
   if (options.thousands) {
     auto const& group = digit_group(*options.thousands);
-    decide(fmt::format("digits are grouped by {} (--thousands {})", group.said, group.word), "--thousands");
+    decide(fmt::format("digits are grouped by {} (--thousands {})", group.sentence_text, group.word), "--thousands");
   }
   return tests;
 }

@@ -43,10 +43,10 @@ std::vector<Cycle const*> unbroken(Block const& block, std::size_t fewest) {
 // Standard deviation of the force in a cycle, divided by the standard deviation of displacement. A change of the force
 // channel's gain changes this ratio in the same proportion as the stiffness. Noise and friction at the peaks disturb
 // the stiffness, but hardly this ratio.
-struct Size {
+struct ForceRatio {
   double kN_per_mm = 0.0, deviation = 0.0;  // deviation: caused by noise; relative to kN_per_mm
 };
-Size size_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
+ForceRatio force_ratio_of(Cycle const& cycle, CycleView const& view, double noise_kN) {
   auto const begin = static_cast<std::size_t>(std::ceil(cycle.first));
   auto const end = static_cast<std::size_t>(std::ceil(cycle.last));
   auto const squares = [&](std::span<double const> values) {
@@ -69,7 +69,7 @@ struct Repeats {
 // Pairs each value with the value one cycle before. Leaves out the first counted cycle, in which rubber softens
 // unevenly. Values of force are paired by their phase between the cuts of the cycles. A jump of displacement moves
 // these cuts, so values of displacement are paired one mean period apart.
-Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, Along channel) {
+Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, LoopChannel channel) {
   double const period = (cycles.back()->last - cycles[1]->first) / static_cast<double>(cycles.size() - 1);
   Repeats repeats{.begin = static_cast<std::size_t>(std::ceil(cycles[2]->first)),
                   .period = static_cast<std::size_t>(std::lround(period))};
@@ -78,7 +78,7 @@ Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> con
     auto const at = static_cast<double>(i);
     while (at >= cycles[k]->last) ++k;
     auto const &now = *cycles[k], &before = *cycles[k - 1];
-    double const then = channel == Along::force
+    double const then = channel == LoopChannel::force
                             ? before.first + (at - now.first) / (now.last - now.first) * (before.last - before.first)
                             : at - period;
     repeats.now.push_back(values[i]);
@@ -185,8 +185,8 @@ std::optional<double> mains_seen_at(double seen_Hz, double rate_Hz, double toler
 std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& block) {
   auto const cycles = block.counted();
   double const noise = noise_deviation(view.force_kN);
-  std::vector<Size> sizes;
-  for (auto const* cycle : cycles) sizes.push_back(size_of(*cycle, view, noise));
+  std::vector<ForceRatio> ratios;
+  for (auto const* cycle : cycles) ratios.push_back(force_ratio_of(*cycle, view, noise));
   std::optional<StiffnessRise> found;
   std::size_t least = 1;  // the first cycle starts from rest, so its loop differs from the later ones
   for (std::size_t k = 2; k < cycles.size(); ++k) {
@@ -194,24 +194,24 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
       least = k;  // a device recovers in a rest
       continue;
     }
-    auto const share_from = [&](std::size_t from) { return sizes[k].kN_per_mm / sizes[from].kN_per_mm - 1.0; };
+    auto const share_from = [&](std::size_t from) { return ratios[k].kN_per_mm / ratios[from].kN_per_mm - 1.0; };
     // Besides noise, the allowed rise covers two effects. First, a device that softens with its displacement is stiffer
     // in a smaller cycle. Second, one sample more or less at a steep reversal changes kN_per_mm by a share of about 1 /
     // (number of samples in the cycle).
     double const allowed = least_rise + std::abs(cycles[k]->amplitude_mm / cycles[least]->amplitude_mm - 1.0) +
                            1.0 / (cycles[k]->last - cycles[k]->first) +
-                           rise_deviations * std::hypot(sizes[k].deviation, sizes[least].deviation);
+                           rise_deviations * std::hypot(ratios[k].deviation, ratios[least].deviation);
     constexpr double most_of_it = 0.8, clearly_more = 1.1;
     auto const from = share_from(k - 1) > most_of_it * share_from(least) ? k - 1 : least;
     if (share_from(least) > allowed && (!found || share_from(from) > clearly_more * found->share))
-      found = {.from_cycle = cycles[from]->number, .cycle = cycles[k]->number, .share = share_from(from), .at = {}};
-    if (sizes[k].kN_per_mm < sizes[least].kN_per_mm) least = k;
+      found = {.from_cycle = cycles[from]->number, .cycle = cycles[k]->number, .share = share_from(from), .sample = {}};
+    if (ratios[k].kN_per_mm < ratios[least].kN_per_mm) least = k;
   }
   if (!found) return found;
   auto const whole = unbroken(block, 4);
   if (whole.empty()) return found;
-  auto const jump = sudden_change(repeats_of(view.force_kN, whole, Along::force), &Change::gain);
-  if (jump && jump->change.gain > 0.5 * found->share) found->share = jump->change.gain, found->at = jump->at;
+  auto const jump = sudden_change(repeats_of(view.force_kN, whole, LoopChannel::force), &Change::gain);
+  if (jump && jump->change.gain > 0.5 * found->share) found->share = jump->change.gain, found->sample = jump->at;
   return found;
 }
 
@@ -253,15 +253,15 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   return found;
 }
 
-std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, Along channel) {
+std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, LoopChannel channel) {
   auto const cycles = unbroken(block, 4);
   if (cycles.empty()) return std::nullopt;
-  auto const values = channel == Along::force ? view.force_kN : view.disp_mm;
+  auto const values = channel == LoopChannel::force ? view.force_kN : view.disp_mm;
   auto const repeats = repeats_of(values, cycles, channel);
   auto const jump = sudden_change(repeats, &Change::offset);
   double const least = least_step * half_range(repeats.before);
   if (!jump || std::abs(jump->change.offset) < std::max(least, jump->change.left)) return std::nullopt;
-  return OffsetStep{.by = jump->change.offset, .at = std::max(jump->at, cycles[1]->first)};
+  return OffsetStep{.jump = jump->change.offset, .sample = std::max(jump->at, cycles[1]->first)};
 }
 
 std::optional<Hum> hum(std::span<double const> values, CycleView const& view, Block const& block) {

@@ -13,8 +13,8 @@ namespace isolaw::data {
 // A rise of the force, and so of the stiffness, between two cycles of the same amplitude without a rest between them.
 struct StiffnessRise {
   int from_cycle = 0, cycle = 0;
-  double share = 0.0;        // the rise divided by the force before it
-  std::optional<double> at;  // sample index at which the gain of the force changed, if it changed at once
+  double share = 0.0;            // the rise divided by the force before it
+  std::optional<double> sample;  // sample index at which the gain of the force changed, if it changed at once
 };
 std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& block);
 
@@ -28,10 +28,10 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block);
 // A jump of a channel's zero. nullopt without a jump, or if the block is too short to distinguish a jump from a drift:
 // it needs four counted cycles without rests.
 struct OffsetStep {
-  double by = 0.0, at = 0.0;  // the jump in the channel's unit, and its sample index
+  double jump = 0.0, sample = 0.0;  // the jump in the channel's unit, and its sample index
 };
-enum class Along { displacement, force };
-std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, Along channel);
+enum class LoopChannel { displacement, force };
+std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block, LoopChannel channel);
 
 // An oscillation of one frequency besides the motion. It is a line in the spectrum of `values` over the block, at ten
 // times the test's frequency or more. This line must be over four times as high as every line that is less than nine

@@ -55,9 +55,9 @@ std::optional<ViscousLaw> viscous_law(CycleView const& view, Cycle const& cycle)
     if (std::abs(speed) < least_speed * *cycle.v_max_mm_s) continue;
     (speed > 0.0 ? out : back).emplace_back(std::abs(speed), std::copysign(1.0, speed) * (view.force_kN[i] - F_0));
   }
-  auto const of_out = fitted_side(out), of_back = fitted_side(back);
-  if (!of_out || !of_back) return std::nullopt;
-  return ViscousLaw{.out = *of_out, .back = *of_back, .F_0_kN = F_0, .v_max_mm_s = *cycle.v_max_mm_s};
+  auto const rising = fitted_side(out), falling = fitted_side(back);
+  if (!rising || !falling) return std::nullopt;
+  return ViscousLaw{.rising = *rising, .falling = *falling, .F_0_kN = F_0, .v_max_mm_s = *cycle.v_max_mm_s};
 }
 
 std::optional<Slider> slider(Cycle const& cycle) {

@@ -121,12 +121,12 @@ class Assessment {
         return viscous->F_0_kN + sign * side.C * std::pow(viscous->v_max_mm_s, side.alpha);
       };
       note(FindingKind::viscous_device, {{"v_max_mm_s", viscous->v_max_mm_s},
-                                         {"C_out", viscous->out.C},
-                                         {"alpha_out", viscous->out.alpha},
-                                         {"out_kN", at_v_max(viscous->out, 1.0)},
-                                         {"C_back", viscous->back.C},
-                                         {"alpha_back", viscous->back.alpha},
-                                         {"back_kN", at_v_max(viscous->back, -1.0)},
+                                         {"C_out", viscous->rising.C},
+                                         {"alpha_out", viscous->rising.alpha},
+                                         {"out_kN", at_v_max(viscous->rising, 1.0)},
+                                         {"C_back", viscous->falling.C},
+                                         {"alpha_back", viscous->falling.alpha},
+                                         {"back_kN", at_v_max(viscous->falling, -1.0)},
                                          {"F_0_kN", viscous->F_0_kN}});
     }
     if (auto const& slider = properties_.slider) {
@@ -195,7 +195,7 @@ class Assessment {
       warn(FindingKind::stiffness_rises, {{"percent", 100.0 * found->share},
                                           {"from_cycle", static_cast<double>(found->from_cycle)},
                                           {"cycle", static_cast<double>(found->cycle)}});
-      if (found->at) add_time(*found->at);
+      if (found->sample) add_time(*found->sample);
       budget_.warnings.back().blocks = {block.number};
     }
   }
@@ -320,16 +320,16 @@ class Assessment {
   void growing_skew(Skew const& found) {
     constexpr double ms_per_s = 1000.0;
     double reported = found.force_late;
-    for (auto const& [number, late] : found.of_cycles) {
+    for (auto const& [number, late] : found.cycle_delays) {
       budget_.effects.push_back({fmt::format("skew in cycle {}", number), ms_per_s * late, "ms", std::nullopt, false});
       if (number == cycle().number) reported = late;
     }
     double const points = 50.0 * reported * found.growth_phase / found.growth;
     budget_.effects.push_back({"skew", ms_per_s * reported, "ms", ms_per_s * found.growth_uncertainty, true});
     budget_.effects.push_back({damping_by_skew, -points, "points", std::nullopt, true});
-    auto const &first = found.of_cycles.front(), &last = found.of_cycles.back();
-    warn(FindingKind::lag_grows, {{"first_ms", ms_per_s * first.late},
-                                  {"last_ms", ms_per_s * last.late},
+    auto const &first = found.cycle_delays.front(), &last = found.cycle_delays.back();
+    warn(FindingKind::lag_grows, {{"first_ms", ms_per_s * first.delay},
+                                  {"last_ms", ms_per_s * last.delay},
                                   {"from_cycle", static_cast<double>(first.number)},
                                   {"to_cycle", static_cast<double>(last.number)},
                                   {"uncertainty_ms", ms_per_s * found.growth_uncertainty},
@@ -411,7 +411,7 @@ class Assessment {
 
   // Adds the drift of a channel's zero, from the midpoints between the extremes of the block's cycles. Leaves out the
   // first cycle, because the force of a device that softens is not symmetric there.
-  void drift_of(std::string const& what, std::string const& unit, double amplitude, Along channel, auto middle) {
+  void drift_of(std::string const& what, std::string const& unit, double amplitude, LoopChannel channel, auto middle) {
     auto const counted = block_->counted();
     if (counted.size() < 3) return;
     std::vector<double> middles;
@@ -421,11 +421,11 @@ class Assessment {
     if (!add("drift of " + what, share, "%", most_drift)) return;
     if (auto const step = offset_step(view_, *block_, channel)) {
       warn(FindingKind::offset_steps,
-           {{"step_" + unit, step->by},
-            {"percent", percent(std::abs(step->by), 2.0 * amplitude)},
+           {{"step_" + unit, step->jump},
+            {"percent", percent(std::abs(step->jump), 2.0 * amplitude)},
             {"limit_percent", most_drift}},
            {{"channel", what}, {"unit", unit}});
-      add_time(step->at);
+      add_time(step->sample);
       budget_.warnings.back().blocks = {block_->number};
       return;
     }
@@ -435,10 +435,10 @@ class Assessment {
   }
 
   void drift() {
-    drift_of("displacement", "mm", cycle().amplitude_mm, Along::displacement,
+    drift_of("displacement", "mm", cycle().amplitude_mm, LoopChannel::displacement,
              [](Cycle const& c) { return (c.d_plus_mm + c.d_minus_mm) / 2.0; });
     auto const [least, largest] = force_range(cycle());
-    drift_of("force", "kN", (largest - least) / 2.0, Along::force, [this](Cycle const& c) {
+    drift_of("force", "kN", (largest - least) / 2.0, LoopChannel::force, [this](Cycle const& c) {
       auto const [low, high] = force_range(c);
       return (low + high) / 2.0;
     });

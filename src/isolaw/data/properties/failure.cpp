@@ -132,9 +132,9 @@ void find_failure(Properties& properties, std::span<double const> time_s) {
   if (fails->counts()) failure.numbers.push_back({"cycle", static_cast<double>(fails->number)});
   failure.numbers.push_back({"percent", 100.0 * std::max(0.0, kept)});
   if (for_good)
-    properties.lost = {{fails->first, std::numeric_limits<double>::infinity()}};
+    properties.samples_without_force = {{fails->first, std::numeric_limits<double>::infinity()}};
   else
-    for (auto const* cycle : dead) properties.lost.emplace_back(cycle->first, cycle->last);
+    for (auto const* cycle : dead) properties.samples_without_force.emplace_back(cycle->first, cycle->last);
   if (dead.empty()) return;
   auto const why = "the force is lost in " + where;
   auto const end = [&](std::vector<Cycle*> const& lost, auto first) {

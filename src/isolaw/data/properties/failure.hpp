@@ -7,8 +7,8 @@
 
 namespace isolaw::data {
 
-// Sets properties.failure and properties.lost. Cycles whose force is nearly gone no longer count. If the force is still
-// nearly gone in the last cycle, no cycle counts from the failing one on. time_s may be empty.
+// Sets properties.failure and properties.samples_without_force. Cycles whose force is nearly gone no longer count. If
+// the force is still nearly gone in the last cycle, no cycle counts from the failing one on. time_s may be empty.
 void find_failure(Properties& properties, std::span<double const> time_s);
 
 }  // namespace isolaw::data

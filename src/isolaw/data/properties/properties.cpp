@@ -344,8 +344,8 @@ void discount(Block& block, std::string const& why) {
   }
 }
 
-// Lists cycles with an impossible loop in properties.faulty. If other blocks are sound, no cycle counts any more in the
-// blocks with such a loop. Returns whether there are such loops and no block is sound.
+// Lists cycles with an impossible loop in properties.block_faults. If other blocks are sound, no cycle counts any more
+// in the blocks with such a loop. Returns whether there are such loops and no block is sound.
 bool take_out_impossible(Properties& properties, CycleView const& view) {
   constexpr std::size_t most_said = 5;
   Noise const noise{.disp_mm = noise_deviation(view.disp_mm), .force_kN = noise_deviation(view.force_kN)};
@@ -360,15 +360,15 @@ bool take_out_impossible(Properties& properties, CycleView const& view) {
       why = impossible(**at, view, noise, properties.viscous.has_value());
       if (why.empty()) continue;
       taken.emplace_back(&block, (*at)->number);
-      if (properties.faulty.size() < most_said) properties.faulty.push_back(std::move(why.front()));
+      if (properties.block_faults.size() < most_said) properties.block_faults.push_back(std::move(why.front()));
     }
     any_sound = any_sound || (!counted.empty() && (taken.empty() || taken.back().first != &block));
   }
   if (any_sound)
     for (auto const& [block, number] : taken)
       discount(*block, fmt::format("cycle {} of the block cannot be true", number));
-  else if (properties.faulty.size() > 1)
-    properties.faulty.resize(1);
+  else if (properties.block_faults.size() > 1)
+    properties.block_faults.resize(1);
   return !taken.empty() && !any_sound;
 }
 
@@ -405,8 +405,9 @@ void conclude(Properties& properties, std::optional<Finding> const& not_cut, boo
     lengths.push_back((cycle->half ? 2.0 : 1.0) * (cycle->last - cycle->first - cycle->still_samples));
   properties.samples_per_cycle = lengths.empty() ? std::nullopt : std::optional(num::median(lengths));
   properties.reported.reset();
-  properties.is_false = !properties.faulty.empty() && (lengths.empty() || none_is_sound);
-  properties.refusal = properties.is_false ? std::exchange(properties.faulty, {}) : refusal_of(not_cut, properties);
+  properties.refusal_is_of_fault = !properties.block_faults.empty() && (lengths.empty() || none_is_sound);
+  properties.refusal =
+      properties.refusal_is_of_fault ? std::exchange(properties.block_faults, {}) : refusal_of(not_cut, properties);
   if (auto const* reported = cycle_to_report(properties); reported != nullptr && properties.refusal.empty())
     properties.reported = *reported;
 }
@@ -436,7 +437,7 @@ std::vector<int> blocks_of(SignalFault const& fault, Properties const& propertie
 // Whether no cycle of a later block counts because the force is lost there, and not because a signal is faulty.
 bool fails_in_a_later_block(Properties const& properties) {
   auto const is_lost = [&](Cycle const& cycle) {
-    return std::ranges::any_of(properties.lost, [&](auto const& samples) {
+    return std::ranges::any_of(properties.samples_without_force, [&](auto const& samples) {
       return samples.first <= cycle.first && cycle.last <= samples.second;
     });
   };
@@ -467,19 +468,19 @@ void take_out_faulty(Properties& properties, CycleView const& view) {
     for (auto& fault : properties.faults)
       if (std::ranges::find(outside, fault.finding) != outside.end()) fault.finding.words.push_back({"outside", "yes"});
   // If a signal is faulty in a block, other impossible values there follow from it and are not reported.
-  for (auto& finding : properties.faulty)
+  for (auto& finding : properties.block_faults)
     if (properties.blocks.size() > 1 && !finding.blocks.empty() &&
         std::ranges::none_of(found, [&](Finding const& fault) {
           return std::ranges::find(fault.blocks, finding.blocks.front()) != fault.blocks.end();
         }))
       found.push_back(std::move(finding));
-  properties.faulty = std::move(found);
+  properties.block_faults = std::move(found);
   auto const is_faulty = [&](int number) {
     return !properties.blocks[static_cast<std::size_t>(number) - 1].fault.empty();
   };
   if (properties.failure && is_faulty(properties.failure->blocks.front()) && !fails_in_a_later_block(properties)) {
     properties.failure.reset();
-    properties.lost.clear();
+    properties.samples_without_force.clear();
   }
 }
 

@@ -87,8 +87,8 @@ struct Block {
 struct ViscousSide {
   double C = 0.0, alpha = 0.0;
 };
-struct ViscousLaw {       // data/properties/device_kind.hpp
-  ViscousSide out, back;  // for rising and for falling displacement
+struct ViscousLaw {             // data/properties/device_kind.hpp
+  ViscousSide rising, falling;  // for rising and for falling displacement
   double F_0_kN = 0.0, v_max_mm_s = 0.0;
 };
 struct Slider {  // data/properties/device_kind.hpp
@@ -103,18 +103,18 @@ struct Properties {
   std::optional<Cycle> reported = {};
   // Why there is no reported cycle: faulty signal, motion not cyclic, few samples, negative energy or stiffness.
   std::vector<Finding> refusal = {};
-  bool is_false = false;  // the refusal is about a signal or a cycle that cannot be true
+  bool refusal_is_of_fault = false;  // the refusal is about a signal or a cycle that cannot be true
   // Set only for a TestRecord. A fault that lies outside all blocks has the word "outside" in its finding.
   std::vector<SignalFault> faults = {};
   // Faults because of which no cycle of some blocks counts, while cycles of other blocks count. Empty if there is a
   // refusal.
-  std::vector<Finding> faulty = {};
+  std::vector<Finding> block_faults = {};
   std::optional<ViscousLaw> viscous = {};  // set for a device without stiffness: its K_eff and damping mean nothing
   std::optional<Slider> slider = {};
   std::optional<Finding> failure = {};  // force_lost: the cycle in which the force is suddenly lost
   // Ranges of samples (first, last) in which the device has lost its force. The last sample is infinity if the force
   // does not come back.
-  std::vector<std::pair<double, double>> lost = {};
+  std::vector<std::pair<double, double>> samples_without_force = {};
   std::optional<double> samples_per_cycle = {};  // median over the counted cycles, without rests and holds
   double centre_mm = 0.0;                        // displacement at which cycles are cut
 

@@ -191,7 +191,7 @@ struct Sample {
 void add_growth(Skew& skew, std::vector<Sample> samples, int block) {
   std::erase_if(samples, [&](Sample const& each) { return each.block != block; });
   each_run(std::span(std::as_const(samples)), &Sample::cycle, [&](std::span<Sample const> of_cycle) {
-    skew.of_cycles.push_back({of_cycle.front().cycle, num::median_over(of_cycle, &Sample::late)});
+    skew.cycle_delays.push_back({of_cycle.front().cycle, num::median_over(of_cycle, &Sample::late)});
   });
   if (samples.size() < 3) return;
   auto const count = static_cast<double>(samples.size());
@@ -238,7 +238,7 @@ double longest_interval(CycleView const& view) {
   if (view.time_s.empty()) return 1.0;
   double longest = 0.0;
   for (auto const& test : test_ranges(view.starts, view.time_s.size())) {
-    auto const time = test.of(view.time_s);
+    auto const time = test.slice(view.time_s);
     longest = std::max(longest, (time.back() - time.front()) / static_cast<double>(time.size() - 1));
   }
   return longest;

@@ -25,11 +25,11 @@ struct Skew {
   // The delay of each cycle in the block that contains the reported cycle; a cycle's delay is the median over its
   // reversals. `growth` is how much the delay grows from the first of these cycles to the last, according to a line
   // through the delays at all their reversals.
-  struct OfCycle {
+  struct CycleDelay {
     int number = 0;
-    double late = 0.0;
+    double delay = 0.0;
   };
-  std::vector<OfCycle> of_cycles = {};
+  std::vector<CycleDelay> cycle_delays = {};
   double growth = 0.0, growth_uncertainty = 0.0;  // in the unit of force_late; uncertainty is two standard errors
   double growth_phase = 0.0;                      // the angle of `growth` in a cycle, rad
   int growth_reversals = 0;

@@ -54,7 +54,8 @@ std::optional<SwingProperties> swing_properties(std::span<double const> disp_mm,
 std::optional<SwingProperties> swing_properties(TestRecord const& record) {
   std::optional<SwingProperties> largest;
   for (auto const& range : test_ranges(record.starts, record.size())) {
-    auto const found = swing_properties(range.of(record.disp_mm), range.of(record.force_kN), range.of(record.time_s));
+    auto const found =
+        swing_properties(range.slice(record.disp_mm), range.slice(record.force_kN), range.slice(record.time_s));
     if (found && (!largest || found->amplitude_mm > largest->amplitude_mm)) largest = found;
   }
   return largest;

@@ -228,7 +228,7 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
   VerticalStiffness stiffness;
   if (test.stated_kN_per_mm) {
     stiffness.K_v_kN_per_mm = *test.stated_kN_per_mm;
-    stiffness.how = "as the laboratory states it";
+    stiffness.description = "as the laboratory states it";
     warn_about_size(stiffness);
     return stiffness;
   }
@@ -265,9 +265,10 @@ VerticalStiffness vertical_stiffness(VerticalTest const& test) {
     stiffness.loadings_kN_per_mm.push_back(compression.load_kN[each.first] <= range.high_kN
                                                ? secant_of(compression, each, range).K_v()
                                                : stiffness.K_v_kN_per_mm);
-  stiffness.turned = compression.turned;
-  stiffness.how = fmt::format("dF_v/dd_v, {}{} loading of {}, from {} to {} kN", number, ordinal_end(number), count,
-                              number_text(stiffness.loads->low_kN), number_text(stiffness.loads->high_kN));
+  stiffness.reversed_signals = compression.turned;
+  stiffness.description =
+      fmt::format("dF_v/dd_v, {}{} loading of {}, from {} to {} kN", number, ordinal_end(number), count,
+                  number_text(stiffness.loads->low_kN), number_text(stiffness.loads->high_kN));
   warn_about_size(stiffness);
   return stiffness;
 }

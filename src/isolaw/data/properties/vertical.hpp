@@ -34,19 +34,19 @@ struct VerticalTest {
   std::optional<double> found_kN_per_mm = {};
   std::string curve_sha256 = {};
 
-  bool given() const { return !file.empty() || stated_kN_per_mm; }
+  bool is_given() const { return !file.empty() || stated_kN_per_mm; }
   bool operator==(VerticalTest const&) const = default;
 };
 
 struct VerticalStiffness {
   double K_v_kN_per_mm = 0.0;
-  std::string how;  // how K_v was found, in one sentence
+  std::string description;  // how K_v was found, in one sentence
   // The members below are only set if there is a record.
   std::optional<LoadRange> loads = {};                        // the range used, positive in compression
   std::optional<double> disp_low_mm = {}, disp_high_mm = {};  // displacement at the ends of the range
   std::optional<int> loading = {};                            // the loading used, from 1
   std::vector<double> loadings_kN_per_mm = {};                // K_v of every loading that reaches the largest load
-  std::vector<std::string> turned = {};                       // signals whose sign was turned
+  std::vector<std::string> reversed_signals = {};             // signals whose sign was turned
   std::vector<Finding> warnings = {};
 };
 

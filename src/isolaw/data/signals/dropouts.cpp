@@ -43,7 +43,7 @@ double largest_step(std::span<double const> x, std::size_t begin, std::size_t en
 
 class DropoutSearch {
  public:
-  DropoutSearch(std::span<double const> x, std::span<double const> other, Other does)
+  DropoutSearch(std::span<double const> x, std::span<double const> other, OtherChannel does)
       : x_(x), other_(other), own_(size_of(x)), other_size_(size_of(other)), does_(does) {}
 
   std::vector<Dropout> find() const {
@@ -84,7 +84,7 @@ class DropoutSearch {
     for (auto const i : {run.first, run.last + 1})
       if (std::abs(other_[i] - other_[i - 1]) / other_size_.half_range > other_jumps * jump / own_.half_range)
         return false;
-    return does_ == Other::may_stand || (goes_on(run) && !turns_at_both_ends(run));
+    return does_ == OtherChannel::may_stand || (goes_on(run) && !turns_at_both_ends(run));
   }
 
   bool goes_on(SampleRange const& run) const {
@@ -105,12 +105,12 @@ class DropoutSearch {
 
   std::span<double const> x_, other_;
   Size own_, other_size_;
-  Other does_;
+  OtherChannel does_;
 };
 
 }  // namespace
 
-std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does) {
+std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, OtherChannel does) {
   constexpr std::size_t fewest = 16;
   if (values.size() < fewest || values.size() != other.size()) return {};
   return DropoutSearch(values, other, does).find();

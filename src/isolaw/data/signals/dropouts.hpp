@@ -17,9 +17,9 @@ struct Dropout {
 
 // Whether the other channel must move during a dropout, or may also stand still. It must move if dropouts of a force
 // are searched, because a force may truly vanish while the device rests.
-enum class Other { moves, may_stand };
+enum class OtherChannel { moves, may_stand };
 // bridged() draws a straight line across each dropout. docs/properties.md has the rates of missed and false dropouts.
-std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, Other does);
+std::vector<Dropout> dropouts(std::span<double const> values, std::span<double const> other, OtherChannel does);
 std::vector<double> bridged(std::span<double const> values, std::vector<Dropout> const& gone);
 
 }  // namespace isolaw::data

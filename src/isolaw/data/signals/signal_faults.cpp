@@ -230,7 +230,7 @@ std::vector<TestRange> small_stages(std::span<double const> disp_mm, std::span<d
       stages.push_back(samples);
   }
   double const whole = half_range(disp_mm);
-  std::erase_if(stages, [&](TestRange const& stage) { return half_range(stage.of(disp_mm)) > small_stage * whole; });
+  std::erase_if(stages, [&](TestRange const& stage) { return half_range(stage.slice(disp_mm)) > small_stage * whole; });
   return stages;
 }
 
@@ -238,7 +238,7 @@ std::vector<Spike> spikes_in(std::span<double const> values, std::span<TestRange
   auto found = spikes(values);
   auto const known = found.size();
   for (auto const& stage : stages)
-    for (auto spike : spikes(stage.of(values))) {
+    for (auto spike : spikes(stage.slice(values))) {
       spike.at += stage.first;
       auto const end = found.begin() + static_cast<std::ptrdiff_t>(known);
       if (std::find_if(found.begin(), end, [&](Spike const& other) { return other.at == spike.at; }) == end)
@@ -254,8 +254,8 @@ std::vector<SignalFault> faults_within(std::span<double const> disp_mm, std::spa
                                        std::span<double const> time_s, std::vector<double>* mended_disp) {
   std::size_t constexpr fewest = 16;
   if (disp_mm.size() < fewest) return {};
-  auto const gone_disp = dropouts(disp_mm, force_kN, Other::may_stand),
-             gone_force = dropouts(force_kN, disp_mm, Other::moves);
+  auto const gone_disp = dropouts(disp_mm, force_kN, OtherChannel::may_stand),
+             gone_force = dropouts(force_kN, disp_mm, OtherChannel::moves);
   auto const whole_disp = bridged(disp_mm, gone_disp), whole_force = bridged(force_kN, gone_force);
   disp_mm = whole_disp;
   force_kN = whole_force;
@@ -293,7 +293,7 @@ std::vector<SignalFault> signal_faults(std::span<double const> disp_mm, std::spa
   auto found = faults_within(disp_mm, force_kN, time_s, &mended);
   for (auto const& stage : small_stages(mended, time_s)) {
     std::vector<SignalFault> more;
-    for (auto& fault : faults_within(stage.of(disp_mm), stage.of(force_kN), stage.of(time_s), nullptr)) {
+    for (auto& fault : faults_within(stage.slice(disp_mm), stage.slice(force_kN), stage.slice(time_s), nullptr)) {
       shift(fault, stage.first);
       // Only the whole record shows whether a channel lacks its sign.
       if (fault.kind != FaultKind::rectified && !is_known(fault, found, stage)) more.push_back(std::move(fault));

@@ -172,8 +172,8 @@ std::vector<double> without(std::vector<double> values, std::vector<Spike> const
 std::vector<SignalFault> vertical_faults(std::span<double const> disp_mm, std::span<double const> load_kN) {
   constexpr std::size_t fewest = 16;
   if (disp_mm.size() < fewest || disp_mm.size() != load_kN.size()) return {};
-  auto const gone_disp = dropouts(disp_mm, load_kN, Other::may_stand),
-             gone_load = dropouts(load_kN, disp_mm, Other::moves);
+  auto const gone_disp = dropouts(disp_mm, load_kN, OtherChannel::may_stand),
+             gone_load = dropouts(load_kN, disp_mm, OtherChannel::moves);
   auto disp = bridged(disp_mm, gone_disp), load = bridged(load_kN, gone_load);
   auto const all_disp = spikes(disp), all_load = spikes(load);
   auto const whole_load = without(load, all_load);

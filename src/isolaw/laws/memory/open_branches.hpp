@@ -22,10 +22,11 @@ struct OpenBranches {
   static constexpr std::size_t most = 256;
   // Displacements at which the open branches began, the oldest first. A law's stack has its force at each of them.
   std::vector<double> turned;
-  std::size_t dropped = none;  // stack index of the first of two turning points that are dropped before this step
-  std::size_t kept = none;     // if the motion turned at the step's begin: stack index at which to keep the force there
+  std::size_t first_dropped = none;  // stack index of the first of two turning points that are dropped before this step
+  // If the motion turned at the step's begin: stack index at which to keep the force there.
+  std::size_t turn_index = none;
   // The turning point at which the present branch began: its stack index (none: on the skeleton), and its displacement.
-  std::size_t branch = none;
+  std::size_t branch_index = none;
   double branch_x = 0.0;
   std::size_t depth = 0;  // the number of values that a law's stack must hold in this step
 
@@ -33,19 +34,19 @@ struct OpenBranches {
   void move(X const& from, X const& to, double direction_before, double direction) {
     double const x0 = value_of(from), x1 = value_of(to);
     bool const moves = x1 != x0, turns = moves && direction_before != 0.0 && direction != direction_before;
-    dropped = none;
+    first_dropped = none;
     if (turns && turned.size() == most) {
-      dropped = least_needed(x0);
-      auto const first = turned.begin() + static_cast<std::ptrdiff_t>(dropped);
+      first_dropped = least_needed(x0);
+      auto const first = turned.begin() + static_cast<std::ptrdiff_t>(first_dropped);
       turned.erase(first, first + 2);
     }
-    kept = turns ? turned.size() : none;
+    turn_index = turns ? turned.size() : none;
     if (turns) turned.push_back(x0);
     depth = turned.size();
     auto const passes = [&](double target) { return moves && direction * (x1 - target) >= 0.0; };
     while (turned.size() >= 2 && passes(turned[turned.size() - 2])) turned.resize(turned.size() - 2);
     if (turned.size() == 1 && passes(-turned[0])) turned.clear();
-    branch = turned.empty() ? none : turned.size() - 1;
+    branch_index = turned.empty() ? none : turned.size() - 1;
     branch_x = turned.empty() ? 0.0 : turned.back();
   }
   template <class Each>
@@ -77,8 +78,8 @@ struct OpenBranches {
 // Fits a law's stack, which holds one value for each turning point, to the turning points of this step.
 template <class List, class Points>
 inline void hold(List& list, Points const& points) {
-  if (points.dropped != OpenBranches::none) {
-    auto const first = list.begin() + static_cast<std::ptrdiff_t>(points.dropped);
+  if (points.first_dropped != OpenBranches::none) {
+    auto const first = list.begin() + static_cast<std::ptrdiff_t>(points.first_dropped);
     list.erase(first, first + 2);
   }
   list.resize(points.depth);

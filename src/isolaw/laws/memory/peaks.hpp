@@ -9,17 +9,17 @@ namespace isolaw::laws {
 // [export]
 template <class X>
 struct Peaks {
-  X peak0 = 0.0;            // largest |x| before the step
-  X peak = 0.0;             // largest |x| after the step
-  X inside = 0.0;           // the part of the step's length in which |x| is below peak0
-  bool peak_grows = false;  // whether `peak` exceeds peak0
+  X peak0 = 0.0;              // largest |x| before the step
+  X peak = 0.0;               // largest |x| after the step
+  X length_below_peak = 0.0;  // the part of the step's length in which |x| is below peak0
+  bool peak_grows = false;    // whether `peak` exceeds peak0
 
   void move(X const& x0, X const& x1, double, double direction) {
     X const outward = direction * x1;
     peak0 = peak;
     peak = reaches(outward, peak) ? outward : peak;
     peak_grows = grows(peak - peak0);
-    inside = direction * (x1 - x0) - (peak - peak0);
+    length_below_peak = direction * (x1 - x0) - (peak - peak0);
   }
   template <class Each>
   void members(Each& each) {

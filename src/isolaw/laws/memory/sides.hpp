@@ -26,8 +26,8 @@ inline Dual cbrt(Dual const& a) {
 // chosen on one measured device (docs/laws.md).
 template <class X>
 inline X travel_as_the_peak_grows(X const& travel, X const& from, X const& to) {
-  constexpr double virgin = 1.0 / 60.0;
-  return virgin + (travel - virgin) * shrunk(from / to);
+  constexpr double virgin_travel = 1.0 / 60.0;
+  return virgin_travel + (travel - virgin_travel) * shrunk(from / to);
 }
 
 template <class X>
@@ -50,7 +50,7 @@ struct Sides {
   Side sides[2];                 // the side x >= 0, and the side x < 0
   X side_peak = 0.0;             // largest |x| so far on the side on which the step ends
   X travel = 0.0;                // N: travel on that side divided by side_peak; it fades as side_peak grows
-  X virgin = 1.0;                // (1 + N)^(-1/3): 1 without travel, falling as the device is cycled
+  X virgin_share = 1.0;          // (1 + N)^(-1/3): 1 without travel, falling as the device is cycled
   bool side_peak_grows = false;  // whether side_peak grows in this step
 
   void move(X const& x0, X const& x1, double, double direction) {
@@ -68,7 +68,7 @@ struct Sides {
     Side const& now = sides[side];
     side_peak = now.peak;
     travel = now.travel;
-    virgin = 1.0 / cbrt(1.0 + now.travel);
+    virgin_share = 1.0 / cbrt(1.0 + now.travel);
     side_peak_grows = grows(now.peak - before);
   }
   template <class Each>

@@ -9,23 +9,23 @@ namespace isolaw::laws {
 // [export]
 template <class X>
 struct Wear : Peaks<X> {
-  X worn = 0.0;       // travel at |x| below the peak / the peak (the largest |x| so far); it fades as the peak grows
-  X pushed = 0.0;     // growth of the largest |x| at x > 0 minus its growth at x < 0
-  X log2_worn = 0.0;  // log2(1 + worn)
+  X worn = 0.0;  // travel at |x| below the peak / the peak (the largest |x| so far); it fades as the peak grows
+  X one_sided_growth = 0.0;  // growth of the largest |x| at x > 0 minus its growth at x < 0
+  X log2_worn = 0.0;         // log2(1 + worn)
 
   void move(X const& x0, X const& x1, double before, double direction) {
     Peaks<X>::move(x0, x1, before, direction);
-    if (this->peak0 > 0.0) worn += this->inside / this->peak0;
+    if (this->peak0 > 0.0) worn += this->length_below_peak / this->peak0;
     if (this->peak_grows) {
       worn = travel_as_the_peak_grows(worn, this->peak0, this->peak);
-      pushed += direction * (this->peak - this->peak0);
+      one_sided_growth += direction * (this->peak - this->peak0);
     }
     log2_worn = log2(1.0 + worn);
   }
   template <class Each>
   void members(Each& each) {
     Peaks<X>::members(each);
-    each(worn, pushed);
+    each(worn, one_sided_growth);
   }
 };
 // [end]

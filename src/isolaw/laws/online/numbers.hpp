@@ -90,7 +90,6 @@ inline Dual through(Dual const& x, double value, Slope&& slope) { return chain(x
 // Whether a peak grows. The answer is true also for a trial that ends exactly at the peak: its tangent must include the
 // growth that a further motion brings.
 inline bool grows(Dual const& growth) { return growth.v > 0.0 || growth.by_x != 0.0; }
-inline bool unmoved(Dual const& peak) { return peak.v == 0.0; }
 inline bool reaches(Dual const& size, Dual const& peak) { return size.v >= peak.v && size.v > 0.0; }
 // The tangent needs all derivatives, so a trial counts as a motion, and its values as changed, even at rest.
 inline bool may_move(Dual const&) { return true; }

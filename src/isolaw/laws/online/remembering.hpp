@@ -46,9 +46,9 @@ struct Remembering {
   }
 
   static Dual law_force(Parameters const& p, LawConstants const& c, LawState& state, Step const& step) {
-    double const pulled_to = state.follower.behind.v;
+    double const pulled_to = state.follower.pulled.v;
     Dual F = follow(p, c, state, step);
-    if (p.dead_band <= 0.0 || state.follower.behind.v != pulled_to) return F;
+    if (p.dead_band <= 0.0 || state.follower.pulled.v != pulled_to) return F;
     // Within the dead band the force does not change, and a tangent of 0 would make the matrix of an analysis singular.
     // The tangent is therefore taken outside the band, a tenth of the band beyond its end in the direction of motion.
     // It is not taken at the very end, because the slope may have no bound there.

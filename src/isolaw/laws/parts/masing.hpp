@@ -21,9 +21,10 @@ struct MasingBranches {
   // Moves to the end of a step and returns the force there. skeleton(x) is the odd curve from the origin.
   template <class X, class PathMemory, class Skeleton>
   N move(X const& x, PathMemory const& memory, Skeleton&& skeleton) {
-    if (memory.turns) turned[memory.kept] = force;
-    force = memory.branch == memory.none ? skeleton(x)
-                                         : turned[memory.branch] + N(2.0) * skeleton(X(0.5 * (x - memory.branch_x)));
+    if (memory.turns) turned[memory.turn_index] = force;
+    force = memory.branch_index == memory.none
+                ? skeleton(x)
+                : turned[memory.branch_index] + N(2.0) * skeleton(X(0.5 * (x - memory.branch_x)));
     return force;
   }
   template <class Points>

@@ -29,7 +29,7 @@ struct Scragging {
     if (memory.side_peak_grows) now = p.K * power(N(m), p.g - T(1.0));
     N const w = N(0.5) + N(memory.side == 0 ? 0.5 : -0.5) * share;
     X const ratio = x / m, cubed = ratio * ratio * ratio;
-    N all = N(x) * (now + w * (p.H * N(m * cubed * cubed) + w * p.C * N(memory.virgin)));
+    N all = N(x) * (now + w * (p.H * N(m * cubed * cubed) + w * p.C * N(memory.virgin_share)));
     limit_slope(
         all, [&] { return N(x) * now; }, steepest);
     return all;

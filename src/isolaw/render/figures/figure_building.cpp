@@ -77,7 +77,7 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
                   number(h.counts.empty() ? 1.0 : 108.0 * static_cast<double>(std::ranges::max(h.counts)) / all));
       script.line("set xlabel {} offset 0,raise; set ylabel 'Draws (%)' offset inward,0",
                   axis_label(drawn_quantity(q), unit));
-      script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::called(law.law)));
+      script.line("set label 1 {} at graph 0,1.07 left noenhanced", gnuplot_string(laws::display_name(law.law)));
       int arrow = 0;
       for (auto const& line : {Line{d.lower, vermillion, 1}, Line{d.nominal, black, 3}, Line{d.upper, vermillion, 2}}) {
         ++arrow;
@@ -109,7 +109,7 @@ Figure variance_figure(building::Answers const& answers) {
   for (auto const& law : answers.laws) {
     auto const& d = distribution_of(law, quantity);
     table.row(law.law, d.motion_std_ln, d.lot_std_ln, d.uncertain_std_ln);
-    tics.push_back(fmt::format("{} {}", law_tic(std::string(laws::called(law.law))), tics.size()));
+    tics.push_back(fmt::format("{} {}", law_tic(std::string(laws::display_name(law.law))), tics.size()));
   }
   table.end_block();
   Script script(name, about, grid.width_mm, grid.height_mm());

@@ -50,7 +50,7 @@ struct NamePlace {
 template <class At>
 std::vector<std::pair<double, double>> along_front(std::vector<FrontPoint> points, At const& at) {
   constexpr int steps = 60;  // number of points on each straight piece
-  std::erase_if(points, [](auto const& point) { return !point.stands; });
+  std::erase_if(points, [](auto const& point) { return !point.is_unbeaten; });
   std::ranges::stable_sort(points, {}, &FrontPoint::x);
   std::vector<std::pair<double, double>> line;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -108,7 +108,7 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
   for (auto const& point : points) {
     auto const [x_mm, y_mm] = at(point);
     double const px = x_mm, py = y_mm;  // clang 14 cannot capture structured bindings in a lambda
-    double const wide = letter_mm * static_cast<double>(laws::called(point.law).size());
+    double const wide = letter_mm * static_cast<double>(laws::display_name(point.law).size());
     auto const box_at = [&](NamePlace const& place) {
       double const from = px + place.dx_mm;
       double const left = place.align == "left" ? from : place.align == "right" ? from - wide : from - wide / 2.0;
@@ -131,7 +131,7 @@ std::vector<NamePlace> place_names(std::vector<FrontPoint> const& points, std::v
 }
 
 std::string_view mark_of(FrontPoint const& point) {
-  return point.stands ? "filled" : point.is_adequate ? "open" : "cross";
+  return point.is_unbeaten ? "filled" : point.is_adequate ? "open" : "cross";
 }
 
 std::string front_data(std::vector<FrontPoint> points, std::vector<FrontPoint> const& published,
@@ -143,7 +143,7 @@ std::string front_data(std::vector<FrontPoint> points, std::vector<FrontPoint> c
   table.comment("the front, from left to right");
   std::ranges::stable_sort(points, {}, &FrontPoint::x);
   for (auto const& point : points)
-    if (point.stands) table.row(point.law, point.x, point.y, std::size_t{point.on_front}, mark_of(point));
+    if (point.is_unbeaten) table.row(point.law, point.x, point.y, std::size_t{point.on_front}, mark_of(point));
   if (published.empty()) return table.take();
   table.end_block();
   table.comment("the published study (Table A.5), by law number");
@@ -171,8 +171,8 @@ std::string front_script(std::vector<FrontPoint> const& points, std::vector<Fron
   // gnuplot measures offsets in letters, which are on average over SVG and PDF 1.65 mm wide and 3.2 mm high.
   for (std::size_t i = 0; i < points.size(); ++i)
     script.line("set label {} {} noenhanced at {},{} {} offset {},{}", i + 1,
-                gnuplot_string(laws::called(points[i].law)), number(points[i].x), number(points[i].y), places[i].align,
-                number(places[i].dx_mm / 1.65), number(places[i].dy_mm / 3.2));
+                gnuplot_string(laws::display_name(points[i].law)), number(points[i].x), number(points[i].y),
+                places[i].align, number(places[i].dx_mm / 1.65), number(places[i].dy_mm / 3.2));
   auto const file = words.name + ".dat";
   std::vector<std::string> plots;
   auto const marked = [&](std::string_view mark, int style, int point, std::string_view title) {
@@ -181,7 +181,7 @@ std::string front_script(std::vector<FrontPoint> const& points, std::vector<Fron
         fmt::format("'{}' index 0 using (strcol(5) eq '{}'?$2:NaN):3 with points ls {} pt {} ps 0.7 lw 1.6 title '{}'",
                     file, mark, style, point, title));
   };
-  if (std::ranges::any_of(points, &FrontPoint::stands))
+  if (std::ranges::any_of(points, &FrontPoint::is_unbeaten))
     plots.push_back(fmt::format("'{}' index 1 using 2:3 with steps ls {} dt 2 notitle", file, green));
   marked("filled", green, front_point, "non-dominated");
   marked("open", vermillion, beaten_point, "dominated");

@@ -61,8 +61,8 @@ MaybeFigure loops_figure(Summary const& summary, DeviceResult const& device, Law
   auto const name = "loops_" + stem + "_" + law.id;
   std::string const about = "measured and computed force, Fig. 5; residual is measured minus computed";
   return Figure{name, loop_data(summary.units(), device, *fit, about),
-                loop_script(summary.units(), name, about, called(law) + ", " + device.name, device.record.has_time(),
-                            place_in_summary(summary, law))};
+                loop_script(summary.units(), name, about, display_name(law) + ", " + device.name,
+                            device.record.has_time(), place_in_summary(summary, law))};
 }
 
 }  // namespace isolaw::render

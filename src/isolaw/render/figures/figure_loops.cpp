@@ -21,12 +21,12 @@ struct LoopPanel {
 LoopPanel loop_panel(DeviceResult const& device, LawResult const& law) {
   auto const* fit = fit_of(law, device.name);
   if (fit != nullptr && fit_status(*fit) == "ok" && fit->force_kN.size() == device.record.size())
-    return {fmt::format("{}: OF = {:.4f}", called(law), fit->objective.best.value_or(0.0)), fit, {}};
-  if (fit == nullptr) return {called(law), nullptr, "not tried"};
+    return {fmt::format("{}: OF = {:.4f}", display_name(law), fit->objective.best.value_or(0.0)), fit, {}};
+  if (fit == nullptr) return {display_name(law), nullptr, "not tried"};
   auto reason = fit->refusal.empty() ? fit->failure : fit->refusal;
   constexpr std::size_t most = 60;  // a panel has room for this many bytes
   if (reason.size() > most) reason = reason.substr(0, reason.find_last_of(' ', most)) + " ...";
-  return {called(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
+  return {display_name(law), nullptr, std::string(fit_status(*fit)) + (reason.empty() ? "" : ": " + reason)};
 }
 
 std::string loops_data(UnitSystem const& units, DeviceResult const& device, std::vector<LoopPanel> const& panels,

@@ -8,7 +8,8 @@ namespace {
 
 DevicePanel objective_panel(Summary const& summary, std::size_t place, std::vector<std::string> const& devices) {
   auto const& law = summary.laws[place];
-  DevicePanel panel{.title = called(law), .name = "OF", .unit = "-", .reference = law.objective.mean, .law = place};
+  DevicePanel panel{
+      .title = display_name(law), .name = "OF", .unit = "-", .reference = law.objective.mean, .law = place};
   for (auto const& device : devices) {
     auto const* fit = fit_of(law, device);
     DevicePoint point{device, {}, {}};

@@ -24,7 +24,7 @@ struct PropertyLimits {
 
 PropertyLimits limits_of(Summary const& summary, rules::Quantity quantity) {
   PropertyLimits limits;
-  limits.design = summary.acceptance.design.of(quantity);
+  limits.design = summary.acceptance.design.value(quantity);
   if (!limits.design) return limits;
   for (auto const& limit : summary.acceptance.rules.limits) {
     if (limit.quantity != quantity || limit.scope != rules::Scope::each) continue;

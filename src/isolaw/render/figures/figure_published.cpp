@@ -73,7 +73,7 @@ std::vector<Beside> laws_beside(Summary const& summary) {
   if (!known) return laws;
   for (auto const& row : known->laws) {
     auto const law = std::ranges::find(summary.laws, row.law, &LawResult::id);
-    if (law == summary.laws.end() || !row.here.objective) continue;
+    if (law == summary.laws.end() || !row.computed.objective) continue;
     auto const& printed = table_a5::laws[static_cast<std::size_t>(row.number - 1)];
     laws.push_back({row.law, row.number,
                     spreads_here(summary, *law, [](DeviceFit const& fit) { return fit.objective; }),
@@ -192,7 +192,7 @@ MaybeFigure published_objective_figure(Summary const& summary) {
                   .head_mm = 4.0};
   Script script(name, about, grid.width_mm, grid.height_mm());
   std::vector<std::string> names;
-  for (auto const& law : laws) names.push_back(fmt::format("{} {}", law.number, laws::called(law.law)));
+  for (auto const& law : laws) names.push_back(fmt::format("{} {}", law.number, laws::display_name(law.law)));
   draw_law_axis(script, names);
   script.line("set multiplot");
   script.place(grid, 0);
@@ -218,7 +218,7 @@ MaybeFigure published_parameters_figure(Summary const& summary, LawResult const&
   auto const known = study::published(summary);
   if (!known) return std::nullopt;
   auto const row = std::ranges::find(known->laws, law.id, &study::PublishedLaw::law);
-  if (row == known->laws.end() || !row->here.objective) return std::nullopt;
+  if (row == known->laws.end() || !row->computed.objective) return std::nullopt;
   auto const panels = panels_beside(summary, law, table_a5::laws[static_cast<std::size_t>(row->number - 1)]);
   if (panels.empty()) return std::nullopt;
   auto const name = "published_parameters_" + law.id;

@@ -91,7 +91,7 @@ class BuildingWriter {
         .objects(study_.file.bearings, [&](building::BearingPlace const& place) {
           point(place.at);
           out_.member("is",
-                      place.stands == building::Stands::device ? std::string_view(place.device) : name(place.stands));
+                      place.kind == building::BearingKind::device ? std::string_view(place.device) : name(place.kind));
         });
     out_.key("corners").objects(answers_.corners, [&](building::Point const& at) { point(at); });
     out_.key("centre").object([&] { point(study_.file.frame.base.centre); }).end_object();
@@ -178,7 +178,7 @@ class BuildingWriter {
 
   void nested(building::LawAnswer const& law, std::string_view key) {
     if (key == "histories") return histories(law);
-    if (key == "limits") return write_rows(out_, judged_results, law.judged, digits_);
+    if (key == "limits") return write_rows(out_, judged_results, law.limit_checks, digits_);
     if (key == "checked") return write_rows(out_, checked_results, law.checked, digits_);
     if (key == "doubts") return doubts(law);
     if (key == "coverage") return coverage(law);

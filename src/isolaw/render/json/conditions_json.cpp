@@ -23,7 +23,7 @@ void write_factor(JsonWriter& out, conditions::Factor const& factor, std::option
   study::ConditionFactor const of{factor, installed};
   out.object([&] {
     for (auto const& row : study::conditions_factor_results) {
-      auto const value = row.of(of);
+      auto const value = row.value(of);
       if (auto const* ends = std::get_if<study::Ends>(&value))
         write_interval(out, row.key,
                        ends->lower ? std::optional(conditions::Interval{*ends->lower, *ends->upper}) : std::nullopt);
@@ -123,7 +123,7 @@ void write_members_of(JsonWriter& out, study::ConditionsResult const& result) {
       write_members(out, "permitted", mean->permitted, "quantity", mean->quantity, "farthest_percent",
                     mean->farthest_percent, "within_percent", mean->rule.within_percent, "clause", mean->rule.clause);
     });
-  auto const& how = result.combined;
+  auto const& how = result.combination;
   out.key("combination").object([&] {
     write_members(out, "form", name(how.form), "adjust", how.adjust, "margin", how.margin, "rules", how.rules, "clause",
                   how.clause, "verified", how.verified);
@@ -165,7 +165,7 @@ void write_bound_laws(JsonWriter& out, study::Summary const& summary) {
     };
     out.member("law", of.law);
     text("device", of.device);
-    text("obstacle", of.bounds.none ? wording::remark(*of.bounds.none) : std::string());
+    text("obstacle", of.bounds.obstacle ? wording::remark(*of.bounds.obstacle) : std::string());
     out.key("disp_mm").line(of.reference.disp_mm, digits);
     out.key("force_kN").line(of.reference.force_kN, digits);
     auto const write = [&](std::string_view which, std::optional<study::DesignBound> const& bound,

@@ -34,7 +34,7 @@ void write_block(JsonWriter& out, DeviceResult const& device, data::Block const&
 
 void write_vertical(JsonWriter& out, DeviceResult const& device, UnitSystems systems) {
   out.key("vertical");
-  if (!device.vertical_test.given()) return void(out.null());
+  if (!device.vertical_test.is_given()) return void(out.null());
   out.object([&] {
     write_results(out, vertical_results, device, Digits::shown, [&](std::string_view key) {
       if (key == "recognised")

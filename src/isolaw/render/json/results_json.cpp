@@ -77,11 +77,11 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
     return wording::paragraph({advice.answer.begin() + 1, advice.answer.end()}, units);
   });
   said("answer", [&](auto const& units) { return wording::paragraph(advice.answer, units); });
-  out.member("sure", study::name(advice.sure));
-  write_reasons("reasons", advice.why);
-  write_reasons("weak", advice.law ? advice.weak() : std::vector<Finding>());
-  write_reasons("surer", advice.surer);
-  write_reasons("reach", advice.reach);
+  out.member("sure", study::name(advice.confidence));
+  write_reasons("reasons", advice.reasons);
+  write_reasons("weak", advice.law ? advice.doubts() : std::vector<Finding>());
+  write_reasons("surer", advice.improvements);
+  write_reasons("reach", advice.range_findings);
   out.member("valid_mm", advice.valid_mm);
   out.member("programs", advice.programs ? wording::sentence(*advice.programs) : std::string());
   out.member("export_command", study::export_command(summary, advice, "."));
@@ -95,13 +95,13 @@ void write_recommendation(JsonWriter& out, study::Summary const& summary,
   else
     out.null();
   out.key("standings").objects(advice.standings, [&](study::Standing const& standing) {
-    out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.place));
+    out.member("law", summary.laws[standing.law].id).member("place", study::name(standing.rank));
     out.member("error", standing.error).member("fits", standing.fits).member("new_device", standing.new_device);
     out.member("predicts", standing.predicts).member("parameters", std::uint64_t{standing.parameters});
     said("reason",
          [&](auto const& units) { return standing.reason ? wording::remark(*standing.reason, units) : std::string(); });
     out.member("reason_kind", standing.reason ? wording::row(standing.reason->kind).key : std::string_view());
-    write_reasons("weak", standing.weak);
+    write_reasons("weak", standing.doubts);
   });
   out.end_object();
 }
@@ -135,7 +135,7 @@ void write_findings(JsonWriter& out, std::string_view key, std::vector<Finding> 
     out.member("kind", row.key).member("topic", row.topic);
     out.member("severity", wording::name(row.severity));
     write_said(out.key("sentence"), systems, [&](auto const& units) { return wording::sentence(group, units); });
-    out.member("certificate", (row.appears & wording::on_certificate) != 0)
+    out.member("certificate", (row.appearance & wording::on_certificate) != 0)
         .member("action", row.action)
         .member("law", group.front().law);
     out.member("other_laws", group.front().other_laws);

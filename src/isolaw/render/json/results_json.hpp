@@ -42,7 +42,7 @@ void write_results(JsonWriter& out, Result<Object> const (&rows)[count], Object 
                    Nested const& nested) {
   for (auto const& row : rows) {
     out.key(row.key);
-    auto const value = row.of(object);
+    auto const value = row.value(object);
     if (std::holds_alternative<study::Nested>(value))
       nested(row.key);
     else

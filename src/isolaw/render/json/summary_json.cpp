@@ -94,7 +94,7 @@ std::string summary_json(Summary const& summary, std::string_view profile) {
   write_rows(out.key("outliers"), outlier_results, summary.outliers, Digits::all);
   auto const runs = summary.missing_runs(), analyses = summary.missing_analyses();
   write_members(out, "complete", runs == 0 && analyses == 0, "missing_runs", runs, "missing_analyses", analyses);
-  if (summary.part) write_members(out, "part", summary.part->number, "parts", summary.part->of);
+  if (summary.part) write_members(out, "part", summary.part->number, "parts", summary.part->total);
   write_findings(out, "warnings", warnings(summary));
   write_recommendation(out, summary, recommendation(summary));
   write_published(out, summary, Digits::all);

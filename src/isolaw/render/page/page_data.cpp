@@ -171,12 +171,12 @@ constexpr auto of_the_law = columns(parameter_results, {"unit", "free", "paper_n
 void write_parameter_columns(JsonWriter& out, std::vector<ParameterFit> const& parameters) {
   for (auto const& row : parameter_results)
     if (std::ranges::find(of_the_law, row.key, &Result<ParameterFit>::key) == of_the_law.end())
-      out.key(row.key).array(parameters, [&](auto const& one) { write_value(out, row.of(one), row.digits); });
+      out.key(row.key).array(parameters, [&](auto const& one) { write_value(out, row.value(one), row.digits); });
 }
 
 void write_examined(JsonWriter& out, Result<ParameterAnalysis> const& row,
                     std::optional<ParameterAnalysis> const& analysis) {
-  auto const value = analysis ? row.of(*analysis) : Value();
+  auto const value = analysis ? row.value(*analysis) : Value();
   if (std::holds_alternative<study::Nested>(value))
     write_profile(out, *analysis, row.digits);
   else
@@ -297,7 +297,7 @@ void write_law(JsonWriter& out, Summary const& summary, LawResult const& law,
   std::size_t n = 0;
   out.key("parameters").objects(parameters_of(law), [&](ParameterFit const& parameter) {
     out.member("name", parameter.name);
-    for (auto const& row : of_the_law) write_value(out.key(row.key), row.of(parameter), row.digits);
+    for (auto const& row : of_the_law) write_value(out.key(row.key), row.value(parameter), row.digits);
     write_members(out, "delta", largest_difference(law, n++));
   });
 }
@@ -342,7 +342,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   out.key("stands").object([&] {
     for (auto const view : front_views)
       out.key(key(view)).array(front_points(summary, view), [&](auto const& point) {
-        if (point.stands) out.value(point.law);
+        if (point.is_unbeaten) out.value(point.law);
       });
   });
 }

@@ -69,7 +69,7 @@ std::string prediction_csv(Summary const& summary) {
       auto const row = [&](std::string_view judged, std::string_view of, Value const& objective) {
         if (!std::holds_alternative<std::monostate>(objective)) table.row(law.id, fit.device, judged, of, objective);
       };
-      for (auto const& one : of_fitted_part) row("fitted part", one.heading, one.of(fit));
+      for (auto const& one : of_fitted_part) row("fitted part", one.heading, one.value(fit));
       for (auto const& score : fit.blocks)
         row("block " + std::to_string(score.block) + (score.fitted ? ", fitted" : ", predicted"), "the device itself",
             study::value_of(score.objective));

@@ -83,7 +83,8 @@ std::string building_tex(building::Study const& study, building::Answers const& 
   if (drawn) text += " & 16\\,\\% & 50\\,\\% & 84\\,\\% & 95\\,\\% & lot & motions";
   text += " \\\\\n\\midrule\n";
   for (auto const& law : answers.laws) {
-    text += "\\addlinespace\n" + whole_row(fmt::format("\\itshape {}", latex_text(laws::called(law.law))), columns);
+    text +=
+        "\\addlinespace\n" + whole_row(fmt::format("\\itshape {}", latex_text(laws::display_name(law.law))), columns);
     for (std::size_t q = 0; q < law.distributions.size(); ++q) {
       auto const& row = building::quantities()[q];
       auto const& d = law.distributions[q];
@@ -100,7 +101,7 @@ std::string building_tex(building::Study const& study, building::Answers const& 
     for (std::size_t i = 0; i < law.coverage.size(); ++i) {
       auto const& c = law.coverage[i];
       text += whole_row(
-          fmt::format("Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}", 100.0 * c.inside,
+          fmt::format("Bounds cover {:.1f}\\,\\% ({:.0f} to {:.0f}\\,\\%) in {}; {}", 100.0 * c.share_inside,
                       100.0 * c.interval_low, 100.0 * c.interval_high, latex_text(building::quantity(c.quantity).title),
                       latex_text(wording::sentence(building::covering_factors(c), study.units()))),
           columns);

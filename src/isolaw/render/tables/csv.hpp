@@ -45,7 +45,7 @@ class CsvTable {
       if (column.key == "unit")
         put(shown_unit(unit, units_).unit);
       else
-        put(column.of(object), shown.factor);
+        put(column.value(object), shown.factor);
     }
     return *this;
   }

@@ -104,7 +104,7 @@ std::string block_row(LawResult const& law, Quantity const& quantity, std::vecto
   int const power = power_of(law, quantity);
   auto unit = latex_unit(quantity.unit);
   if (power != 0) unit = fmt::format("$10^{{{}}}${}{}", power, unit.empty() ? "" : " ", unit);
-  std::string row = quantity.n ? "" : latex_text(called(law));
+  std::string row = quantity.n ? "" : latex_text(display_name(law));
   row += " & " + (quantity.n ? latex_symbol(quantity.name) : std::string("$\\mathit{OF}$"));
   if (!unit.empty()) row += " (" + unit + ")";
   if (!quantity.paper_name.empty()) row += ", paper: " + latex_symbol(quantity.paper_name);
@@ -140,7 +140,7 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
   auto const raise = [](std::size_t& to, std::size_t letters) { to = std::max(to, letters); };
   for (auto const& device : devices) raise(longest.head, std::min(printable(device).size(), longest_head));
   for (auto const& law : summary.laws) {
-    raise(longest.law, called(law).size());
+    raise(longest.law, display_name(law).size());
     for (auto const& quantity : quantities_of(law)) {
       int const power = power_of(law, quantity);
       auto const there = quantity.paper_name.empty() ? std::size_t{0} : quantity.paper_name.size() + 8;
@@ -263,9 +263,9 @@ std::string robustness_tex(Summary const& summary) {
   text += "Law & \\multicolumn{3}{c}{$\\mathit{OF}$} & $\\beta$ & Non-dominated \\\\\n\\cmidrule(lr){2-4}\n";
   text += " & mean & std & best & & \\\\\n\\midrule\n";
   for (auto const& law : summary.laws)
-    text += fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", latex_text(called(law)), latex_number(law.objective.mean),
-                        latex_number(law.objective.std), latex_number(law.objective.best), latex_number(law.beta),
-                        yes(law.on_front));
+    text += fmt::format("{} & {} & {} & {} & {} & {} \\\\\n", latex_text(display_name(law)),
+                        latex_number(law.objective.mean), latex_number(law.objective.std),
+                        latex_number(law.objective.best), latex_number(law.beta), yes(law.on_front));
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
@@ -284,9 +284,9 @@ std::string front_tex(Summary const& summary) {
         fmt::format("Law & $\\mathit{{OF}}$ & {} & Non-dominated & Dominated by \\\\\n\\midrule\n", head_of_x(view));
     for (auto const& point : points) {
       auto others = dominating(points, point);
-      for (auto& law : others) law = laws::called(law);
+      for (auto& law : others) law = laws::display_name(law);
       text +=
-          fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_text(laws::called(point.law)), latex_number(point.y),
+          fmt::format("{} & {} & {} & {} & {} \\\\\n", latex_text(laws::display_name(point.law)), latex_number(point.y),
                       latex_number(point.x), yes(point.on_front), others.empty() ? "--" : latex_text(joined(others)));
     }
   }

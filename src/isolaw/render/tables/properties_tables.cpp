@@ -107,7 +107,7 @@ std::string vertical_csv(Summary const& summary) {
   CsvTable table(summary.units());
   table.add("device").head(of_device).end_row();
   for (auto const& device : summary.devices)
-    if (device.vertical_test.given()) table.add(device.name).cells(of_device, device).end_row();
+    if (device.vertical_test.is_given()) table.add(device.name).cells(of_device, device).end_row();
   return table.take();
 }
 

@@ -81,7 +81,7 @@ bool is_short(rules::Quantity quantity) {
 }
 
 std::string combination_text(study::ConditionsResult const& result) {
-  auto const& how = result.combined;
+  auto const& how = result.combination;
   if (how.rules.empty()) return "the product of all effects";
   using conditions::Form;
   auto text = how.form == Form::each      ? fmt::format("the product of all effects, each adjusted by {:g}", how.adjust)

@@ -122,7 +122,7 @@ void print_table(std::string& text, UnitSystem const& units, std::string_view ti
   line([&](auto const& column) { return column.unit == "-" ? std::string() : shown_unit(column.unit, units).unit; });
   for (auto const& row : rows)
     line([&](auto const& column) {
-      auto const value = column.of(row);
+      auto const value = column.value(row);
       if (auto const* whole = std::get_if<int>(&value)) return fmt::to_string(*whole);
       auto const* number = std::get_if<double>(&value);
       if (number == nullptr) return std::string("-");
@@ -185,18 +185,18 @@ std::string vertical_text(UnitSystem const& units, DeviceResult const& device) {
                                       : fmt::format("; {}, sha256 {}", printable(test.file), test.sha256.substr(0, 16));
   auto const [unit, factor] = shown_unit("kN/mm", units);
   return fmt::format("vertical stiffness K_v: {:.5g} {}, {}{}", factor * device.vertical->K_v_kN_per_mm, unit,
-                     device.vertical->how, file);
+                     device.vertical->description, file);
 }
 
 void print_vertical(std::string& text, UnitSystem const& units, DeviceResult const& device) {
-  if (!device.vertical_test.given()) {
+  if (!device.vertical_test.is_given()) {
     if (device.acceptance.assessments.empty()) add(text, "\n{}\n", no_vertical_stiffness);
     return;
   }
   add(text, "\n{}\n", vertical_text(units, device));
   print_list(text, "Recognised in the vertical test", wording::remarks(device.vertical_test.recognised, units));
   if (!device.vertical) return;
-  for (auto const& turned : device.vertical->turned) add(text, "  {}\n", turned);
+  for (auto const& turned : device.vertical->reversed_signals) add(text, "  {}\n", turned);
   auto loadings = device.vertical->loadings_kN_per_mm;
   auto const [unit, factor] = shown_unit("kN/mm", units);
   for (auto& loading : loadings) loading *= factor;
@@ -204,7 +204,7 @@ void print_vertical(std::string& text, UnitSystem const& units, DeviceResult con
 }
 
 void print_verticals(std::string& text, Summary const& summary) {
-  bool const any = std::ranges::any_of(summary.devices, [](auto const& d) { return d.vertical_test.given(); });
+  bool const any = std::ranges::any_of(summary.devices, [](auto const& d) { return d.vertical_test.is_given(); });
   if (!any) {
     add(text, "\n{}\n", no_vertical_stiffness);
     return;
@@ -213,7 +213,7 @@ void print_verticals(std::string& text, Summary const& summary) {
   auto const width = longest_name(summary);
   for (auto const& device : summary.devices)
     add(text, "  {:<{}}  {}\n", printable(device.name), width,
-        device.vertical_test.given() ? vertical_text(summary.units(), device) : std::string("none"));
+        device.vertical_test.is_given() ? vertical_text(summary.units(), device) : std::string("none"));
 }
 
 void print_device_in_full(std::string& text, UnitSystem const& units, DeviceResult const& device) {

@@ -317,17 +317,18 @@ std::string answers(Summary const& summary, Findings const& found, int width) {
   auto const& advice = *found.recommendation;
   auto const& units = summary.units();
   auto text = wrapped("", wording::paragraph(advice.answer, units), 0, width);
-  std::string line = wording::paragraph(advice.why, units);
-  if (advice.law && !advice.weak().empty())
-    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.weak(), units, "; ", false));
-  if (!advice.reach.empty()) line += " " + wording::paragraph(advice.reach, units);
-  if (!advice.surer.empty()) line += fmt::format(" To be surer: {}.", wording::paragraph(advice.surer, units, "; "));
+  std::string line = wording::paragraph(advice.reasons, units);
+  if (advice.law && !advice.doubts().empty())
+    line += fmt::format(" Low confidence: {}.", wording::paragraph(advice.doubts(), units, "; ", false));
+  if (!advice.range_findings.empty()) line += " " + wording::paragraph(advice.range_findings, units);
+  if (!advice.improvements.empty())
+    line += fmt::format(" To be surer: {}.", wording::paragraph(advice.improvements, units, "; "));
   text += wrapped("", line, 2, width);
   if (advice.programs) text += wrapped("", wording::sentence(*advice.programs, units) + ".", 2, width);
   for (auto const& standing : advice.standings)
     if (standing.reason)
       text += wrapped("",
-                      fmt::format("{} is ruled out: {}.", laws::called(summary.laws[standing.law].id),
+                      fmt::format("{} is ruled out: {}.", laws::display_name(summary.laws[standing.law].id),
                                   wording::remark(*standing.reason, units)),
                       2, width);
   return text + '\n';
@@ -352,13 +353,13 @@ std::string short_table(Summary const& summary, Recommendation const& answer) {
   for (auto const& standing : answer.standings) {
     if (rows.size() > most) break;
     auto const& law = summary.laws[standing.law];
-    Row row{standing.place == Rank::taken ? "●" : "○", printable(laws::called(law.id)), {percent(standing.fits)}};
+    Row row{standing.rank == Rank::taken ? "●" : "○", printable(laws::display_name(law.id)), {percent(standing.fits)}};
     if (devices) row.cells.push_back(percent(law.loo_objective));
     if (devices && !blocks && !larger) row.cells.push_back(percent(law.loo_worst));
     if (blocks) row.cells.push_back(percent(law.predicted_objective));
     if (larger) row.cells.push_back(percent(standing.predicts));
     row.cells.push_back(standing.parameters > 0 ? std::to_string(standing.parameters) : "–");
-    if (standing.place == Rank::tied) row.remark = "   as good";
+    if (standing.rank == Rank::tied) row.remark = "   as good";
     if (standing.reason)
       row.remark = standing.reason->kind == FindingKind::out_not_identified ? "   not identified" : "   ruled out";
     rows.push_back(std::move(row));
@@ -405,15 +406,16 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   auto const& shown = *found.recommendation;
   auto const& units = summary.units();
   auto const* law = shown.law ? &summary.laws[*shown.law] : nullptr;
-  auto const weak = law != nullptr ? shown.weak() : std::vector<Finding>();
+  auto const weak = law != nullptr ? shown.doubts() : std::vector<Finding>();
   text += wrapped("", wording::paragraph(shown.answer, units), 0, width);
-  if (law == nullptr) text += wrapped("", wording::paragraph(shown.why, units), 2, width);
+  if (law == nullptr) text += wrapped("", wording::paragraph(shown.reasons, units), 2, width);
   if (!weak.empty())
     text += wrapped("", fmt::format("Low confidence: {}.", wording::paragraph(weak, units, "; ", false)), 2, width);
   text += '\n' + short_table(summary, shown) + '\n';
-  if (!shown.reach.empty()) text += wrapped("Beyond", wording::paragraph(shown.reach, units), margin, width);
-  if (!shown.surer.empty())
-    text += wrapped("To be surer", wording::paragraph(shown.surer, units, "; ") + ".", margin, width);
+  if (!shown.range_findings.empty())
+    text += wrapped("Beyond", wording::paragraph(shown.range_findings, units), margin, width);
+  if (!shown.improvements.empty())
+    text += wrapped("To be surer", wording::paragraph(shown.improvements, units, "; ") + ".", margin, width);
   // Warnings that do not concern the answer are shown only with --details.
   auto concerned = found.warnings;
   std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });

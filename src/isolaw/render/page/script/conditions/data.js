@@ -55,20 +55,20 @@ export const EFFECTS = [...new Set([...allLevels, ...(conditions?.design ?? [])]
 const has = (quantity) => allLevels.some((level) => level.quantity === quantity);
 // Groups of properties; the figures show the group that the reader chooses.
 export const PROPERTIES = [['K_eff', 'damping'], ['energy'], ['Q_d', 'K_d']].map((group) => group.filter(has)).filter((group) => group.length > 0);
-export const chosenProperties = () => PROPERTIES[Number(chosen.conditionsOf)] ?? [];
+export const chosenProperties = () => PROPERTIES[Number(chosen.conditionsGroup)] ?? [];
 
 // Tests whose loop is known. A device that was tested under several conditions has its loops drawn over each other.
-const looped = (conditions?.tests ?? []).filter((test) => test.loop_mm.length > 0);
-export const testsOf = (device) => looped.filter((test) => test.device === device);
-export const loopDevices = [...new Set(looped.map(({ device }) => device))].filter((device) => testsOf(device).length > 1);
-const reach = (device) => {
+const testsWithLoop = (conditions?.tests ?? []).filter((test) => test.loop_mm.length > 0);
+export const testsOf = (device) => testsWithLoop.filter((test) => test.device === device);
+export const loopDevices = [...new Set(testsWithLoop.map(({ device }) => device))].filter((device) => testsOf(device).length > 1);
+const stiffnessRatio = (device) => {
   const values = testsOf(device).map((test) => test.K_eff_kN_per_mm).filter(isNumber);
   return Math.max(...values) / Math.min(...values);
 };
 // At first the page shows the device with the largest ratio between its largest and its smallest K_eff.
 Object.assign(chosen, {
-  conditionsOf: '0', // index in PROPERTIES, as text
-  conditionsDevice: [...loopDevices].sort((a, b) => reach(b) - reach(a))[0] ?? null,
+  conditionsGroup: '0', // index in PROPERTIES, as text
+  conditionsDevice: [...loopDevices].sort((a, b) => stiffnessRatio(b) - stiffnessRatio(a))[0] ?? null,
 });
 
 export const cyclesText = ({ first_cycle: first, last_cycle: last }) =>

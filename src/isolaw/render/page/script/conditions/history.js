@@ -7,7 +7,7 @@ export const historyFigure = {
   id: 'conditions-history',
   title: 'Softening over cycles, recovery at rest',
   width: 'wide',
-  depends: ['conditionsOf'],
+  depends: ['conditionsGroup'],
   wanted: () => tests().length > 0,
   caption: () =>
     'Softening: ' + quantity() + ' of each reference test over its ' + cyclesText(conditions.reference) +

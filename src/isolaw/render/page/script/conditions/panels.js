@@ -23,7 +23,7 @@ function marksShown() {
 export const panelsFigure = {
   id: 'conditions-panels',
   title: 'The factor over each condition',
-  depends: ['conditionsOf'],
+  depends: ['conditionsGroup'],
   wanted: () => effects().length > 0,
   caption: () =>
     'Thin: each device, over its own value at reference (ring). Blue: mean; thick bar: its 95\u202f% interval, thin bar: that of ' +

@@ -32,5 +32,5 @@ export const conditionsSection = {
 // Adds buttons above a figure with which the reader chooses the properties that it shows.
 function withProperties(figure) {
   const options = PROPERTIES.map((group, place) => [String(place), group.join(' and ')]);
-  return options.length > 1 ? { ...figure, controls: () => [choiceButtons('conditionsOf', options, { 'aria-label': 'Properties' })] } : figure;
+  return options.length > 1 ? { ...figure, controls: () => [choiceButtons('conditionsGroup', options, { 'aria-label': 'Properties' })] } : figure;
 }
