@@ -1,4 +1,4 @@
-// A law as a UniaxialMaterial of the running OpenSees, which this library calls the program (program.hpp).
+// Gives a law to the running OpenSees as a UniaxialMaterial. "The program" in comments is this OpenSees (program.hpp).
 #include <fmt/format.h>
 
 #include <cmath>

@@ -208,7 +208,7 @@ TEST(ChannelChanges, the_remainder_shows_a_step_at_its_time) {
   EXPECT_TRUE(found->of_force);
   ASSERT_EQ(found->at.size(), 1u);
   EXPECT_NEAR(found->at.front(), 4.9, 0.1);
-  auto const at = [&](double time_s) { return found->values[static_cast<std::size_t>(time_s * 200.0) - found->first]; };
+  auto const at = [&](double t) { return found->values[static_cast<std::size_t>(t * 200.0) - found->first]; };
   for (double const phase : {0.1, 0.6, 1.1, 1.6}) EXPECT_NEAR(at(6.0 + phase) - at(2.0 + phase), 12.0, 0.5) << phase;
 }
 

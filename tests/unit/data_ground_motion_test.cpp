@@ -105,8 +105,8 @@ TEST(GroundMotion, files_of_csmip_hold_velocity_behind_the_acceleration) {
 
 // The peaks are those that the heads of the files state.
 TEST(GroundMotion, files_of_agencies_as_they_were_recorded) {
-  auto const folder = std::filesystem::path(ISOLAW_DATA_DIR) / "ground-motions";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "measured data are not here: " << folder;
+  auto const motions = std::filesystem::path(ISOLAW_DATA_DIR) / "ground-motions";
+  if (!std::filesystem::exists(motions)) GTEST_SKIP() << "measured data are not here: " << motions;
   struct {
     char const* file;
     std::size_t count;
@@ -115,12 +115,16 @@ TEST(GroundMotion, files_of_agencies_as_they_were_recorded) {
                   {"dmg/ci15481673/CIWLT.V2#2", 15029, 0.02, 0.0},
                   {"smc/nc216859/0111a.smc", 6001, 0.005, 104.408}};
   for (auto const& [file, count, step_s, peak] : files) {
-    auto const motion = read_ground_motion(folder / file);
+    auto const motion = read_ground_motion(motions / file);
     EXPECT_NEAR(motion.step_s, step_s, 1e-12) << file;
-    if (count > 0) EXPECT_EQ(motion.acceleration_mm_s2.size(), count) << file;
+    if (count > 0) {
+      EXPECT_EQ(motion.acceleration_mm_s2.size(), count) << file;
+    }
     double most = 0.0;
     for (double const a : motion.acceleration_mm_s2) most = std::max(most, std::abs(a) / 10.0);
-    if (peak > 0.0) EXPECT_NEAR(most, peak, 0.01) << file;
+    if (peak > 0.0) {
+      EXPECT_NEAR(most, peak, 0.01) << file;
+    }
     EXPECT_LT(most, 1000.0) << file;
   }
   EXPECT_THROW(read_ground_motion(folder / "dmg/nc1091100/ce36456p_CE36456.V2"), Error);
@@ -175,11 +179,11 @@ TEST(GroundMotion, columns_are_read_by_the_units_of_their_header) {
 
 // A file without a header is refused until its unit is stated, and its step unless its first column is time.
 TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
-  std::string one, two, three;
+  std::string one, two, with_two_channels;
   for (int i = 0; i < 20; ++i) {
     one += fmt::format("{:.4f}\n", 0.1 * std::cos(i));
     two += fmt::format("{:.3f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i));
-    three += fmt::format("{:.3f} {:.4f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i), 0.1);
+    with_two_channels += fmt::format("{:.3f} {:.4f} {:.4f}\n", 0.02 * i, 0.1 * std::cos(i), 0.1);
   }
   StatedMotion both = keys;
   both.step_s = 0.02, both.unit = "m/s2";
@@ -201,7 +205,7 @@ TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
   EXPECT_TRUE(contains(complaint(unlike, {.unit = "m/s2"}), "2 columns that may be the acceleration"));
   EXPECT_TRUE(contains(complaint(one, {.unit = "m/s2"}), "no column of time; "));
   EXPECT_TRUE(contains(complaint(two, {.step_s = 0.01, .unit = "g"}), "samples every 0.02 s, and a step of 0.01 s"));
-  EXPECT_TRUE(contains(complaint(three, both), "3 columns that may be the acceleration"));
+  EXPECT_TRUE(contains(complaint(with_two_channels, both), "3 columns that may be the acceleration"));
   EXPECT_TRUE(contains(complaint(columns("time [s],a [g]"), {.unit = "m/s2"}), "it is not the stated 'm/s2'"));
   EXPECT_TRUE(contains(complaint(at2(), {.unit = "gal"}), "it is not the stated 'gal'"));
   EXPECT_TRUE(contains(complaint(one, {.step_s = 0.02, .unit = "furlong"}), "the unit 'furlong'"));

@@ -116,8 +116,8 @@ TEST_P(EveryLaw, OutlineKeepsTheTestsApart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SeveralTests, EveryLaw, ::testing::Range<std::size_t>(0, laws::catalogue().size()),
-                         [](auto const& info) {
-                           std::string id(laws::catalogue()[info.param].info.id);
+                         [](auto const& test) {
+                           std::string id(laws::catalogue()[test.param].info.id);
                            std::ranges::replace(id, '-', '_');
                            return id;
                          });

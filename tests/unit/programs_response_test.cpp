@@ -11,7 +11,7 @@ namespace isolaw::programs_test {
 namespace {
 
 RefitResponse response(Subject const& subject, std::string_view law, std::vector<double> const& parameters) {
-  return BuildingOnLaw(subject).with("the stand-in", laws::find_law(law), parameters);
+  return BuildingOnLaw(subject).compare("the stand-in", laws::find_law(law), parameters);
 }
 
 // Returns a spring of stiffness k, as a bilinear law.

@@ -16,9 +16,9 @@ struct FittedLaw {
   std::vector<double> parameters;  // in the law's order and units
   laws::Integration integration = laws::Integration::converged;
   laws::TurningPoints turning_points = laws::TurningPoints::as_sampled;
-  int refinement = 1;         // integration steps per sample that the fit used
-  double dead_band_mm = 0.0;  // FitRecord::dead_band_mm of the device; for a lot, the largest one
-  study::Ranges ranges = {};  // displacements and velocities in the records of the fit
+  int refinement = 1;                           // integration steps per sample that the fit used
+  double dead_band_mm = 0.0;                    // FitRecord::dead_band_mm of the device; for a lot, the largest one
+  study::Ranges ranges = {};                    // displacements and velocities in the records of the fit
   std::optional<fit::SpringsFit> springs = {};  // the law fitted as springs around a circle to the same records
   std::string part = {};                        // the part of the tests that the law was fitted to; empty for all
 };

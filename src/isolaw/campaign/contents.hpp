@@ -142,7 +142,8 @@ struct Alike {
   // isolaw's own tolerances, where neither the rule set nor the user states one
   static constexpr double own_temperature_C = 2.0, own_frequency_percent = 10.0, own_load_percent = 10.0,
                           own_amplitude_percent = 5.0, own_earlier_cycles = 1.0;
-  std::optional<double> temperature_C, frequency_percent, load_percent, amplitude_percent, earlier_cycles;
+  std::optional<double> temperature_C = {}, frequency_percent = {}, load_percent = {}, amplitude_percent = {},
+                        earlier_cycles = {};
 
   bool operator==(Alike const&) const = default;
 };

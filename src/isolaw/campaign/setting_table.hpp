@@ -13,7 +13,7 @@ namespace isolaw::campaign {
 struct Setting : Option<Settings> {
   std::optional<Method> only_method = {};  // the only method that has this setting; nullopt if all have it
   bool stored_only = false;                // a constant of its method, kept with the results; users cannot set it
-  Json value_if_absent = {};  // the value assumed if a store lacks it; null: every store must have it
+  Json value_if_absent = {};               // the value assumed if a store lacks it; null: every store must have it
 
   bool belongs_to(Method method) const { return !only_method || *only_method == method; }
   std::string where() const { return stored_only ? std::string(key) : Option::where(); }

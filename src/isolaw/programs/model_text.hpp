@@ -13,9 +13,9 @@ namespace isolaw::programs {
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 
-// Adds a form for every bearing of every draw. If a substitute is used for the law, one is fitted to each drawn law.
-// Throws Error for the first drawn law that the program cannot express. Returns the largest deviation of a form from
-// its drawn law.
+// Adds a form, which is a law in the terms of the target program, for every bearing of every draw. If the program lacks
+// the law itself, the form is a re-fit to the drawn law. Throws Error for the first drawn law that has no form. Returns
+// the largest deviation of a form from its drawn law.
 Deviation add_draws(Realisation& realisation, Subject const& subject);
 std::string drawn_variant(std::size_t draw, std::size_t bearing);  // counted from 1: "draw_3_12"
 

@@ -16,7 +16,7 @@ namespace isolaw::study {
 struct AssessedTest {
   std::string device;
   data::Properties const* properties = nullptr;
-  std::optional<double> rubber_thickness_mm, rubber_area_mm2;
+  std::optional<double> rubber_thickness_mm = {}, rubber_area_mm2 = {};
   rules::VerticalValue vertical = {};
   std::string copy_of = {};  // the device with the same record that is assessed instead of this one; else empty
 };

@@ -181,7 +181,7 @@ inline constexpr Result<FactorOf> factor_results[]{
      "where the factors come from: `\"contract band\"`, `\"observed\"`, `\"statistical, each device\"`, `\"statistical, system\"`, `\"statistical, system predicted\"`",
      of_bound<&rules::Bound::source>},
     {"spread", "", "",
-     "what the bounds hold for: one `\"device\"`, the mean of the `\"system\"`, or what the `\"contract\"` says",
+     "what the bounds hold for: `\"device\"`, each single device; `\"system\"`, the mean of all devices of a building; `\"contract\"`, whatever the contract says",
      of_bound<&rules::Bound::scope>},
     {"spec_min", "", "lambda_spec min", "smallest factor for the supply alone (lambda_spec)",
      of_bound<&rules::Bound::spec, &rules::FactorPair::min>},

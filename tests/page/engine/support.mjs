@@ -33,7 +33,6 @@ export const lay = (files, folder = work) => {
 };
 export const textOf = (files, path) => new TextDecoder().decode(files.find((file) => file.path === path)?.bytes ?? new Uint8Array());
 
-// The record of a measured bearing, if it lies beside the checkout, else null. bench/measured_lots makes records from
-// it.
+// The bytes of the test of a measured bearing, or null if the folder of measured data beside the checkout lacks it.
 const record = fileURLToPath(new URL('../../../../shared/data/hdrb-gallardo-device/cyclic-24-49-98pct.csv', import.meta.url));
 export const bearing = existsSync(record) ? readFileSync(record) : null;

@@ -127,7 +127,8 @@ class RowReader {
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
     if (static_cast<std::size_t>(reads) == indices_.size()) return false;
-    if (dialect_.sheet && reads > 0) return false;  // a row with an error or an unsaved formula is no footer
+    // In a worksheet, a cell without a value may hold an error such as #DIV/0!, so this row may be a sample.
+    if (dialect_.sheet && reads > 0) return false;
     return (first_is_word && words) || !digits;
   }
 
