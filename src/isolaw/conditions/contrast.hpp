@@ -172,9 +172,10 @@ class Response {
   std::vector<std::string> unpaired_;
 };
 
-// Returns the factor if other devices were tested at the level than at reference. Its logarithm is the mean of ln(value)
-// at the level minus that at reference. `lot_std` is the standard deviation of ln(value) over `lot_devices` devices at
-// reference. With fewer than two such devices the scatter of devices is unknown, and the status is not_covered.
+// Returns the factor if other devices were tested at the level than at reference. Its logarithm is the mean of
+// ln(value) at the level minus that at reference. `lot_std` is the standard deviation of ln(value) over `lot_devices`
+// devices at reference. With fewer than two such devices the scatter of devices is unknown, and the status is
+// not_covered.
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
                        int lot_devices);
 
