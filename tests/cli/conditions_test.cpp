@@ -777,7 +777,9 @@ TEST_F(Conditions, of_scaled_specimens_say_so) {
   auto const mixed = Json::parse(isolaw({"conditions", "ex/changed.toml", "--json"}).out);
   for (auto const& row : mixed["levels"]) EXPECT_NE(row["level"], "-20 C");
   for (auto const& test : mixed["tests"])
-    if (test["temperature_C"] == -20.0) EXPECT_EQ(test["role"], "scaled specimen");
+    if (test["temperature_C"] == -20.0) {
+      EXPECT_EQ(test["role"], "scaled specimen");
+    }
 }
 
 TEST_F(Conditions, with_starts_need_no_order) {

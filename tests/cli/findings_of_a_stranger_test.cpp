@@ -72,10 +72,10 @@ TEST_F(SmallThings, init_writes_names_that_lot_files_allow) {
 
 TEST_F(SmallThings, dates_of_lot_files_are_dates) {
   for (auto const* date : {"31.02.2024", "tomorrow", "2024-13-01", "17"})
-    expect_refused(inspected(std::string(device) + "test-date = \"" + date + "\"\n"),
+    expect_refused(inspected(fmt::format("{}test-date = \"{}\"\n", device, date)),
                    {"lot.toml:4: test-date: '", "is no date", "2024-03-17"});
   for (auto const* date : {"2024-02-29", "29.02.2024", "02/29/2024", "20240229", "17 May 2024", "spring 2024"}) {
-    auto const o = inspected(std::string(device) + "test-date = \"" + date + "\"\n");
+    auto const o = inspected(fmt::format("{}test-date = \"{}\"\n", device, date));
     EXPECT_EQ(o.code, 0) << date << o;
   }
 }

@@ -63,7 +63,7 @@ TYPED_TEST(Factors, MultiplyThePartsOfTheForce) {
     auto const elastic = sum(1.0, force_with(law, values, 2.0, 1.0), -1.0, force);
     auto const hysteretic = sum(1.0, force_with(law, values, 1.0, 2.0), -1.0, force);
     double const peak = largest_magnitude(force);
-    for (auto const [a, b] : factors)
+    for (auto const& [a, b] : factors)
       EXPECT_LT(largest_difference(force_with(law, values, a, b), sum(a, elastic, b, hysteretic)),
                 error_of_factors(law.info.id) * peak)
           << "a " << a << ", b " << b << ", " << describe(law, values);
@@ -88,14 +88,16 @@ TYPED_TEST(Factors, KeepTheLimitsOfTheParameters) {
   for (std::uint32_t index = 0; index < 20; ++index) {
     auto const from = candidate<TypeParam>(index);
     if (law.unmet(from)) continue;
-    for (auto const [a, b] : factors) {
+    for (auto const& [a, b] : factors) {
       std::vector<double> values(from.begin(), from.end());
       law.with_factors(values, a, b);
       EXPECT_FALSE(law.unmet(values)) << describe(law, values);
       for (std::size_t i = 0; i < values.size(); ++i) {
         auto const& limits = law.parameters[i].physical;
         EXPECT_TRUE(limits.lower <= values[i] && values[i] <= limits.upper) << describe(law, values);
-        if (a == 1.0 && b == 1.0) EXPECT_NEAR(values[i], from[i], 1e-14 * std::abs(from[i])) << describe(law, values);
+        if (a == 1.0 && b == 1.0) {
+          EXPECT_NEAR(values[i], from[i], 1e-14 * std::abs(from[i])) << describe(law, values);
+        }
       }
     }
   }

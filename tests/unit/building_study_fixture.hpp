@@ -24,7 +24,8 @@ inline LawSource bilinear_source(double scatter, std::size_t count) {
                    .place = {0, 1, std::nullopt},
                    .median = nominal,
                    .limits = {{}, {}},
-                   .tested_mm = 0.0};
+                   .tested_mm = 0.0,
+                   .springs = {}};
   auto& p = source.population;
   p.names = {"K1", "K2"};
   p.transforms = {lot::Transform::logarithm, lot::Transform::logarithm};

@@ -28,8 +28,8 @@ constexpr PartFactors whole(double factor) {
 
 // The table [building] of a building file.
 struct Settings {
-  std::string title;
-  std::vector<std::string> laws;  // ids of the laws to compute; empty: the law that the campaign recommends
+  std::string title = {};
+  std::vector<std::string> laws = {};  // ids of the laws to compute; empty: the law that the campaign recommends
   int draws = 500;
   // How often the population is estimated again (population_again()). The scatter of these estimates shows how
   // uncertain the medians are because only few devices were tested. Below 2 nothing is shown.

@@ -28,22 +28,22 @@ struct Corrections {
 
 // How to read a file. isolaw recognises from the file what the user does not state here.
 struct ReadOptions {
-  std::map<Channel, std::string> columns;          // name or number from 1; "none": leave the channel out
-  std::map<Channel, std::string> units;            // "cm", "tonf", ...; for other channels the header states the unit
-  std::map<Channel, std::string> scales;           // a value of 1 in the file is this many units ("0.01")
-  std::optional<double> dt_s;                      // sampling interval of a file without a time column
-  std::optional<DateOrder> date_order;             // for dates like 03/04/2024
-  std::optional<RowRange> rows;                    // rows to read
-  std::optional<double> from_s, to_s;              // time interval to read
+  std::map<Channel, std::string> columns = {};     // name or number from 1; "none": leave the channel out
+  std::map<Channel, std::string> units = {};       // "cm", "tonf", ...; for other channels the header states the unit
+  std::map<Channel, std::string> scales = {};      // a value of 1 in the file is this many units ("0.01")
+  std::optional<double> dt_s = {};                 // sampling interval of a file without a time column
+  std::optional<DateOrder> date_order = {};        // for dates like 03/04/2024
+  std::optional<RowRange> rows = {};               // rows to read
+  std::optional<double> from_s = {}, to_s = {};    // time interval to read
   bool skip_footer = false;                        // ignore text below the rows (option --footer skip)
-  std::optional<char> thousands;                   // mark that groups digits: , . ' or a blank
+  std::optional<char> thousands = {};              // mark that groups digits: , . ' or a blank
   MissingValues missing = MissingValues::refused;  // how to treat rows in which a channel has no value
   bool flip_force = false;                         // multiply the force by -1 (option --flip-force)
-  std::optional<std::string> sheet;  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
-  std::optional<std::string> test;   // which test of several: a number from 1, or "all" to join them
-  bool half_cycles = false;          // swings that belong to no full cycle count as half cycles
-  Corrections corrections;           // options --repair, --skew-ms and so on
-  bool checks_physics = true;        // refuse a record whose loops supply energy instead of dissipating it
+  std::optional<std::string> sheet = {};  // name or number of a workbook's sheet, a .mat file's struct or a JSON key
+  std::optional<std::string> test = {};   // which test of several: a number from 1, or "all" to join them
+  bool half_cycles = false;               // swings that belong to no full cycle count as half cycles
+  Corrections corrections = {};           // options --repair, --skew-ms and so on
+  bool checks_physics = true;             // refuse a record whose loops supply energy instead of dissipating it
 
   bool operator==(ReadOptions const&) const = default;
 };
