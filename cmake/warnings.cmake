@@ -1,9 +1,14 @@
 # Every target of the project links isolaw_warnings as PRIVATE, so that these options do not reach users of the library.
 add_library(isolaw_warnings INTERFACE)
 target_compile_options(isolaw_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion
   $<$<BOOL:${ISOLAW_DEVELOPER}>:-Werror>)
+# Sources that are compiled together (CMAKE_UNITY_BUILD) see each other's names, so only separate ones are checked for
+# shadowing.
+if(NOT CMAKE_UNITY_BUILD)
+  target_compile_options(isolaw_warnings INTERFACE -Wshadow)
+endif()
 # The warning -Wrestrict of g++ 12 is wrong for joined strings (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(isolaw_warnings INTERFACE -Wno-restrict)

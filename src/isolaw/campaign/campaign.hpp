@@ -25,9 +25,9 @@ struct Progress {
 };
 
 struct RunOptions {
-  int jobs = 0;                                    // threads, up to most_jobs; 0: one per core
-  std::function<void(Progress const&)> progress;   // called from one thread at a time; must not throw
-  std::function<bool()> interrupted;               // called between generations or starts, from any thread
+  int jobs = 0;                                        // threads, up to most_jobs; 0: one per core
+  std::function<void(Progress const&)> progress = {};  // called from one thread at a time; must not throw
+  std::function<bool()> interrupted = {};              // called between generations or starts, from any thread
   std::function<void(int)> short_of_threads = {};  // called at the end with the number of threads, if less than `jobs`
   Profile* profile = nullptr;                      // if given, gets the time and work of each phase
   std::optional<Part> share = {};                  // the part of the analyses to make: see AnalyseOptions
