@@ -271,14 +271,13 @@ def motion(disp_mm, time_s=None, *, name="motion"):
 def properties(record, *, vertical=None):
     """Computes the properties of a test, cycle by cycle, from raw values, as ``isolaw inspect --json`` does.
 
-    Returns a dict. Its ``blocks`` are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
+    record: a Record or its file. Returns a dict. Its ``blocks`` are runs of cycles of one amplitude and frequency. Each of a block's ``cycles``
     has K_eff in kN/mm, damping in percent of critical, energy in kN mm and more (docs/inspection-json.md; formulas and
     their sources are in docs/properties.md). vertical: the device's compression test, as in calibrate; the result's
     ``vertical`` has its stiffness or the reason why there is none. Raises Error for a record that cannot be used, such
     as a motion without force.
     """
-    if not isinstance(record, Record):
-        raise Error(f"record: {type(record).__name__}; allowed: a Record; try: read_record(file)")
+    record = _a_record(record)
     found = inspect(record, vertical=None if vertical is None else {record.name: vertical})
     if found["status"] == "refused":
         raise Error(found["message"])
@@ -300,11 +299,11 @@ def laws():
 def box(law, record, *, kind="auto", method="best"):
     """The search box of a law's parameters on a record: a dict by parameter, in the law's order.
 
-    kind: "auto" computes the box from the sizes in the record; "published" takes Table 4 of Cucuzza et al. 2025 for the
-    laws that it lists. method: as in calibrate. Each value is a dict of unit, free, value (None if free), lower, upper
-    and scale; numbers have the law's units. Raises Error for wrong input.
+    record: a Record with force, or its file. kind: "auto" computes the box from the sizes in the record; "published"
+    takes Table 4 of Cucuzza et al. 2025 for the laws that it lists. method: as in calibrate. Each value is a dict of
+    unit, free, value (None if free), lower, upper and scale; numbers have the law's units. Raises Error for wrong input.
     """
-    return _core.box(law, record, {"box": kind, "method": method})
+    return _core.box(law, _a_record(record), {"box": kind, "method": method})
 
 
 def _by_name(parameters):
