@@ -1,4 +1,5 @@
-// The page's script and its tests. What modules import and export is checked by the build (cmake/join_modules.cmake).
+// Rules of ESLint for the page's script and its tests. The build checks what modules import and export
+// (cmake/join_modules.cmake).
 import js from '@eslint/js';
 
 const names = (text) => Object.fromEntries(text.split(' ').map((name) => [name, 'readonly']));
@@ -14,7 +15,7 @@ const rules = {
   'array-callback-return': 'error',
   'consistent-return': 'error',
   eqeqeq: 'error',
-  'no-control-regex': 'off', // text of the input is rid of them
+  'no-control-regex': 'off', // dom.js finds control characters in texts with such an expression
   'no-duplicate-imports': 'error',
   'no-unused-vars': ['error', { argsIgnorePattern: '^_$' }],
   'no-use-before-define': ['error', { functions: false, variables: false }],

@@ -63,7 +63,8 @@ int main(int count, char** arguments) {
     });
   });
   double const lanes_cpu = process_time_s() - cpu_before;
-  // With the instruction set `scalar` isolaw computes one draw after another, so a few draws suffice for a timing.
+  // With the instruction set `scalar` isolaw computes the draws one after another, each in about the same time, so a
+  // few draws suffice for a timing.
   std::size_t const scalar_draws = std::min<std::size_t>(draws, 8);
   double const scalar = own_seconds([&] {
                           respond(model, "bouc-wen", std::span(values).first(scalar_draws * each), ground[0], {},

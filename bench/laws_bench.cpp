@@ -1,7 +1,7 @@
 // Times the evaluation of every law: a block of candidates over one record of 600 samples, for every instruction set of
-// this machine, two widths of a block and two integrations. The case `scalar` evaluates one candidate at a time. The
-// counter `per_sample` is the time per sample and candidate. Only ratios of times from one run of the program are
-// comparable.
+// this machine, two block widths (numbers of candidates that are computed together) and two ways of integration. The
+// case `scalar` computes one candidate at a time. The counter `per_sample` is the time per sample and candidate. Only
+// ratios of times from one run of the program are comparable.
 #include <benchmark/benchmark.h>
 
 #include <array>

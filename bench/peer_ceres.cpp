@@ -1,7 +1,7 @@
 // Ceres minimises isolaw's residuals by Levenberg-Marquardt with bounds, from random starts. The objective is a mean of
-// absolute values. Ceres needs a smooth function, so the residuals get a soft L1 loss, which rounds the corner at zero:
-// widely in a first pass, narrowly in a second one. Ceres asks for residuals and derivatives one by one. isolaw has
-// then already computed all that a step of Ceres needs, in one batch.
+// absolute values. Ceres needs a smooth function, so the residuals get a soft L1 loss, which rounds the corner of the
+// absolute value at zero: over a wide range in a first pass, over a narrow one in a second pass. Ceres asks for
+// residuals and derivatives one by one. Before that, isolaw computes all values for a step of Ceres in one batch.
 #include <ceres/ceres.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Reads the input as a building file. The motions in it can name "m.csv", a valid record that this target writes.
+// Reads the input as a building file. The motions in it can name "m.csv", a valid record that this fuzz target writes.
 #include <cmath>
 
 #include "harness.hpp"

@@ -215,7 +215,7 @@ void change(Table& table, Bytes& bytes) {
     case 0:
       rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
       break;
-    case 1: {  // all rows with the same value in this column
+    case 1: {  // removes all rows with the same value in this column
       auto const same = value;
       std::erase_if(rows, [&](Row const& each) {
         return each[column].type == same.type && each[column].integer == same.integer &&
@@ -226,7 +226,7 @@ void change(Table& table, Bytes& bytes) {
     case 2:
       value = odd_value(bytes);
       break;
-    case 3: {  // the same odd value in this column of all rows
+    case 3: {  // puts one odd value into this column of all rows
       auto const odd = odd_value(bytes);
       for (auto& each : rows) each[column] = odd;
       break;

@@ -13,8 +13,8 @@ namespace {
 
 using isolaw::opensees::Program;
 
-// The Program of each module that was attached, by file name. Programs are never removed, because the materials that
-// use them may live as long as the process.
+// A Program object for each OpenSees module that isolaw_attach() was given, by file name. The objects are never
+// removed, because the materials that use them may live as long as the process.
 std::map<std::string, std::unique_ptr<Program>>& programs() {
   static auto& all = *new std::map<std::string, std::unique_ptr<Program>>;
   return all;

@@ -16,9 +16,9 @@ extern "C" struct IsolawLaw {
   std::size_t count;
   double dead_band;       // in the law's unit of length; a law that remembers its path ignores smaller reversals
   int parts;              // equal parts into which each step is divided
-  double length_to_law;   // times a length in the model's unit gives the length in the law's unit
-  double force_from_law;  // times a force in the law's unit gives the force in the model's unit
-  double factor;          // multiplies the force: 1, or the factor of a bound
+  double length_to_law;   // a length in the model's unit times this factor is the length in the law's unit
+  double force_from_law;  // a force in the law's unit times this factor is the force in the model's unit
+  double factor;          // multiplies the force: 1 for the law itself, else the factor of a bound
   double lower, upper;    // factors of the bounds; NaN for a bound that the law does not have
   int springs;            // for sections: the number of springs, or 0 for one law that couples both directions
   double axes[2][3];      // for sections of laws that depend on velocity: the local axes y and z in global coordinates

@@ -1,4 +1,4 @@
-// Gives a law to the running OpenSees as a UniaxialMaterial. "The program" in comments is this OpenSees (program.hpp).
+// Gives a law to the running OpenSees as a UniaxialMaterial (program.hpp).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace isolaw::opensees {
 namespace {
 
 struct Material {
-  alignas(16) std::byte base[32];  // the program's UniaxialMaterial
+  alignas(16) std::byte base[32];  // OpenSees' part of the object, a UniaxialMaterial
   Program const* program;
   std::shared_ptr<Law const> about;
   std::shared_ptr<laws::Online const> virgin;
@@ -123,8 +123,8 @@ int get_response(Material* self, int response, void* information) noexcept try {
   return -1;
 }
 
-// The table of virtual functions of all Material objects: the program's table of UniaxialMaterial, in which functions
-// of this file replace the program's.
+// The table of virtual functions of all Material objects: a copy of OpenSees' table of UniaxialMaterial, in which
+// functions of this file replace those of OpenSees.
 Table table_with_own_functions(Program const& program) {
   TableWithOwn table(program, uniaxial_material);
   table.own(

@@ -95,8 +95,8 @@ constexpr std::string_view movable_functions[]{"D1Ev",
                                                "11setVariableEPKcR11Information",
                                                "11getVariableEPKcR11Information"};
 
-// Returns the mangled name of a member function: "_ZN" or "_ZNK", the length and name of the class, and the function as
-// Class::functions has it. Example: "_ZN16UniaxialMaterial9getStressEv".
+// Returns the mangled name of a member function: "_ZN" or, for a const function, "_ZNK", then the length and name of
+// the class, then the function as it is written in Class::functions. Example: "_ZN16UniaxialMaterial9getStressEv".
 std::string mangled(std::string_view class_name, std::string_view function) {
   bool const is_const = function.ends_with(" K");
   if (is_const) function.remove_suffix(2);
@@ -248,7 +248,8 @@ void Program::prove(Class const& of) const {
              material->bases[1].offset_and_flags == ((long{movable_object_at} << offset_shift) | is_public),
          "Material does not consist of TaggedObject and, 16 bytes on, MovableObject");
 
-  // Checks the tables of virtual functions of the base class and of the class `of.ready`.
+  // Checks the tables of virtual functions of the base class and of `of.ready`, a class of OpenSees that derives from
+  // it.
   auto const table = table_of(of);
   auto const* const base_words = static_cast<std::uintptr_t const*>(symbol(table_name(of.name)));
   auto const* const ready_words = static_cast<std::uintptr_t const*>(symbol(table_name(of.ready)));
@@ -288,8 +289,9 @@ void Program::prove(Class const& of) const {
     }
   };
   part(base_words, ready_words, 0, of.functions, false);
-  // If a class overrides functions of MovableObject, the first part of its table has these functions too and is longer
-  // than that of the base class. The second part begins at the word with the offset of the MovableObject.
+  // If `of.ready` overrides functions of MovableObject, the first part of its table has these functions too and is
+  // longer than in the table of the base class. Its second part begins at the word with the offset of the
+  // MovableObject.
   auto const second = words_before_functions + of.functions.size();
   auto const at = static_cast<std::uintptr_t>(-static_cast<std::intptr_t>(movable_object_at));
   std::size_t later = second;
@@ -306,7 +308,7 @@ void Program::prove(Class const& of) const {
 }
 
 void Program::prove_values() const {
-  // Makes a Vector, a Matrix and an ID that use the arrays of this function, reads their members, and lets the program
+  // Makes a Vector, a Matrix and an ID that use the arrays of this function, reads their members, and lets OpenSees
   // multiply the matrix by the vector.
   double numbers[]{1.0, 3.0, 2.0, 4.0}, two[]{10.0, 100.0}, product[]{0.0, 0.0};
   int whole[]{3, 5};
@@ -322,8 +324,8 @@ void Program::prove_values() const {
 }
 
 void Program::rehearse() const {
-  // Makes the program's material Elastic, a spring with a dashpot, and calls its functions through its table as the
-  // program will call isolaw's. The results must be those of a spring with a dashpot.
+  // Makes the OpenSees material Elastic, a spring with a dashpot, and calls its functions through its table, as
+  // OpenSees will call those of isolaw's materials. The results must be those of a spring with a dashpot.
   constexpr std::size_t more_than_it_needs = 1024;
   alignas(16) std::byte memory[more_than_it_needs];
   auto* const construct =

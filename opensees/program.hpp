@@ -1,13 +1,14 @@
-// Finds the functions of the OpenSees that runs in this process ("the program"), and checks that its classes have the
-// layout that this library relies on.
+// Finds the functions of the OpenSees that runs in this process, and checks that its classes have the layout that this
+// library relies on.
 //
 // OpenSees has no interface for materials from other libraries. But its Python module exports its classes, and the
 // Itanium C++ ABI (https://itanium-cxx-abi.github.io/cxx-abi/abi.html) says how the compiler lays them out. To make a
-// material, isolaw calls the program's own constructor of the base class. It then lets the object point to a copy of
-// the base class's table of virtual functions, in which isolaw's functions replace some of the program's.
-// The constructor of Program checks all that this relies on before anything is changed. It compares each entry of each
-// table with the address of the function that must stand there, found by its exported name. It also compares the size
-// and layout of objects with what the program's constructors write. It throws Error if anything differs.
+// material, isolaw calls OpenSees' own constructor of the base class. It then lets the object point to a copy of the
+// base class's table of virtual functions, in which isolaw's functions replace some of those of OpenSees. The
+// constructor of Program checks everything on which this method relies before anything is changed. It compares each
+// entry of each table with the address of the function that must stand there, found by its exported name. It also
+// compares the size and layout of objects with what the constructors of OpenSees write. It throws Error if anything
+// differs.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ inline constexpr std::size_t movable_object_at = 16;  // bytes from an object to
 
 struct Vector;
 
-// The program's functions that isolaw calls after the check, and the program's variables that it reads.
+// The functions of OpenSees that isolaw calls after the check, and the variables of OpenSees that it reads.
 struct Calls {
   // begin_... are constructors, end_... are destructors.
   void (*begin_material)(void* object, int tag, int class_tag);
@@ -64,7 +65,7 @@ struct Calls {
 // A base class and its virtual functions, in the order of its table. Functions have the name that the compiler writes
 // after the name of the class: "9getStrainEv" for getStrain(). " K" at the end marks a const function.
 struct Class {
-  std::string_view name, ready;  // the base class, and a class of the program derived from it, which the check uses
+  std::string_view name, ready;  // the base class, and a class of OpenSees derived from it, which the check uses
   void (*Calls::*constructor)(void* object, int tag, int class_tag);  // constructor of the base class
   std::size_t bytes;                                                  // the size of the base class
   std::span<std::string_view const> functions;  // without the functions of MovableObject, which follow in the table
@@ -79,7 +80,7 @@ class Program {
   Calls const& calls() const { return calls_; }
   // A copy of the class's table of virtual functions. The caller may replace functions in it.
   Table table_of(Class const& of) const;
-  void write(void* stream, std::string const& text) const;  // to an OPS_Stream of the program
+  void write(void* stream, std::string const& text) const;  // to an OPS_Stream of OpenSees
   double value_in(void const* information) const;           // returns the number that an Information object holds
 
   // The motion of the second node of the active element (the one that OpenSees is computing) relative to the first, in
@@ -90,7 +91,7 @@ class Program {
   std::optional<Motion> motion_of_active_element() const;
 
  private:
-  // The address of the program's function or variable with this mangled name. If there is none, symbol() throws Error
+  // The address of the OpenSees function or variable with this mangled name. If there is none, symbol() throws Error
   // and symbol_or_null() returns nullptr.
   void* symbol(std::string const& name) const;
   void* symbol_or_null(std::string const& name) const;
@@ -113,7 +114,7 @@ class Program {
 std::size_t place_of(Class const& of, std::string_view name);
 std::size_t place_as_movable(Class const& of, std::string_view name);
 
-// Writes a sentence to the program's stream for error messages.
+// Writes a sentence to the stream of OpenSees for error messages.
 void complain(Program const& program, std::string const& sentence);
 
 }  // namespace isolaw::opensees

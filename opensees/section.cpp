@@ -1,5 +1,5 @@
-// A law in two directions as a SectionForceDeformation of the running OpenSees, the program. The deformations are the
-// displacements along the local axes y and z; OpenSees calls the responses VY and VZ.
+// Gives a law in two directions to the running OpenSees as a SectionForceDeformation. The deformations are the
+// displacements along the local axes y and z; OpenSees calls these responses VY and VZ.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,14 +40,14 @@ struct Section {
     double disp[2] = {}, force[2] = {}, tangent[4] = {};  // in the model's units, without the factor
   };
 
-  alignas(16) std::byte base[48];  // the program's SectionForceDeformation
+  alignas(16) std::byte base[48];  // OpenSees' part of the object, a SectionForceDeformation
   Program const* program;
   std::shared_ptr<Shared const> about;
   laws::InPlane law;
   double factor;
   State trial, committed;
   double initial_tangent[4];
-  double shown[2], shown_tangent[4];  // force and tangent times the factor, as last returned to the program
+  double shown[2], shown_tangent[4];  // force and tangent times the factor, as last returned to OpenSees
   ValuesOf<Vector> disp_vector, force_vector;
   ValuesOf<Matrix> tangent_matrix;
 
@@ -99,8 +99,9 @@ int try_deformation(Section* self, Vector const* deformation) noexcept try {
     if (std::hypot(disp.x - expected.x, disp.y - expected.y) >
         1e-6 * about.length_to_law * std::hypot(u[0], u[1], u[2]))
       return refuse("whose -orient differs from the orient that isolaw.opensees.section() was given");
-    // OpenSees takes no damping matrix from a section, so the derivative by the velocity is added to the tangent. In
-    // Newmark's method with constant average acceleration, a change u of displacement changes the velocity by 2 u / dt.
+    // OpenSees takes no damping matrix from a section, so the derivative of the force with respect to velocity is added
+    // to the tangent. In Newmark's method with constant average acceleration, a change u of displacement changes the
+    // velocity by 2 u / dt.
     if ((velocity.x != 0.0 || velocity.y != 0.0) && dt > 0.0) by_velocity = 2.0 / dt;
   }
   auto const force = self->law.trial(disp, velocity, dt);

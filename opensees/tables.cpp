@@ -9,7 +9,7 @@
 namespace isolaw::opensees {
 
 void construct_base(Program const& program, Class const& of, Table const& table, std::byte* base, int tag) {
-  constexpr int class_tag = 0;  // not the number of an OpenSees class, so OpenSees never tries to make a copy from it
+  constexpr int class_tag = 0;  // no OpenSees class has this number, so OpenSees never tries to copy the object by it
   (program.calls().*of.constructor)(base, tag, class_tag);
   auto const point_to = [&](std::size_t at, std::size_t place) {
     auto const* const functions = table.data() + place;

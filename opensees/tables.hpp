@@ -1,4 +1,4 @@
-// Makes objects of the program's base classes whose virtual functions are those of this library.
+// Makes objects of OpenSees' base classes, with virtual functions of this library in place of those of OpenSees.
 #pragma once
 
 #include <cmath>
@@ -12,11 +12,11 @@
 
 namespace isolaw::opensees {
 
-class TableWithOwn {  // a copy of a class's table of virtual functions, to which functions of this library are added
+class TableWithOwn {  // a copy of a class's table of virtual functions, some of them replaced by this library's
  public:
   TableWithOwn(Program const& program, Class const& of) : class_(of), table_(program.table_of(of)) {}
-  // own() replaces the function that has this name in Class::functions. own_as_movable() replaces a function of
-  // MovableObject.
+  // own() puts a function of this library in place of the one with this name in Class::functions. own_as_movable() does
+  // the same for a function of MovableObject.
   template <class Result, class... Arguments>
   void own(std::string_view name, Result (*function)(Arguments...)) {
     table_.at(place_of(class_, name)) = reinterpret_cast<Function>(function);
@@ -36,26 +36,27 @@ class TableWithOwn {  // a copy of a class's table of virtual functions, to whic
   Table table_;
 };
 
-// Calls the program's constructor of the base class on `base`, the beginning of an object of this library, and lets it
-// use the functions in `table`. `table` must live as long as the object.
+// Calls OpenSees' constructor of the base class on `base`, the beginning of an object of this library, and makes
+// `table` the object's table of virtual functions. `table` must live as long as the object.
 void construct_base(Program const& program, Class const& of, Table const& table, std::byte* base, int tag);
 
 inline constexpr int printed_as_json = 25000;  // OPS_PRINT_PRINTMODEL_JSON in OpenSees, a value of the flag of Print()
 
 int tag_of(void const* object);  // the tag of an object that begins with a TaggedObject
 
-// The numbers by which the program asks for responses that only this library has. OpenSees itself uses other numbers.
+// The numbers by which OpenSees asks for responses that only this library has. OpenSees' own responses have other
+// numbers.
 enum OwnResponse { energy_response = 4711, state_response };
-// Makes a Response object, with which the program asks `object` for this response at each step. The response always has
-// as many numbers as `numbers`. Returns nullptr if there is no memory.
+// Makes a Response object, with which OpenSees asks `object` for this response at each step. The response always has as
+// many numbers as `numbers`. Returns nullptr if there is no memory.
 void* new_response(Program const& program, void* object, OwnResponse response, std::vector<double> numbers);
-// Returns NaN. The first call also tells the user that laws have no derivatives by parameters.
+// Returns NaN, because laws have no derivatives with respect to parameters. The first call also tells the user so.
 double no_sensitivity(Program const& program);
-// Writes the numbers into an Information object of the program.
+// Writes the numbers into an Information object of OpenSees.
 int give(Program const& program, std::vector<double> numbers, void* information);
 
-// This library's functions in place of those of MovableObject. The program calls them with the address of the
-// MovableObject, which is a part of the object; whole() returns the object.
+// Functions of this library that take the place of those of MovableObject. OpenSees calls them with the address of the
+// MovableObject, which is a part of a larger object; whole() returns that object.
 template <class Object>
 struct AsMovable {
   static Object* whole(std::byte* movable) { return reinterpret_cast<Object*>(movable - movable_object_at); }

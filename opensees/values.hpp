@@ -1,5 +1,5 @@
-// Makes objects of the OpenSees classes Vector, Matrix and ID that use arrays of this library. The program's own
-// constructors make them. They own no memory, so they need no destructor.
+// Makes objects of the OpenSees classes Vector, Matrix and ID that use arrays of this library. The constructors of
+// OpenSees make them. They own no memory, so they need no destructor.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,8 @@ const one = (name) => options[name]?.at(-1);
 const scriptsOf = (html) => [...html.matchAll(/<script(?![^>]*\btype=)[^>]*>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
 const hash = (script) => "'sha256-" + createHash('sha256').update(script, 'utf8').digest('base64') + "'";
 
-// Joins the modules of the page and of the engine with those modules of the reports that the page imports.
+// Joins into one script: the modules of the page, those of the engine, and those modules of the reports that the page
+// imports.
 function joined() {
   const folder = mkdtempSync(join(tmpdir(), 'isolaw-page-'));
   const copy = (from, to) => cpSync(from, join(folder, to), { recursive: true, filter: (file) => statSync(file).isDirectory() || file.endsWith('.js') });

@@ -28,7 +28,7 @@ const shapes = {
   care: 'M6 1.2 L11.2 10.6 L.8 10.6 Z M6 4.6 L6 7.4 M6 8.9 L6 9.1',
 };
 
-// Draws an icon. The words beside an icon say the same, so screen readers skip it.
+// Draws an icon. The words beside an icon say the same, so screen readers skip the icon.
 export function sign(name, tone) {
   const svg = icon([shapes[name], '', '']);
   svg.setAttribute('class', 'sign ' + (tone ?? ''));

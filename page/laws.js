@@ -96,8 +96,8 @@ function drawProgress() {
   document.title = known ? text.percent(furthest) + ' \u2013 ' + text.program : text.program;
 }
 
-// Shows what each law has reached so far. A law whose searches are finished stands above those that are still searched,
-// the smallest error first. All rows are there from the start, so that the page does not jump.
+// Shows the progress and the error of each law so far. The laws whose searches are finished come first, ordered by
+// error; all other laws follow. All rows are there from the start, so that the page does not jump.
 function drawFits() {
   const { laws, devices, runs, continues } = begun;
   const all = devices * runs;

@@ -182,7 +182,7 @@ function rename(named) {
 
 const isStore = ({ path }) => /(^|\/)campaign\.sqlite$/.test(path) && !PARTS.test(path);
 const isToml = ({ path }) => /\.toml$/i.test(path);
-// Tells a lot file of any name from a rule set. Only a lot file has devices.
+// Returns whether a TOML file is a lot file, whatever its name, and not a rule set: only a lot file has devices.
 const namesDevices = ({ bytes }) => /^\s*\[\[\s*device/m.test(asText(bytes));
 
 const folderOf = ({ path }) => path.slice(0, path.lastIndexOf('/') + 1);
@@ -247,8 +247,8 @@ export const addFiles = async ({ files, title, notes }) => {
     rename(namedFiles() ?? new Set());
     const named = namedFiles();
     const records = fresh.filter((path) => !/\.toml$/i.test(path));
-    // None of the records that the lot file names is here. So the lot file belongs to an earlier lot, and the new
-    // records are read with its settings.
+    // If none of the records that the lot file names was dropped, the lot file belongs to an earlier lot. The new
+    // records are then read with the settings of this lot file.
     if (!store && named && records.length > 0 && named.size > 0 && ![...named].some((path) => state.files.has(path))) {
       // If the lot file had no title, the program would use the name of its working folder as the title.
       state.lot = withSetting(withNamesApart(await recognise(records, lot)), '', 'title', state.title || text.untitled);
@@ -284,8 +284,8 @@ export const readRecords = async (paths) => {
   if (statesConditions(lotTables().tables ?? [])) await proposeTests();
 };
 
-// Makes each plain record of the lot a test of a device under stated conditions. Devices and conditions are those that
-// the names of the files suggest.
+// If a device's own table names its record, this record becomes a test of a device under stated conditions. The devices
+// and conditions are those that the names of the files suggest.
 export const proposeTests = async () => {
   const { lots } = state;
   const files = [...new Set(plainTests(lotTables().tables).map(({ file }) => file))];

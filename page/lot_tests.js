@@ -15,8 +15,7 @@ export const nameOfFile = (path) => path.replace(/^.*\//, '').replace(/\.[^.]*$/
 const nameOf = (table) => table.keys.get('name')?.value ?? nameOfFile(filesOf(table)[0] ?? '');
 
 // Returns the tests of all devices as [{number, owner, table, file, name, device}]. `number` and `owner` are the
-// indices of the tables of the test and of its device. They are equal if the device has a plain file, which means that
-// its own table names the record.
+// indices of the tables of the test and of its device. They are equal if the device's own table names the record.
 export function testsIn(tables) {
   let owner = 0;
   return tables.flatMap((table, number) => {
@@ -58,7 +57,7 @@ const readingKeys = (head) => [...keysOf(head).keys()].filter((key) => !['name',
 const isSimple = ({ head, tests }) => readToml(head).length === 2 && tests.every((test) => readToml(test).slice(2).every(({ path }) => path.startsWith('device.test.')));
 export const canMoveTests = (lot) => cut(lot).devices.every(isSimple);
 
-// Makes the record of every device with a plain file a test of this device.
+// For each device whose own table names its record, makes this record a test: a table [[device.test]] of the device.
 function withPlainTests(lot) {
   const parts = cut(lot);
   for (const device of parts.devices) {
@@ -98,7 +97,8 @@ export function withTestOf(lot, number, name) {
   for (const key of new Set([...readingKeys(from.head), ...readingKeys(to.head)])) {
     const [own, other] = [valueOf(from.head, key), valueOf(to.head, key)];
     if (sameValue(own, other)) continue;
-    // A group of keys such as `columns` in a test adds to the group of the same name in its device.
+    // If a test has a group of keys such as `columns`, these keys are added to the group of the same name in its
+    // device.
     const stated = (piece, value) => {
       const present = valueOf(piece, key);
       if (value === undefined || (present !== undefined && typeof present !== 'object')) return piece;
@@ -121,8 +121,9 @@ export function withTestOf(lot, number, name) {
   return joined(parts);
 }
 
-// Makes every plain record a test of the device that the program proposes. `proposed` maps a file to what its name
-// suggests: {device, values}. The values are written as comments, which the user confirms one by one.
+// If a device's own table names its record, this record becomes a test of the device that the program proposes.
+// `proposed` maps a file to what its name suggests: {device, values}. The values are written as comments, which the
+// user confirms one by one.
 export function withProposedTests(lot, proposed) {
   const plain = plainTests(readToml(lot));
   let next = withPlainTests(lot);

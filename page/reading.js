@@ -16,12 +16,12 @@ const decisionsOf = (found, kind) => (found.decisions ?? []).filter((one) => one
 
 export const hasValues = (found) => Boolean(found?.values?.disp_mm);
 
-// Returns whether the file of a device has no time. The lot file may state a time step in its place.
+// Returns whether the file of a device has no time, even if the lot file states a time step in its place.
 export const lacksTime = (found) => hasValues(found) && !found.columns?.time && !decisionsOf(found, 'time-scale').some(({ option }) => option !== '--dt');
 
-// Returns what the user should look at in a channel, as [{kind, words, field}]. The program guessed it ('guess'), or
-// the lot file states it although the file itself does not ('set'). `field` is the end of the id of the field which
-// changes it.
+// Returns what the user should look at in a channel, as [{kind, words, field}]. `kind` is 'guess' if the program
+// guessed the column, and 'set' if the lot file states something that the record does not state or states otherwise.
+// `field` is the end of the id of the field in which the user can change it.
 function marksOf(channel, found) {
   const marks = [];
   const { column_by: by, stated_unit: stated } = decisionsOf(found, 'column-taken').find((one) => one.channel === channel) ?? {};

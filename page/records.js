@@ -194,7 +194,7 @@ function band(all) {
   const doubtful = all.filter(({ found }) => isDoubtful(found)).length;
   // The fault of a lot's only device is shown in the device's row and not above the table.
   const broken = state.problems.length > 0 && !state.inspection && all.length !== 1;
-  // This is so if the user dropped only the results of a campaign, without records and lot file.
+  // There is no lot file if the user dropped only the results of a campaign.
   if (state.lot === null && state.campaign && not === 0) return { read, node: ['muted', text.readBand.results, text.readResults, false] };
   const { tests, reference } = unfilled();
   const refused = state.inspection?.conditions?.refused.length ?? 0;

@@ -69,7 +69,8 @@ function needsLoad(test, tables) {
   return Boolean(refusal) || blocks.some(({ load_kN: load }) => load === null);
 }
 
-// In the functions below, `use` has edit(lot), redraw() and propose(), which makes plain records tests.
+// The functions below get an object with the functions edit(lot), which changes the lot file, redraw(), and propose(),
+// which makes all records tests of devices.
 export function testsSwitch({ edit, redraw, propose, fail }) {
   const isOn = hasConditions();
   const turn = (on) => {

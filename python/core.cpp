@@ -399,8 +399,8 @@ nb::dict runs_of(Campaign const& campaign, std::string const& law, std::string c
 
 // Runs `work` in another thread without Python's global lock. Python delivers signals only to the main thread, so the
 // calling thread waits, checks for signals and passes progress to the Python function `tell`. An exception from a
-// signal or from `tell` stops the work and is thrown again when the work has ended. If there was none, an exception
-// from the work itself is thrown again.
+// signal or from `tell` stops the work and is thrown again when the work has ended. Otherwise an exception from the
+// work itself, if there is one, is thrown again.
 template <class Told, class Work>
 auto in_a_thread(std::function<void(Told const&)> const& tell, Work const& work) {
   std::mutex mutex;
@@ -679,7 +679,8 @@ Unit unit_named(std::string const& text, Dimension dimension) {
 
 // Returns what isolaw.opensees needs to know about a law: its parameters in the law's order, how it is integrated, the
 // factors of its bounds, the factors that convert the model's units, and the warnings about it. `source` is a campaign
-// or the law's parameters. dead_band_mm and refinement are used only with parameters: a campaign has its own.
+// or the law's parameters. dead_band_mm and refinement are used only with parameters, because a campaign keeps its own
+// values of them.
 nb::dict law_for_opensees(std::string const& law_id, nb::object const& source, std::string const& device,
                           std::pair<std::string, std::string> const& units, bool in_plane, bool anyway,
                           double dead_band_mm, int refinement) {

@@ -1,7 +1,8 @@
 // Defines parts of C++20 that the program uses and that libc++ 13 of emscripten lacks. The compiler option -include
-// puts this file before every source of the page. The range algorithms call the algorithms for iterators. Most views
-// compute all elements at once instead of one by one; no code of the program depends on the difference. With libc++ 16
-// everything but std::from_chars can go, and with libc++ 20 (emscripten 4) the whole file.
+// puts this file before every source of the page. The range algorithms in this file call the standard algorithms for
+// iterators. Most of its views compute all elements at once instead of one by one; no code of the program depends on
+// the difference. With libc++ 16 everything but std::from_chars can go, and with libc++ 20 (emscripten 4) the whole
+// file.
 #pragma once
 
 #ifdef __cplusplus
@@ -187,7 +188,7 @@ ISOLAW_RANGES_TEST(find_if)
 ISOLAW_RANGES_TEST(find_if_not)
 #undef ISOLAW_RANGES_TEST
 
-// Defines an algorithm that orders elements by comparing their projections.
+// Defines a range algorithm that orders elements by comparing their projections, for example ranges::sort.
 #define ISOLAW_RANGES_ORDER(name)                                          \
   inline constexpr struct name##_of {                                      \
     template <forward_range R, class C = less, class P = identity>         \

@@ -65,8 +65,8 @@ function ofDocument() {
   };
 }
 
-// `from` tells where the program comes from and how a worker starts. The default is the document; code under Node gives
-// something else.
+// `from` tells where the program comes from and how a worker starts. By default both come from the HTML document;
+// in_node.mjs gives another `from` for use under Node.
 export const createEngine = async ({ workers, from = ofDocument() } = {}) => {
   const { facts, packed, start, cores } = from;
   const inflated = new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip')));

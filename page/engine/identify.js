@@ -36,7 +36,7 @@ const inTurn = async (works, workers) => {
   return results;
 };
 
-// Thrown if the command of a part fails. `said` is the result of that command.
+// Thrown if a command that computes a part of the campaign fails. `said` is the result of that command.
 class Refused extends Error {
   constructor(said) {
     super('refused');
@@ -51,7 +51,7 @@ export function identifyWith(pool) {
     const analysed = valueOf(options, '--analysis') !== 'none';
     const runs = Number(valueOf(options, '--runs') ?? usualRuns(valueOf(options, '--method'))); // used only for the progress bar
     const kept = new Map();
-    // Aborting this controller ends all commands, for example after one has failed.
+    // Aborting this controller ends all commands of the campaign, for example after one of them has failed.
     const ended = new AbortController();
     const abort = () => ended.abort();
     signal?.addEventListener('abort', abort);

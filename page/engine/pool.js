@@ -34,7 +34,7 @@ export function makePool(start, module, count) {
     if (whole && !closed) idle.push(worker);
     else worker.terminate();
     // The worker of an aborted or crashed command was ended. A new worker starts at once, so that the next command need
-    // not wait for this.
+    // not wait for its start.
     if (!whole && !closed && idle.length + busy.size < count) idle.push(open());
     next();
   };

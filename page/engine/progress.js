@@ -46,8 +46,8 @@ export function makeProgress(phases, workers, tell) {
     const sum = (key) => phase.tasks.reduce((total, task) => total + task[key], 0);
     const since = (Date.now() - shown.at) / 1000;
     const left = shown.left === null ? null : Math.max(0, shown.left - since);
-    // Between two lines of progress the share grows with time. It never decreases, and it does not reach 1 by time
-    // alone.
+    // Between two lines of progress the share grows with time. It never decreases, and it reaches 1 only when all work
+    // is done.
     const gone = shown.left > 0 ? 0.9 * Math.min(1, since / shown.left) : 0;
     told = Math.max(told, Math.min(1, shown.share + (1 - shown.share) * gone));
     tell?.({ done: sum('done'), total: sum('total'), share: told, secondsLeft: left, phase: phase.name, laws: lawsSoFar() });

@@ -29,8 +29,8 @@ Point with(Point point, std::size_t coordinate, double value) {
   return point;
 }
 
-// Computes each free parameter's profile of the objective. If a profile finds a lower objective than the optimum's, all
-// profiles begin again from there.
+// Computes for each free parameter the profile of the objective (determination.hpp). If a profile comes to a point with
+// a lower objective than the optimum, this point becomes the optimum, and all profiles are computed again from it.
 class Examination {
  public:
   Examination(fit::LawOnRecord const& model, fit::SearchBox const& box, Point optimum, Interrupted const& interrupted)
@@ -66,7 +66,8 @@ class Examination {
     return result_;
   }
 
-  // The result if the law has no finite force at the optimum: every free parameter is open over its whole interval.
+  // The result if the law has no finite force at the optimum: every free parameter is undetermined, with its whole
+  // interval as its range.
   Determination nothing_determined() {
     for (auto const* p : free_)
       result_.parameters.push_back({.parameter = index_of(*p),
@@ -83,9 +84,9 @@ class Examination {
     return static_cast<std::size_t>(&p - box_.parameters.data());
   }
 
-  // Estimates the change of the force that raises the objective by `rise_`, as root mean square / standard deviation of
-  // the force. Assumes that the residuals have a two-sided exponential distribution whose mean magnitude is the
-  // objective. The result is at least `rise_`.
+  // Estimates how much the force must change to raise the objective by `rise_`: the root mean square of the change,
+  // divided by the standard deviation of the force. Assumes that the residuals have a two-sided exponential
+  // distribution whose mean magnitude is the objective. The result is at least `rise_`.
   double visible_change() const { return std::max(std::sqrt(2.0 * best_value_ * rise_), rise_); }
 
   double value_at(Point const& point, int& evaluations) const {
@@ -101,8 +102,8 @@ class Examination {
     return best_[k] <= fit::bound_tolerance || best_[k] >= 1.0 - fit::bound_tolerance;
   }
 
-  // Finds parameters without a visible effect on the force. For the other parameters, finds the singular values of the
-  // force's derivatives with respect to their relative changes, and the trade-offs among them.
+  // Finds parameters without a visible effect on the force. For all other parameters, finds the singular values of the
+  // force's derivatives with respect to relative changes of these parameters, and the trade-offs among them.
   void look_around() {
     auto const response = sensitivity(problem_, best_);
     result_.evaluations += static_cast<int>(2 * free_.size() + 1);
@@ -138,9 +139,9 @@ class Examination {
 
   // Adds a direction of parameter changes to the trade-offs if a move along it does not change the force visibly, and
   // if at least two parameters act on the force at all. alone[i] is the force change if only parameter i changes, by
-  // 100 %. The trade-off names every parameter that changes at least a tenth as much as the one that changes most. It
-  // also names every parameter whose change alone would move the force at least a tenth as much as the strongest one's.
-  // Beside the parameter that changes most, the strongest of the others is always named, so that there are two or more.
+  // 100 %. The trade-off names every parameter whose change, or whose effect on the force, is at least a tenth of the
+  // largest. It also names the parameter with the strongest effect besides the one that changes most, so that it always
+  // names at least two.
   void add_direction(Vector const& direction, double singular_value, std::vector<std::size_t> const& acting,
                      Vector const& alone) {
     constexpr double takes_part = 0.1;
@@ -235,7 +236,7 @@ class Examination {
 
   Side profile_side(std::size_t k, double sign, double reach, Vector const& follow, Sides& sides) const {
     // The profile goes on until the objective has risen by this many times rise_, so that figures show more than the
-    // open range.
+    // range in which it rises by less than rise_.
     constexpr double rises_shown = 4.0;
     double const room = sign > 0.0 ? 1.0 - best_[k] : best_[k];
     Side side;
@@ -336,8 +337,8 @@ class Examination {
   Point best_;
   double best_value_ = 0.0;
   double rise_ = 0.0;
-  // The derivatives of each sample's residual (row) by the free parameters' coordinates in the unit box (columns),
-  // times the square root of the sample's weight.
+  // The derivatives of each sample's residual (row) with respect to the free parameters' coordinates in the unit box
+  // (columns), times the square root of the sample's weight.
   Matrix weighted_;
   Determination result_;
 };

@@ -23,12 +23,13 @@ std::string_view name(Verdict verdict);  // "determined", "weakly determined", "
 // A loop looks as good as the best one if its objective is at most max(visible_rise * least objective,
 // least_visible_rise) above the least objective.
 inline constexpr double visible_rise = 0.01, least_visible_rise = 1e-4;
-// A parameter is determined, or weakly determined, if both ends of its open range lie within this distance of its
-// value. Distances are divided by |value| or, if the box spans zero, at least by a hundredth of the box's width.
+// A parameter is determined if both ends of its open range lie within the first of these distances of its value, and
+// weakly determined if they lie within the second. Distances are divided by |value|; if the box spans zero, the divisor
+// is at least a hundredth of the box's width.
 inline constexpr double determined_within = 0.05, weakly_determined_within = 0.5;
 
 // The profile of one parameter. If the parameter is held at value[i], objective[i] is the least objective that a fit of
-// all other parameters reaches. The values rise.
+// all other parameters reaches. `value` is in rising order.
 struct Profile {
   std::vector<double> value;
   std::vector<double> objective;
@@ -57,8 +58,8 @@ struct Determination {
   std::vector<double> optimum;
   double objective = 0.0;
   double rise = 0.0;  // by how much the objective at the ends of the open ranges exceeds its least value
-  // Singular values, falling, of the force's derivatives with respect to relative changes of the parameters. Parameters
-  // at a bound or without effect are left out.
+  // Singular values, the largest first, of the force's derivatives with respect to relative changes of the parameters.
+  // Parameters at a bound or without effect are left out.
   std::vector<double> singular_values;
   std::vector<ParameterDetermination> parameters;  // the free parameters, in the law's order
   std::vector<TradeOff> trade_offs;

@@ -50,7 +50,8 @@ double density_at_zero(Vector const& residuals, Index fitted) {
   auto const count = static_cast<double>(sizes.size());
   double squares = 0.0;
   for (double const size : sizes) squares += size * size;
-  // Half a normal distribution lies within 0.6745 standard deviations. least_spread keeps the kernel's width above 0.
+  // Half a normal distribution lies within 0.6745 standard deviations, so the median of the sizes gives an estimate of
+  // the standard deviation. least_spread keeps the kernel's width above 0.
   constexpr double least_spread = 1e-3;
   double const spread = std::max(std::min(quantile(sizes, 0.5) / 0.6745, std::sqrt(squares / count)), least_spread);
   double const width = 1.06 * spread * std::pow(count, -0.2);
@@ -74,9 +75,9 @@ struct Freedom {
   double share = 1.0;    // 1 - p / n; n is the number of independent samples that tell as much as the whole record
   double degrees = 0.0;  // n - p, the degrees of freedom of Student's t distribution
 };
-// The residuals of the fit are less correlated than the errors, about by the factor `share`. The number of independent
-// samples that the residuals seem to be worth, `seeming`, is therefore n / share, and n is the larger root of
-// n^2 - seeming n + p seeming = 0. The share is taken as at least a half: dividing by it at most doubles the intervals.
+// The fit makes the residuals less correlated than the errors, about by the factor `share`. They therefore seem to be
+// worth `seeming` = n / share independent samples instead of n. It follows that n is the larger root of n^2 - seeming n
+// + p seeming = 0. The share is taken as at least a half, because the intervals are divided by it: they at most double.
 Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double> const& correlation) {
   double total = -1.0;
   for (double const c : correlation) total += 2.0 * c;
@@ -87,8 +88,8 @@ Freedom freedom_left(std::size_t samples, std::size_t fitted, std::vector<double
 }
 
 // Computes V, the variance of sum(weight * sign of the residual * derivatives). All pairs of samples at the same
-// distance get the same correlation of their signs, estimated from the whole record. The products of the actual signs
-// would not do: the fit makes the sum nearly zero, and if few samples decide on a parameter, V would be zero too.
+// distance get the same correlation of their signs, estimated from the whole record. V cannot be computed from the
+// actual signs: the fit makes the sum nearly zero, and if few samples decide on a parameter, V would be zero too.
 Matrix variance_of_score(Sensitivity const& response, std::vector<double> const& correlation) {
   Matrix const rows = response.weights.asDiagonal() * response.jacobian;
   Matrix sum = num::transposed_product(rows, rows);
@@ -99,7 +100,8 @@ Matrix variance_of_score(Sensitivity const& response, std::vector<double> const&
         num::transposed_product(rows.topRows(rows.rows() - lag), rows.bottomRows(rows.rows() - lag));
     sum += correlation[k] * (products + products.transpose());
   }
-  // Because the correlations are tapered, a direction may have a variance below zero. It is then set to zero.
+  // SerialCorrelation reduces the correlations of large lags, so a direction may have a variance below zero. Such a
+  // variance is set to zero.
   Matrix const scaled = size.cwiseInverse().asDiagonal() * sum * size.cwiseInverse().asDiagonal();
   auto const eigen = num::symmetric_eigen(scaled);
   Matrix const axes = size.asDiagonal() * eigen.vectors;
@@ -127,7 +129,8 @@ Matrix covariance_in_box(Matrix const& H, Matrix const& V) {
   return undetermined + num::product(num::product(half, V), half);
 }
 
-// Weights of one bootstrap replicate. Blocks of samples are drawn until they have as many samples as the record.
+// Weights of one bootstrap replicate. Blocks of samples are drawn until together they have as many samples as the
+// record.
 std::vector<double> drawn(std::span<double const> weights, std::size_t samples, std::size_t block, num::Draws& draws) {
   std::vector<double> count(samples, 0.0);
   for (std::size_t filled = 0; filled < samples; filled += block) {
@@ -214,8 +217,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
     result.block = std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(neighbours.block)), 1,
                                            std::max<std::size_t>(1, result.samples / 8));
     auto const left = freedom_left(result.samples, n, neighbours.correlation);
-    // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V. One factor on H makes
-    // up for both, since it enters the covariance twice.
+    // The fit makes the residuals smaller, which raises H, and less correlated, which lowers V. A single factor on H,
+    // left.share, makes up for both, since H enters the covariance twice.
     covariance =
         covariance_in_box(curvature(response) * left.share, variance_of_score(response, neighbours.correlation));
     reach = boost::math::quantile(boost::math::students_t(left.degrees), 1.0 - tail);
@@ -240,7 +243,8 @@ std::optional<Intervals> intervals(fit::LawOnRecord const& model, fit::SearchBox
   std::size_t const free_count = box.free_count();
   result.covariance.assign(free_count * free_count, 0.0);
   // For each parameter that is free in `inner`: its index among the free parameters of `box`, and the derivative of its
-  // value by its coordinate in the unit box, which turns the covariance of coordinates into that of values.
+  // value with respect to its coordinate in the unit box, which turns the covariance of coordinates into that of
+  // values.
   std::vector<std::pair<std::size_t, double>> inside;
   std::size_t row = 0;
   for (std::size_t i = 0; i < box.parameters.size(); ++i) {

@@ -1,13 +1,13 @@
 // Computes the uncertainty of fitted parameters in two ways, for residuals that are correlated with their neighbours.
 // Linearisation: the estimate by least absolute residuals is asymptotically normal with covariance H^-1 V H^-1 (Koenker
-// and Bassett 1978). r is the residual of a sample, w its weight, and J its derivatives by the parameters. H = sum 2 f
-// w J J^T is the curvature of the expected objective. f is the probability density of the residuals at zero, estimated
-// with a Gaussian kernel and the residuals' local size. V is the variance of sum w sign(r) J; the correlation of the
-// signs is estimated from the residuals (Weiss 1990). A fit of p parameters leaves residuals that are smaller and less
-// correlated than the errors. For each of these two effects the covariance is divided by 1 - p / n, where n is the
-// number of independent samples that carry as much information as the record. Student's t distribution with n - p
-// degrees of freedom takes the place of the normal one. The linearisation is valid if the law is nearly linear over the
-// interval.
+// and Bassett 1978). r is the residual of a sample, w its weight, and J its derivatives with respect to the parameters.
+// H = sum 2 f w J J^T is the curvature of the expected objective. f is the probability density of the residuals at
+// zero, estimated with a Gaussian kernel and the residuals' local size. V is the variance of sum w sign(r) J; the
+// correlation of the signs is estimated from the residuals (Weiss 1990). A fit of p parameters leaves residuals that
+// are smaller and less correlated than the errors. For each of these two effects the covariance is divided by 1 - p /
+// n, where n is the number of independent samples that carry as much information as the record. Student's t
+// distribution with n - p degrees of freedom takes the place of the normal one. The linearisation is valid if the law
+// is nearly linear over the interval.
 // Bootstrap: blocks of the record are drawn with replacement, and the law is fitted again, many times. The residuals of
 // a block count as often as the block was drawn; the law still runs through the whole history (Kuensch 1989). This
 // assumes neither a linear law nor equal residuals everywhere. The length of the blocks follows from the correlation of

@@ -1,5 +1,5 @@
 // Fits a law to the small swings of a device's tests and judges it on the large ones. A swing is the motion from one
-// turning point to the next; data/cycles/swing_sizes.hpp tells small ones from large ones.
+// turning point to the next; data/cycles/swing_sizes.hpp decides which swings are small and which are large.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,8 @@ SwingModels swing_models(laws::LawEntry const& law, std::span<data::FitRecord co
 
 double mean_objective(std::span<fit::LawOnRecord const> models, std::span<double const> parameters);
 
-// Several descents may end with equally good fits of the small swings that differ on the large ones. The result is the
-// fit among them that is furthest off on the large swings.
+// Several descents may end with fits that are equally good on the small swings but differ on the large ones. The result
+// is the one with the largest error on the large swings.
 struct LargerSwings {
   std::vector<double> parameters;  // all parameters of the law
   double fitted = 0.0;             // mean objective of the tests on their small swings

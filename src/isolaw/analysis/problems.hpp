@@ -12,7 +12,7 @@
 
 namespace isolaw::analysis {
 
-// Long computations call this between their parts and give up if it returns true.
+// Long computations call such a function between their steps and give up if it returns true.
 using Interrupted = std::function<bool()>;
 
 // The problem `base` with other weights of its residuals. The sum of the weights must be 1.
@@ -59,8 +59,8 @@ class HeldCoordinateProblem final : public opt::DeviationProblem {
 };
 
 // Fits one set of parameters to several records. The value is the weighted mean of the records' objectives; the weights
-// are `shares`, whose sum is 1. A record with share 0 is skipped. outline(), the same problem with fewer samples,
-// exists if the models on all records that are not skipped have an outline.
+// are `shares`, whose sum is 1. A record with share 0 is skipped. outline() is the same problem with fewer samples. It
+// exists if every model on a record that is not skipped has such an outline.
 class SeveralRecordsProblem final : public opt::DeviationProblem {
  public:
   SeveralRecordsProblem(std::span<fit::LawOnRecord const* const> models, fit::SearchBox const& box,

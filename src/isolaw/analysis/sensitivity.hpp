@@ -12,13 +12,14 @@ namespace isolaw::analysis {
 
 struct Sensitivity {
   num::Vector residuals, weights;  // one for each sample with a weight above 0
-  // Derivatives of the residuals of these samples (rows) by the free parameters' coordinates in the unit box (columns).
+  // Derivatives of the residuals of these samples (rows) with respect to the free parameters' coordinates in the unit
+  // box (columns).
   num::Matrix jacobian;
 };
 
 // Uses central differences inside the box. A parameter's column is zero if one of its differences is not finite.
 Sensitivity sensitivity(opt::DeviationProblem const& problem, std::span<double const> point);
-// Derivative of a parameter's value by its coordinate in the unit box.
+// Derivative of a parameter's value with respect to its coordinate in the unit box.
 double slope(fit::SearchParameter const& parameter, double coordinate);
 // The divisor for relative changes of a parameter: |value|. If the box spans zero or the value is 0, the divisor is at
 // least a hundredth of the box's width.

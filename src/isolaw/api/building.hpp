@@ -30,7 +30,7 @@ struct BuildingInput {
   std::filesystem::path file = {};         // path of a building file; isolaw building --template writes one
   std::string text = {};                   // contents of a building file; if given, `file` is not read
   std::vector<GroundMotion> motions = {};  // if given, these replace the motions in the file
-  std::vector<std::pair<std::string, std::string>> settings = {};  // replace keys of [building]: {"draws", "200"}
+  std::vector<std::pair<std::string, std::string>> settings = {};  // new values in [building]: {"draws", "200"}
 };
 
 struct BuildingOptions {

@@ -40,8 +40,9 @@ struct StudiedBuilding {
   bool complete = false;                     // false after an interruption
   std::size_t runs = 0;                      // number of runs in the store
   std::string lost = {};                     // a sentence if `fresh` replaced a damaged or empty file; else empty
-  std::optional<building::Answers> answers;  // empty for a part and for an incomplete study
-  // For each [law][draw][motion] layout.count() measured numbers; all are NaN if the run gave no finite numbers.
+  std::optional<building::Answers> answers;  // empty if the study is incomplete or only a part of its runs was computed
+  // The layout.count() measured numbers of each run, [law][draw][motion][number]. All are NaN if the run gave no finite
+  // numbers.
   std::vector<double> measured;
   building::Layout layout;
 };

@@ -15,7 +15,7 @@
 namespace isolaw {
 
 struct CalibrateOptions {
-  campaign::RunOptions run = {};                        // threads, progress, interruption
+  campaign::RunOptions run = {};  // number of threads, and functions that report progress and ask for an interruption
   std::optional<std::filesystem::path> directory = {};  // for store and reports; if empty, none are kept
   bool fresh = false;                                   // discards a campaign that the directory holds
   std::string title = {};                               // title of the lot in the reports
@@ -24,7 +24,7 @@ struct CalibrateOptions {
   std::optional<campaign::Part> part = {};  // computes only this part of the runs, for merge(); needs a directory
 };
 
-struct Calibrated : campaign::Contents {  // a campaign, and what a continued campaign added
+struct Calibrated : campaign::Contents {  // a campaign and, if it continues a stored one, what it adds to that
   Continuation continued = {};
 };
 
@@ -35,7 +35,8 @@ void complete_acceptance(campaign::Acceptance& acceptance);
 // damping given as a share instead of a percentage.
 std::vector<Complaint> remarks_on_design(campaign::Acceptance const& acceptance);
 // Computes the runs and analyses that are missing in the store of this campaign. Writes the reports beside the store,
-// except for a part. Returns what the store then holds, which is incomplete after an interruption.
+// unless the store holds only a part of a campaign. Returns what the store then holds, which is incomplete after an
+// interruption.
 campaign::Contents finish_campaign(campaign::Contents contents, std::filesystem::path const& store,
                                    campaign::RunOptions const& options);
 // Fits `settings.laws` (the usual laws if empty) to every record, as the command `isolaw calibrate` does. The same

@@ -16,7 +16,7 @@
 namespace isolaw {
 namespace {
 
-// Lets only the build that began a campaign continue it, since two builds may give different numbers.
+// Throws Error unless the same build of isolaw began the campaign, since two builds may give different numbers.
 void require_own(std::filesystem::path const& file, std::vector<campaign::Maker> const& makers) {
   auto const me = campaign::this_maker();
   if (std::ranges::all_of(makers, [&](auto const& maker) { return same_build(maker, me); })) return;
@@ -72,10 +72,11 @@ Continuation open_or_create(std::filesystem::path const& file, campaign::Content
     return {.lost = std::move(lost)};
   }
   campaign::sqlite::remove_unfinished(file);
-  // After a process was killed, writes its log into the store, or undoes a transaction that was not finished.
+  // If an earlier process was killed, writes the log that it left into the store, or undoes a transaction that it did
+  // not finish.
   campaign::campaign_store().fold_log(file);
-  // Checks a part for damage before it is continued, since isolaw merge will read it. SQLite alone would not notice a
-  // page that was cut off: it reads the missing bytes as zeros.
+  // If the store holds a part of a campaign, checks it for damage before it is continued, since isolaw merge will read
+  // it. SQLite alone would not notice that a database page was cut off: it reads the missing bytes as zeros.
   if (contents.part)
     if (auto const faults = campaign::sqlite::integrity(file); !faults.empty())
       campaign::sqlite::refuse_damaged(file.string(), faults.front());

@@ -14,7 +14,7 @@ inline constexpr char const* store_name = "campaign.sqlite";
 
 void make_directory(std::filesystem::path const& directory);  // also makes its parents; throws Error
 
-class TemporaryDirectory {  // the destructor removes the directory; the constructor throws Error
+class TemporaryDirectory {  // the destructor removes the directory; the constructor throws Error if it cannot make it
  public:
   TemporaryDirectory();
   TemporaryDirectory(TemporaryDirectory const&) = delete;
@@ -46,8 +46,9 @@ struct Continuation {                   // how a campaign differs from the store
 // records on the command line; it goes if a lot file leaves it out.
 enum class UnlistedVertical { keep, drop };
 
-// Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ, but `contents`
-// may have more devices, laws and runs, unless it is a part. Makes a new store if there is none or if `fresh` is true.
+// Copies the results in the store into `contents`. Throws Error if the stored settings or inputs differ. `contents` may
+// have more devices, laws and runs than the store, but not if it is one part of a divided campaign. Makes a new store
+// if there is none or if `fresh` is true.
 Continuation open_or_create(std::filesystem::path const& file, campaign::Contents& contents, bool fresh,
                             UnlistedVertical vertical = UnlistedVertical::keep);
 

@@ -20,8 +20,8 @@ struct CheckedBuilding {
 };
 
 struct CheckedCampaign {
-  // `check` also has an entry for each file beside the store that differs from what the store gives, unless it is only
-  // outdated. The entry is a fault or, if another build made the store, a difference.
+  // `check` also has an entry for each report or table beside the store that differs from what the store gives, unless
+  // the file is only outdated. The entry is a fault or, if another build made the store, a difference.
   campaign::Check check;
   std::string missing;             // what an incomplete campaign still has to compute; empty if it is complete
   std::size_t compared_files = 0;  // reports and tables beside the store

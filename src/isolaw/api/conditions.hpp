@@ -14,7 +14,7 @@ namespace isolaw {
 // Reads a lot file. The module `rules` checks the rule set and the design values in it. Throws Error as
 // campaign::read_lot_file() does.
 campaign::Lot read_lot(std::filesystem::path const& file, campaign::LotFileOptions options = {});
-// The same for the tables of a lot file. The files that they name are sought in `folder`.
+// Does the same for a JSON object with the tables of a lot file. The files that they name are sought in `folder`.
 campaign::Lot read_lot(Json const& tables, std::filesystem::path const& folder, campaign::LotFileOptions options = {});
 
 struct ConditionsSource {  // the input of study::build_conditions()

@@ -15,7 +15,7 @@ struct ExportOptions {
   Values acceptance;            // options of campaign::acceptance_table() that change the bounds
   std::optional<std::string> units, name;
   std::vector<std::string> motions;  // ground motions for comparing the law with its re-fit to the target
-  Values stated;                     // options of building::stated_table(), about the motions
+  Values stated;                     // the time step and unit of the motions: options of building::stated_table()
   Values model, seed;                // model: options of programs::model_table(); seed: for random draws
   bool anyway = false;               // export despite objections
 };

@@ -30,7 +30,8 @@ campaign::Contents merge(std::filesystem::path const& directory, std::vector<std
 // run it calls options.missing and throws nothing.
 campaign::MergeResult merge_runs(DirectoryLock const& lock, std::filesystem::path const& directory,
                                  std::vector<std::filesystem::path> const& parts, MergeCallOptions const& options);
-// Returns `part` if it is a file, else the file `name` in it. Throws Error if that is the store of `directory` itself.
+// Returns `part` if it is a file, else the file `name` in the folder `part`. Throws Error if this file is the store of
+// `directory` itself.
 std::filesystem::path store_of_part(std::filesystem::path const& part, std::filesystem::path const& directory,
                                     std::string const& name = store_name);
 

@@ -22,13 +22,14 @@ NamedValue parse_named_value(std::string_view text, std::string const& where);
 // named after the law. Throws one Error for all values that are not numbers. It does not check the names.
 std::vector<NamedValue> read_parameter_file(std::filesystem::path const& file, laws::LawEntry const& law);
 
-// Says whether limits on several parameters together, such as K1 >= K2, are checked. `left` leaves them unchecked, for
-// parameters from a search, whose box may reach beyond such a limit.
+// Says whether limits on several parameters together, such as K1 >= K2, are checked. `unchecked` is for parameters from
+// a search, because its box may reach beyond such a limit.
 enum class JointLimits { checked, unchecked };
 
 // Puts the values in the law's order. Parameters that are fixed by default may be missing. Throws one Error with all
 // faults: unknown or repeated names, missing parameters, values outside their physical limits. Without such a fault,
-// throws Error for a limit on several parameters together. Messages name `where` for values without a `where`.
+// throws Error for a limit on several parameters together. If the member `where` of a value is empty, messages give the
+// argument `where` as its place.
 std::vector<double> parameters_in_order(laws::LawEntry const& law, std::vector<NamedValue> const& values,
                                         std::string const& where, JointLimits joint_limits = JointLimits::checked);
 

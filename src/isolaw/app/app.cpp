@@ -131,7 +131,8 @@ void add_same_device(CLI::App& c, bool& same_device) {
                                      "all files are tests of one device, which share the parameters of each law"));
 }
 
-// Adds the options that calibrate and parts share: those that decide the results, and the folder of the results.
+// Adds the options that the commands `calibrate` and `parts` share: those that decide the results, and the folder of
+// the results.
 void add_campaign(CLI::App& c, CalibrateArguments& a) {
   for (auto const& setting : campaign::setting_table())
     if (!setting.stored_only) add_option(c, setting, a.settings);

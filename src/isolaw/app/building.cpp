@@ -155,7 +155,8 @@ std::string limits_by_law(std::vector<building::LawAnswer> const& laws, UnitSyst
   for (std::size_t i = 0; i < laws.front().limit_checks.size(); ++i) {
     auto line = limit_text(laws.front().limit_checks[i], units);
     for (auto const& law : laws) {
-      // The laws may come from different tests, so one of them may lack the limit of the tested displacement.
+      // The laws may have been fitted to different tests, so for one of them the limit of the tested displacement may
+      // be missing.
       auto const found =
           std::ranges::find(law.limit_checks, laws.front().limit_checks[i].limit, &building::LimitCheck::limit);
       if (found == law.limit_checks.end()) {

@@ -32,7 +32,7 @@ class CampaignWork {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Returns whether all runs and analyses are complete. This may be so even if the user interrupted the command.
+  // Returns whether all runs and analyses are complete. They may be complete even if the user interrupted the command.
   bool compute(campaign::Contents& contents, std::filesystem::path const& file, WorkOptions const& how);
   int write_reports(std::filesystem::path const& file, WorkOptions const& how);
 

@@ -25,7 +25,7 @@ struct CalibrateArguments {
   std::vector<std::string> vertical;  // DEVICE=FILE of compression tests
   std::optional<std::filesystem::path> out;
   std::optional<int> jobs;
-  std::optional<std::string> part;  // such as "3/40"
+  std::optional<std::string> part;  // such as "3/40", the third of 40 parts
   std::string figures = "lot";
   bool fresh = false;
   bool same_device = false;    // the records are tests of one device
@@ -65,7 +65,7 @@ struct InspectArguments {
   std::vector<std::filesystem::path> inputs;  // one lot file, or records
   Values read, acceptance;
   std::vector<std::string> vertical;         // DEVICE=FILE of compression tests
-  std::optional<std::filesystem::path> out;  // for the page, tables and JSON
+  std::optional<std::filesystem::path> out;  // the directory for the page, tables and JSON
   bool same_device = false, allow_outside = false;
   bool json = false, details = false;
 };
@@ -73,9 +73,9 @@ int inspect(InspectArguments const& arguments);
 
 struct ConditionsArguments {
   std::filesystem::path lot;                         // a lot file with [conditions], or a campaign made from one
-  std::optional<std::filesystem::path> out;          // for conditions.json
-  std::optional<std::filesystem::path> write_rules;  // a new file for the measured factors
-  std::optional<int> devices;                        // for the plan: devices to test at each end of the design range
+  std::optional<std::filesystem::path> out;          // the directory for conditions.json
+  std::optional<std::filesystem::path> write_rules;  // a new rule file for the measured factors
+  std::optional<int> devices;  // for the plan of tests: how many devices to test at each end of the design range
   bool allow_outside = false, json = false, details = false, plan = false, at_reference = false;
 };
 int conditions(ConditionsArguments const& arguments);
@@ -91,7 +91,7 @@ int init(InitArguments const& arguments);
 
 struct ReportArguments {
   std::filesystem::path directory;
-  std::optional<std::filesystem::path> out;  // for the results; empty: the campaign's directory
+  std::optional<std::filesystem::path> out;  // the directory for the results; empty: the campaign's directory
   Values acceptance;
   std::string figures = "lot";
   bool json = false, details = false;
@@ -116,7 +116,7 @@ int export_law(ExportArguments const& arguments);
 struct SimulateArguments {
   std::string law;
   std::optional<std::filesystem::path> parameters;  // a file of parameters
-  std::optional<std::filesystem::path> from;  // or a campaign's directory; `device` is then a device's name or "lot"
+  std::optional<std::filesystem::path> from;  // else a campaign's directory; `device` is then a device's name or "lot"
   std::optional<std::string> device;
   std::vector<std::string> set;
   std::filesystem::path motion;
@@ -135,7 +135,7 @@ struct BuildingArguments {
   std::vector<std::string> motions = {};  // "x.AT2" or "x.AT2,y.AT2"; they replace the file's motions
   Values stated = {};                     // --motion-dt and --motion-unit (building::stated_table())
   std::optional<int> jobs = {};
-  std::optional<std::string> part = {};  // such as "3/40"
+  std::optional<std::string> part = {};  // such as "3/40", the third of 40 parts
   std::optional<std::string> report_units = {};
   std::string figures = "lot";
   bool print_template = false, fresh = false, arrange = false, nominal = false, json = false;

@@ -13,7 +13,7 @@ namespace isolaw::app {
 
 struct TextFile {
   std::string name;
-  std::string text;  // the bytes, in the encoding that this file has
+  std::string text;  // the bytes of the file, in its encoding
 };
 
 // Returns a lot: ten records in ten file formats, lot.toml, study.toml and README.md. The records are computed from

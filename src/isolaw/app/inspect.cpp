@@ -48,7 +48,8 @@ int inspect(InspectArguments const& arguments) {
   apply_vertical(arguments.vertical, lot);
   apply(arguments.acceptance, lot.acceptance);
   auto const contents = campaign::prepare_devices(lot);
-  // If the only device cannot be used, its record is read again, because this throws an error with every complaint.
+  // If the only device cannot be used, its record is read again, because reading it throws an Error with every
+  // complaint.
   if (contents.devices.size() == 1 && !contents.devices.front().usable()) {
     for (auto const& test : lot.devices.front().tests)
       for (auto const& file : test.files) data::read_record(file, test.read);
@@ -191,7 +192,7 @@ void recognise(campaign::DeviceInput& device, Recognition& found) {
 Recognition recognise_tests(campaign::Lot& lot, bool sheet_given) {
   Recognition found;
   found.remarks.open_keys = true;
-  std::set<std::filesystem::path> of_sheets;  // workbooks with an unreadable sheet, if the user chose none
+  std::set<std::filesystem::path> of_sheets;  // workbooks with an unreadable sheet, if the user chose no sheet
   for (auto& device : lot.devices) {
     auto const& file = device.tests.front().files.front();
     try {

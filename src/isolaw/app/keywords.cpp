@@ -24,8 +24,8 @@ std::string python_literal(Json const& value) {
   return value.dump();
 }
 
-// Returns a parameter as Python text: "runs: int | None = None,". With `in_place` every default is None. The value then
-// stays what a file, such as the building file, says.
+// Returns a parameter as Python text: "runs: int | None = None,". With `in_place` every default is None, which means
+// that the value in a file, such as the building file, applies.
 template <class Row>
 std::string keyword(Row const& row, bool in_place = false) {
   auto value = in_place ? Json() : row.get({});

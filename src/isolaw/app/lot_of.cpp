@@ -191,7 +191,8 @@ campaign::Lot lot_of_inputs(std::vector<std::filesystem::path> const& inputs, ca
   }
   auto lot = from_file ? read_lot(inputs.front(), options) : campaign::lot_of_files(records_of(inputs));
   if (lot.title.empty()) lot.title = printable(name_of(inputs, lot.devices.size()));
-  if (same_device) campaign::make_one_device(lot);  // compares no facts in the records, which are not read yet
+  // The records are not read yet, so the facts that they state are not compared here.
+  if (same_device) campaign::make_one_device(lot);
   return lot;
 }
 

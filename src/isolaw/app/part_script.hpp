@@ -12,7 +12,7 @@ namespace isolaw::app {
 
 // The time and memory that a script requests from the scheduler.
 struct PartNeeds {
-  double part_s = 0.0, merge_s = 0.0;  // each with PartScript::jobs threads
+  double part_s = 0.0, merge_s = 0.0;  // the time of a part and of the merge, each with PartScript::jobs threads
   std::uint64_t memory_bytes = 0;
 };
 

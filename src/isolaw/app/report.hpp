@@ -13,7 +13,7 @@
 namespace isolaw::app {
 
 // Tells the user how many outdated figures were removed, and how many figures were not drawn and why. The data files of
-// the latter exist, and the user can draw them with the command `again`.
+// the figures that were not drawn exist, and the user can draw these figures with the command `again`.
 void say_drawn(render::FigureOutcome const& outcome, std::filesystem::path const& directory, std::string_view again);
 void draw_figures(study::Summary const& summary, render::FigureChoice choice, std::filesystem::path const& directory);
 
@@ -21,8 +21,8 @@ struct PrintOptions {
   bool json = false, details = false;
   std::optional<std::filesystem::path> campaign = {};  // the campaign's directory, if the report is in another one
 };
-// Prints the answer on one screen, or all details, then the verdicts of a rule set. With `json` it instead prints the
-// content of summary.json, with `profile` (the times of the campaign's phases) added.
+// Prints the main results on one screen or, with `details`, the complete tables, and then the verdicts of a rule set.
+// With `json` it instead prints the content of summary.json, with `profile` (the times of the campaign's phases) added.
 void print(study::Summary const& summary, std::filesystem::path const& directory, PrintOptions how,
            std::string_view profile = {});
 

@@ -320,7 +320,8 @@ std::vector<std::string> left_open(fit::LawInPlane const& law, TwoDirections con
     lines.push_back(fmt::format(
         "warning: the dead band of {:.4g} mm that the law was fitted with is defined along one direction, and is not used here",
         law.dead_band_mm));
-  // The comparison below needs the law's own parameters. Springs may have other ones, which were fitted for springs.
+  // The comparison below needs the law's own parameters. Springs may have other ones, which were fitted for springs;
+  // then there is no comparison.
   if (two.how == laws::Bidirectional::springs && !as_given) return lines;
   // A sine of the period `cycle` is as fast as the user's motion. A figure of eight of the same period would be sqrt(2)
   // times as fast, so its period is taken sqrt(2) times as long.

@@ -6,7 +6,7 @@
 namespace isolaw {
 namespace {
 
-// Spells out control characters except line breaks, because a complaint may quote a user's file.
+// Replaces control characters except line breaks by visible codes, because a complaint may quote a user's file.
 std::string clean(std::string const& part) {
   return printable(part, true);
 }

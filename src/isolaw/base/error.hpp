@@ -19,9 +19,10 @@ struct Complaint {                      // one problem of an input; the message 
   std::vector<std::string> names = {};  // the record's columns, if a column was not found; not in the message
 };
 
-// Writes a complaint as "where: found; allowed: ...; try: ...", with control characters spelled out.
+// Writes a complaint as "where: found; allowed: ...; try: ...", with visible codes in place of control characters.
 std::string to_string(Complaint const& complaint);
-// Writes complaints as an array of objects. Each has all members of Complaint, with control characters spelled out.
+// Writes complaints as a JSON array of objects. Each has all members of Complaint, with visible codes in place of
+// control characters.
 void write_complaints(JsonWriter& out, std::vector<Complaint> const& complaints);
 
 class Error : public std::runtime_error {

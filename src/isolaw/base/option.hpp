@@ -76,8 +76,9 @@ std::string text_of(Json const& value);
 // The words of the command line that set the option to `value`. There are none for null and false.
 std::vector<std::string> words_of(OptionInfo const& option, Json const& value);
 std::string shown(Json const& value);  // for messages: 'text', 12, true
-// Calls judge(). If it throws an Error, appends the complaints of this Error to `complaints`. The place of a complaint
-// becomes `where`, unless it is an option already; the former place then begins the text of the complaint.
+// Calls judge(). If it throws an Error, appends the complaints of this Error to `complaints`. If the place of a
+// complaint is an option, it stays. Any other place is put in front of the complaint's text, and `where` becomes the
+// place.
 void about(std::string const& where, std::vector<Complaint>& complaints, std::function<void()> const& judge);
 
 // Calls judge(row) for every row of a table and throws one Error with all complaints.

@@ -19,10 +19,10 @@ constexpr std::size_t character_count(std::string_view utf8) {
 // True if the text is UTF-8 without control characters, line or paragraph separators, and characters that embed or
 // override a direction of writing.
 bool is_printable(std::string_view text);
-// Spells out unprintable characters: \n, \x1b, \u202e. With `keep_lines`, line breaks stay.
+// Replaces unprintable characters by visible codes such as \n, \x1b and \u202e. With `keep_lines`, line breaks stay.
 std::string printable(std::string_view text, bool keep_lines = false);
 std::string on_one_line(std::string_view text);  // printable(), with lines joined: "a; b"
-// For a message: spells out control characters, cuts what is longer than 40 bytes and puts the result in single quotes.
+// For a message: replaces control characters by codes, cuts what is longer than 40 bytes and adds single quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace isolaw

@@ -49,7 +49,7 @@ FileStatus file_status(struct stat const& status) {
 
 [[noreturn]] void become(std::vector<char*> const& arguments, char const* directory, int messages) {
 #ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the kernel ends the program if isolaw ends
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the kernel ends the started program when isolaw ends
 #endif
   int const nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   for (int const standard : {STDIN_FILENO, STDOUT_FILENO}) ::dup2(nowhere, standard);

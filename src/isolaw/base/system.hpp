@@ -74,7 +74,7 @@ class FolderLock {  // keeps other processes out of a folder until the object or
 struct ProgramEnd {
   enum class How { not_started, exited, ended_by_signal, took_too_long };
   How how;
-  int code = 0;               // the exit code or signal; for not_started errno, or 0 if the program cannot be run
+  int code = 0;               // exit code or number of the signal; if not started: errno, or 0 if it cannot be run
   std::string messages = {};  // the first 64 KiB that the program wrote to standard error
 };
 // Runs a program without a shell in `directory` and ends it after `limit`. The program gets no input, and its standard

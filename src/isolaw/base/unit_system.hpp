@@ -51,8 +51,8 @@ struct ShownUnit {
   int decimals(int decimals) const;
 };
 // Returns the unit in which `system` shows values that are stored in `unit`: "kip/in" for "kN/mm", "in" for "mm". In N
-// and m a pressure stays in MPa. The system of the records leaves every unit as it is, and every system leaves a unit
-// without force and length ("%", "Hz").
+// and m a pressure stays in MPa. The system kN-mm changes no unit, and no system changes a unit without force and
+// length ("%", "Hz").
 ShownUnit shown_unit(std::string_view unit, UnitSystem const& system);
 
 // The unit with which the name of a number ends: "kN/mm" for "K_eff_kN_per_mm"; "" if it ends with no unit of force or

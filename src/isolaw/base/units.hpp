@@ -22,7 +22,7 @@ inline constexpr Unit mm{Dimension::length, "mm", 1.0};
 inline constexpr Unit cm{Dimension::length, "cm", 10.0};
 inline constexpr Unit m{Dimension::length, "m", 1e3};
 inline constexpr Unit s{Dimension::time, "s", 1.0};
-inline constexpr Unit counts{Dimension::count, "1", 1.0};  // for a channel that counts; parse_unit() never returns it
+inline constexpr Unit counts{Dimension::count, "1", 1.0};  // for a channel of counts; parse_unit() never returns it
 
 // The unit that `text` names ("kN", "[mm]", "tonf", "lbf", "ms", ...); nullopt if unknown. Brackets, blanks and case
 // are ignored. "mN" counts as unknown nevertheless, because a millinewton would be read as a meganewton if case is

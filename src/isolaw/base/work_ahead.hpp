@@ -14,9 +14,9 @@ namespace isolaw {
 
 class WorkAhead;
 
-// A thread makes a HelpListener to be told when other threads compute items of its work. A helping thread calls
-// help_begins() before each such item and help_ends() after it. The listener hears of every WorkAhead that its thread
-// makes while the listener exists, and of those that a helping thread makes within such an item.
+// Tells a thread when other threads compute items of its WorkAheads. A helping thread calls help_begins() before each
+// such item and help_ends() after it. A listener covers every WorkAhead that its thread makes while the listener
+// exists, and those that a helping thread makes within such an item.
 class HelpListener {
  public:
   HelpListener();

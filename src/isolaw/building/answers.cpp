@@ -51,8 +51,9 @@ std::string titles_of(std::vector<LimitCheck> const& judged, LimitKept keeps) {
   return wording::enumerate(titles);
 }
 
-// Whether the building with this law keeps its limits: "yes", "no" or "open"; "untested" if it keeps them but its
-// bearings may move farther than in the tests; "unlimited" if the building file sets no limit.
+// Whether the building with this law keeps its limits: "yes", "no", or "open" if the draws are too few to tell;
+// "untested" if it keeps them but its bearings may move farther than in the tests; "unlimited" if the building file
+// sets no limit.
 std::string_view holds(LawAnswer const& law) {
   bool limited = false, tested = true;
   auto keeps = LimitKept::yes;
@@ -82,7 +83,8 @@ Finding holding(FindingKind kind, LawAnswer const& law) {
                             {"which", titles_of(law.limit_checks,
                                                 answer == name(LimitKept::no) ? LimitKept::no : LimitKept::open)}}};
   if (answer != name(LimitKept::open)) return finding;
-  // "wanted" is the number of draws that would settle all open limits. It is left out if it is unknown for one of them.
+  // "wanted" is the number of draws that would be enough to tell whether all limits are kept. It is left out if this
+  // number is unknown for one of the limits.
   std::size_t wanted = 0;
   for (auto const& each : law.limit_checks) {
     if (each.limit == tested_mm || each.limit_kept != LimitKept::open) continue;
@@ -182,8 +184,9 @@ std::vector<Finding> about_bounds(Study const& study, Answers const& answers) {
                                       {"draws", static_cast<double>(law.draws)},
                                       {"collapsed", static_cast<double>(law.collapsed)}};
   };
-  // The finding about the law that decides the answer comes first. If `own` is true, this is the study's first law. If
-  // it is false, the first law's bounds cover that law's draws but not those of another law, which then decides.
+  // The finding about the law that decides the answer comes first. If `own` is true, the study's first law decides. If
+  // `own` is false, the bounds of the first law cover its own draws but not those of another law, and that other law
+  // decides.
   bool const own = c.share_inside < wanted_share || answers.bounds_are_enough != false;
   Finding cover{.kind = FindingKind::building_bounds_cover,
                 .law = first.law,

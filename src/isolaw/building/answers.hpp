@@ -26,14 +26,15 @@ struct LawAnswer {
   // law then acts as `separate` under motions along x alone.
   Coupling coupling = Coupling::coupled;
   bool mixed = false;
-  bool fitted_as_springs = false;    // true if the springs' parameters were fitted as springs around the circle
-  std::size_t draws = 0;             // number of drawn buildings; 0 if no bearing is drawn
-  std::size_t runs = 0, failed = 0;  // number of all runs, and of those whose numbers are not finite
-  std::size_t collapsed = 0;         // number of draws with a failed run; they count as outside of all bounds
-  double worst_balance = 0.0;        // largest error of the energy balance of a run / its input or dissipated energy
+  bool fitted_as_springs = false;           // true if the law acts as springs whose parameters were fitted for springs
+  std::size_t draws = 0;                    // number of drawn buildings; 0 if no bearing is drawn
+  std::size_t runs = 0, failed = 0;         // number of all runs, and of those whose numbers are not finite
+  std::size_t collapsed = 0;                // number of draws with a failed run; they count as outside of all bounds
+  double worst_balance = 0.0;               // largest relative error of a run's energy balance (plausibility.hpp)
   std::vector<Distribution> distributions;  // one for each quantity, in the order of quantities()
   std::vector<Coverage> coverage;  // one for each quantity that bound analyses can cover (Quantity); none without draws
-  // The largest displacement of a bearing, as a code takes it for design. No limit judges it.
+  // The largest displacement of a bearing, taken over the motions as building codes do for design (see LimitCheck). Its
+  // `allowed` is infinite.
   LimitCheck design_displacement = {};
   std::vector<LimitCheck> limit_checks;  // one for each limit of the building file, and one for the tested displacement
   std::vector<Finding> doubts;           // about the law's calibration
@@ -69,7 +70,8 @@ struct Answers {
   // Standard deviation over the laws of ln(median bearing displacement), comparable with Distribution::lot_std_ln.
   std::optional<double> law_std_ln;
   std::vector<Finding> verdict;  // whether the building keeps its limits, how far it moves, and what this depends on
-  // Whether the building keeps its limits. nullopt if the file sets none, or if the draws or the tests cannot tell.
+  // Whether the building keeps its limits. nullopt if the file sets no limit, if the draws are too few to tell, or if
+  // bearings may move farther than in the tests.
   std::optional<bool> holds;
   std::vector<Finding> about_bounds;  // whether the bound analyses cover the draws
   // Whether the bound analyses cover enough of the draws. nullopt if no bearing is drawn or the draws are too few.

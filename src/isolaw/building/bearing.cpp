@@ -67,8 +67,9 @@ class OneDirection {
   bool went_ = false, goes_ = false;
 };
 
-// Whether the force at a displacement of `rest_mm` is more than twice what the tangent at rest predicts. This is so for
-// laws whose power of the displacement has an infinite slope at 0: they return a finite tangent there.
+// Whether the force at a displacement of `rest_mm` is more than twice what the tangent at rest predicts. The force is
+// that large for laws with a power of the displacement whose slope at 0 is infinite, because these laws return a finite
+// tangent there.
 bool has_no_slope_at_rest(laws::Online law, laws::LawInfo const& info) {
   double const rest = rest_mm / info.length.in_record_units, slope = law.trial(0.0, 0.0).by_x;
   constexpr double much = 2.0;

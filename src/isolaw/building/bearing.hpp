@@ -14,7 +14,7 @@ using Vector = laws::plane::Vector<double>;
 
 struct BearingForce {
   Vector force;
-  // Derivatives of the force (rows: x and y) by the displacement and by the velocity (columns: x and y).
+  // Derivatives of the force (rows: x and y) with respect to the displacement and to the velocity (columns: x and y).
   double by_displacement[2][2] = {};
   double by_velocity[2][2] = {};
 };

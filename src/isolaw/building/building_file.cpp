@@ -56,9 +56,9 @@ void take_part(std::string_view part, Json const& factor, PartFactors& to) {
     refuse(std::string(part), "elastic and hysteretic");
 }
 
-// Reads a factor on the whole force, the word "conditions", or one factor for each of the two parts of the force. These
-// two come as a table or as a text that factors_of() made. TomlTable::json() passes a table twice: first with its first
-// factor only, then with both.
+// Reads a factor on the whole force, the word "conditions", or one factor each for the elastic and the hysteretic part
+// of the force. Two factors come as a table or as a text that factors_of() made. TomlTable::json() passes a table
+// twice: first with its first factor only, then with both.
 void take_factors(Json const& value, Limits const& limits, std::optional<PartFactors>& to) {
   if (value == "conditions") return to.reset();
   auto const text = value.is_string() ? value.get<std::string>() : std::string();

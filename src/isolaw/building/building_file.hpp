@@ -1,5 +1,5 @@
-// Reads BUILDING.toml: a building on bearings, the ground motions and the analyses to compute. Each key is one row of a
-// table, which the reader, the messages and the template share.
+// Reads BUILDING.toml: a building on bearings, the ground motions and the analyses to compute. Each key is a FileKey,
+// one row of a table that serves the reader, the messages and the template alike.
 #pragma once
 
 #include <array>
@@ -32,7 +32,8 @@ struct Settings {
   std::vector<std::string> laws = {};  // ids of the laws to compute; empty: the law that the campaign recommends
   int draws = 500;
   // How often the population is estimated again (population_again()). The scatter of these estimates shows how
-  // uncertain the medians are because only few devices were tested. Below 2 nothing is shown.
+  // uncertain the medians are because only few devices were tested. If the number is below 2, the reports do not show
+  // this.
   int populations = 0;
   int draws_of_each = 20;
   int seed = 1;
@@ -52,8 +53,8 @@ struct ResponseLimits {
 // Which bearing stands on a place: a draw from the lot, the lot's law, a tested device, or the lot's law times the
 // lower or upper factor.
 enum class BearingKind { draw, lot, device, lower, upper };
-// Returns the word for `stands` in building files. For Stands::device, where a building file has the name of the
-// device, it returns "tested device".
+// Returns the word that stands for `kind` in a building file. For BearingKind::device, where a building file has the
+// name of the device, it returns "tested device".
 std::string_view name(BearingKind kind);
 struct BearingPlace {
   Point at;

@@ -26,11 +26,12 @@ struct Coverage {
   // above.
   double share_below = 0.0, share_above = 0.0;
   // The narrowest factors 1 - a and 1 + a on all forces that suffice: the analyses with these factors and those between
-  // them (grid_factor) enclose `wanted_share` of the draws. nullopt if all factors of the grid enclose less.
+  // them (grid_factor) enclose `wanted_share` of the draws. nullopt if even all analyses of the grid together enclose
+  // fewer draws.
   std::optional<double> factor_low, factor_high;
   // FindingKind::bounds_not_monotonic if the nominal response is not between those of the bound analyses.
   std::optional<Finding> monotony = {};
-  std::string not_monotonic = {};  // the sentence of the finding `monotony`, in kN and mm; empty without it
+  std::string not_monotonic = {};  // the sentence of `monotony`, in kN and mm; empty if `monotony` is
 };
 Finding covering_factors(Coverage const& coverage);
 

@@ -27,7 +27,7 @@ struct Motion {
   double step_s = 0.0;
   std::vector<double> x_mm_s2;
   std::vector<double> y_mm_s2 = {};  // empty if the ground moves along x alone
-  std::vector<Finding> notes = {};   // what the reader changed in the motion of the file
+  std::vector<Finding> notes = {};   // what was changed in the motion when its file was read
 };
 
 struct Options {
@@ -83,14 +83,14 @@ class Model {
   Plan const& plan() const { return plan_; }
   Layout layout() const { return {structure_.floors(), plan_.bearings.size()}; }
   StructureArrays arrays() const;
-  // ModeStep::share of each mode for steps of dt [s].
+  // Returns ModeStep::share (stepping.hpp) of each mode for steps of dt [s].
   std::vector<double> shares(double dt) const;
   // The mass that resists an acceleration of the base during a step: M - sum over the modes of share * Gamma Gamma^T,
   // with M and Gamma of structure.hpp and share of shares(dt).
   Matrix3 condensed_mass(double dt) const;
-  // The stiffness of all bearings together: the derivatives of their summed forces and moment (rows) by the base's
-  // displacements along x and y and its rotation (columns), all at the base's centre of mass. For each bearing,
-  // `bearings` holds its 2 x 2 stiffness in x and y, row by row [kN/mm].
+  // The stiffness of all bearings together: the derivatives of their summed forces and moment (rows) with respect to
+  // the base's displacements along x and y and its rotation (columns), all at the base's centre of mass. For each
+  // bearing, `bearings` holds its 2 x 2 stiffness in x and y, row by row [kN/mm].
   Matrix3 stiffness(std::span<std::array<double, 4> const> bearings) const;
 
  private:
@@ -108,7 +108,7 @@ Steps steps_of(Motion const& motion, double longest_step_s, double rest_s);
 // The bearings start in their present state and are left in the state that they reach at the end of the run.
 Response integrate(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings, Motion const& motion,
                    Options const& options = {});
-// The function for Ground::asked: calls the function Options::interrupted to which `interrupted` points.
+// A function for the member Ground::asked. It calls the Options::interrupted to which `interrupted` points.
 bool asks(void const* interrupted);
 // Explicit integration of one building in plain doubles, without history: the reference for lanes.hpp's vector code.
 Response integrate_explicitly(Model const& model, std::span<std::unique_ptr<Bearing> const> bearings,

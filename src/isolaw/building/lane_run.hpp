@@ -17,7 +17,7 @@ struct LaneRun {
   ModeStep step;
   double const* inverse = nullptr;  // [3][3], inverse of Model::condensed_mass()
   Ground ground;
-  double const* parameters = nullptr;  // of the law, [bearing][parameter][lane]
+  double const* parameters = nullptr;  // parameters of the law, [bearing][parameter][lane]
   double length = 1.0, force = 1.0;    // the law's unit of length in mm, and its unit of force in kN
   void* memory = nullptr;              // scratch space, aligned to 64 bytes; LaneKernel says how large
   double* measured = nullptr;          // results, [measure in the order of Layout][lane]

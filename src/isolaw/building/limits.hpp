@@ -30,14 +30,15 @@ inline constexpr LimitInfo limit_rows[]{
     {"floor_acceleration_g", "floor_acceleration_g", &ResponseLimits::floor_acceleration_g,
      "acceleration of any floor or of the base"},
 };
-// LimitCheck::limit for the largest displacement to which the devices were tested, which is not a key of the file.
+// The text in LimitCheck::limit for the largest displacement to which the devices were tested. It is no key of the
+// file.
 inline constexpr std::string_view tested_mm = "tested_mm";
 
 enum class LimitKept { yes, no, open };
 std::string_view name(LimitKept keeps);
 
-// Whether the buildings with one law keep one limit. A response is the one that building codes use for design: the mean
-// over the motions if there are at least motions_for_a_mean of them, else the largest.
+// Whether the buildings with one law keep one limit. Each response below is the one that building codes use for design:
+// the mean over the motions if there are at least motions_for_a_mean of them, else the largest.
 struct LimitCheck {
   std::string_view limit;       // LimitInfo::key, or tested_mm for the displacement of the tests
   std::string_view quantity;    // Quantity::key of the response

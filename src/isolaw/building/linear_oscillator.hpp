@@ -30,11 +30,11 @@ struct EquivalentLinear {
 std::optional<EquivalentLinear> equivalent_linear(Devices const& devices, Motion const& motion,
                                                   std::vector<double> const& bearings, double mass);
 
-// Floor spectra: the largest pseudo-acceleration in plan of linear oscillators with these periods and 5 % damping along
-// x and y, on a diaphragm of the nominal building. The spectra are means over the motions.
+// Floor spectra: the largest pseudo-acceleration in plan of linear oscillators along x and y on a diaphragm of the
+// nominal building, with the periods of spectrum_periods_s() and 5 % damping. The spectra are means over the motions.
 inline constexpr double spectrum_damping = 0.05;
 std::vector<double> const& spectrum_periods_s();
-// Adds `share` times the spectra of a run, in g, to `to`, [diaphragm][period].
+// Computes the spectra of a run in g, multiplies them by `share` and adds them to `to`, [diaphragm][period].
 void add_spectra(std::vector<std::vector<double>>& to, Response const& run, double share);
 
 }  // namespace isolaw::building

@@ -11,16 +11,16 @@ namespace isolaw::building {
 
 // Hardly any earthquake was recorded with a larger horizontal acceleration of the ground.
 inline constexpr double largest_ground_g = 2.0;
-// A mean acceleration beyond this share of the peak, or a final velocity beyond this share of the largest one, shows
-// that a baseline was not corrected.
+// If the mean acceleration exceeds the first share of the peak acceleration, or the final velocity the second share of
+// the largest velocity, the baseline of the record was not corrected.
 inline constexpr double largest_mean_share = 0.02, largest_final_share = 0.5;
 // The energy error of an analysis is the input energy minus all energy that is stored or dissipated, divided by the
 // input energy or by the work on the bearings, whichever is larger. An analysis is doubted if the size of this error
 // exceeds a limit. The first limit is for the implicit analyses of the nominal building. The second limit is for all
 // runs of a study (of the nominal building, the bounds and the draws), which may be integrated explicitly.
 inline constexpr double largest_energy_error = 1e-3, largest_energy_error_of_runs = 2e-3;
-// An analysis is doubted too if the draws' integrator differs by more than this from the implicit one, or if the base
-// rotates by more than this, since displacements are computed as for small rotations.
+// An analysis is also doubted if the draws' integrator differs from the implicit one by more than the first of these
+// limits, or if the base rotates by more than the second, since displacements are computed as for small rotations.
 inline constexpr double largest_difference_percent = 1.0, largest_rotation_rad = 0.1;
 
 // If the period of the building on its bearings is outside these limits, a mass may have the wrong unit or bearings may

@@ -127,8 +127,8 @@ Connection opened(Path const& file, std::vector<StudyProperty> const& properties
   auto db = building_store().to_write(file);
   StoreKind::as_ours(file, [&] {
     auto const held = campaign::read_part(db);
-    // If the store holds a part, a merge will read this file. The merge would not notice that the file was cut off
-    // within a database page, so the file is checked here.
+    // If the store holds a part of a study, a merge will read this file. The merge would not notice that the file was
+    // cut off within a database page, so the file is checked here.
     if (held) campaign::require_sound(file, "--fresh to start over");
     auto different = differences_of(read_properties(db), properties);
     auto const named = [](std::optional<campaign::Part> const& which) {
@@ -166,7 +166,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// Like hash_of(), for a text that RunStore::save_text() stores.
+// Returns the same kind of hash for a text that RunStore::save_text() stores.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }
@@ -275,7 +275,8 @@ bool RunStore::is_there(Blocks::Block const& block) const {
 void RunStore::add(std::vector<Row> const& rows) {
   Transaction transaction(db_);
   {
-    // A merge in another program may have stored some of these rows already. The rows in the store stay.
+    // A merge in another process may have stored some of these rows already. Rows that are in the store stay as they
+    // are.
     Statement insert(db_, "INSERT OR IGNORE INTO runs VALUES (?, ?, ?, ?, ?)");
     for (auto const& row : rows) insert.bind(row.law, row.motion, row.place, row.measured, hash_of(row)).insert();
   }
@@ -417,8 +418,8 @@ Runs::Runs(Study const& study, std::function<bool()> const& interrupted)
       blocks_(study.laws.size(), study.file.motions.size(), cases_.size()) {
   for (auto const& law : study.laws)
     for (auto const& motion : study.file.motions) {
-      // If the law has the same coupling as under the motion before, the Devices are copied. The copies share the
-      // populations that are estimated again, so these are made only once.
+      // If the law has the same coupling as under the previous motion, the Devices object of that motion is copied. The
+      // copies share the populations that are estimated again, so these are made only once.
       bool const alike =
           &motion != study.file.motions.data() && devices_.back().coupling() == coupling_under(motion, law);
       alike ? devices_.push_back(devices_.back()) : void(devices_.emplace_back(law, study.file, motion));

@@ -105,7 +105,7 @@ struct CheckedRuns {
   std::size_t runs = 0, expected = 0;
   std::vector<std::string> faults;  // a text for each run whose numbers have changed since they were computed
 };
-// Compares each run in the store with the hash that was stored with it. Throws Error like StoreKind::read().
+// Compares each run in the store with the hash that was stored with it. Throws Error as StoreKind::read() does.
 CheckedRuns check_runs(std::filesystem::path const& file);
 
 struct MissingRun {
@@ -120,18 +120,20 @@ struct MergeOptions {
   std::function<void(MissingRun const&)> missing = {};  // called for each missing run, in the order of the blocks
   bool fresh = false;  // true: an output file of another study is overwritten (campaign::Merge::run)
 };
-// See campaign::Merge::run.
+// Merges the stores `parts` into the store `out`. See campaign::Merge::run() for what it checks.
 MergedStudy merge(std::filesystem::path const& out, std::vector<std::filesystem::path> const& parts,
                   MergeOptions const& options = {});
 
-// Computes the runs of a study; any thread may compute any block. The constructor throws Error like Devices.
+// Computes the runs of a study; any thread may compute any block. The constructor throws the same Errors as that of
+// Devices.
 class Runs {
  public:
   // The study must outlive this object. A run throws InterruptedRun once `interrupted` returns true.
   explicit Runs(Study const& study, std::function<bool()> const& interrupted = {});
   Blocks const& blocks() const { return blocks_; }
   std::vector<RunStore::Row> compute(Blocks::Block const& block) const;
-  // Whether the block's runs are integrated implicitly, one by one. This is so unless its coupling is `coupled`.
+  // Returns whether the runs of a block are integrated implicitly, one by one: those of every coupling but `coupled`
+  // are.
   bool one_by_one(Blocks::Block const& block) const { return devices_[place(block)].coupling() != Coupling::coupled; }
 
  private:
