@@ -157,8 +157,9 @@ struct RunAllOptions {
 // Computes the runs that the store lacks and stores them. Returns false if it was interrupted. Throws Error like the
 // constructor of Runs. If a run throws, run_all() first stores the runs that have finished and then rethrows.
 bool run_all(Study const& study, RunStore& store, std::size_t threads, RunAllOptions const& options = {});
-// The options of a law's runs under a motion. The step is the smaller of the settings' step and longest_explicit_step()
-// for the bearings of the upper bound analysis at rest. Throws Error if a run would take more than most_steps.
+// The options of a law's runs under a motion. The step is that of the settings, but at most longest_explicit_step() for
+// the stiffness that the bearings of the upper bound analysis have at rest. Throws Error if a run would take more than
+// most_steps.
 inline constexpr std::size_t most_steps = 2'000'000;
 Options options_of(Study const& study, Model const& model, Devices const& devices, Motion const& motion);
 

@@ -18,32 +18,32 @@
 
 namespace isolaw::building {
 
-// Parameters in the law's order and units.
+// The lists of parameters (`lot`, `devices`, `median`) are in the law's order and units.
 struct LawSource {
   std::string law;
   std::vector<double> lot;                             // the one set of parameters for all devices of the lot
   std::map<std::string, std::vector<double>> devices;  // the parameters of each tested device, by its name
   lot::Population population;                          // bearings are drawn from it, if it has a covariance
-  // [parameter] index of the parameter in the population; nullopt if all devices have the value in `median`.
+  // For each parameter its index in the population; nullopt if all devices have the parameter's value in `median`.
   std::vector<std::optional<std::size_t>> place;
   std::vector<double> median;
   std::vector<lot::Limits> limits;  // physical limits of each parameter of the population
   double tested_mm = 0.0;           // largest displacement in the tests; 0 if it is not known
-  std::vector<LawSource> springs;   // the law with parameters fitted as springs around a circle; none or one element
+  std::vector<LawSource> springs;   // the law as it was fitted as springs around a circle; empty without such a fit
   // Factors on the law's forces that give the bounds over the design conditions of the lot. Empty if the building file
   // states factors of its own.
   std::optional<PartFactors> lower = {}, upper = {};
-  std::vector<Finding> doubts = {};  // about the law's calibration and its bounds; no number depends on them
+  std::vector<Finding> doubts = {};  // for reports: doubts about the law's calibration and its bounds
 };
 
-// Which bearings an analysis has. A bearing that is not a draw has the same parameters in all kinds of analysis, but
-// `lower`, `upper` and `factor` multiply its forces too.
+// Which bearings an analysis has. A bearing that is not drawn at random has the same parameters in all kinds of
+// analysis, but `lower`, `upper` and `factor` multiply its forces too.
 enum class CaseKind {
-  nominal,   // bearings that are draws have the population's median parameters
+  nominal,   // bearings that would be drawn at random have the population's median parameters
   lower,     // as nominal, with all forces times Settings::lower
   upper,     // as nominal, with all forces times Settings::upper
   factor,    // as nominal, with all forces times grid_factor(draw)
-  draw,      // each bearing that is a draw has parameters of its own, drawn from the population
+  draw,      // each bearing to be drawn has parameters of its own, drawn from the population
   uncertain  // as draw, but from a population estimated again (population_again)
 };
 struct Case {
@@ -71,7 +71,7 @@ Coupling coupling_under(Motion const& motion, LawSource const& source);
 // The bearings of one law under one motion. A random number depends on (seed, law, population, draw, bearing) only.
 class Devices {
  public:
-  // Throws Error if a bearing is a draw but the law has no population with a covariance, or if a device is unknown.
+  // Throws Error if a bearing is to be drawn but the law has no population with a covariance, or for an unknown device.
   Devices(LawSource const& source, BuildingFile const& file, Motion const& motion);
 
   LawSource const& source() const { return source_; }
@@ -81,8 +81,8 @@ class Devices {
   std::vector<double> parameters_of(Case const& which) const;
 
  private:
-  // The populations that were estimated again. Copies of the object share them, and the first copy that needs them
-  // makes them.
+  // The populations of CaseKind::uncertain (population_again()). All copies of a Devices object share them, and the
+  // first copy that needs them computes them.
   struct ReestimatedPopulations {
     std::once_flag once;
     std::vector<lot::Population> populations;

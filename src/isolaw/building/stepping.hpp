@@ -59,7 +59,7 @@ struct Layout {
 // A step of length dt. At its end mode k has the acceleration q'' = share_k (free_part_k - participation_k . Run::A).
 struct ModeStep {
   double dt = 0.0;
-  double const* share = nullptr;  // share_k of each mode
+  double const* share = nullptr;  // share_k for each mode k
 };
 
 // The state and the measures of a run. The caller owns the arrays.

@@ -61,7 +61,7 @@ std::vector<Floor> equal_floors(std::size_t count, Diaphragm const& slab, double
 struct Frame {
   Diaphragm base;
   std::vector<Floor> floors;         // from the lowest up; empty: the building is only the base slab on its bearings
-  std::vector<double> damping = {};  // damping ratios of the modes on a fixed base; higher modes have the last one
+  std::vector<double> damping = {};  // ratios of the modes on a fixed base; the last one holds for all higher modes
 };
 
 // A frame and its modes on a fixed base. The arrays are row-major.
@@ -75,17 +75,17 @@ class Structure {
   std::size_t floors() const { return frame_.floors.size(); }
   std::size_t modes() const { return frequency_.size(); }
 
-  // Mass matrices in (ux, uy, rotation) of the base's centre of mass: of the whole building as a rigid body (M above),
-  // and of the base slab alone.
+  // Mass matrices in (ux, uy, rotation) of the base's centre of mass: of the whole building as a rigid body (M at the
+  // top of this file), and of the base slab alone.
   Matrix3 const& mass() const { return mass_; }
   Matrix3 const& base_mass() const { return base_mass_; }
   double weight_kN() const;
   // Circular frequencies [rad/s], ascending, and damping ratios of the modes on a fixed base.
   std::vector<double> const& frequency_rad_s() const { return frequency_; }
   std::vector<double> const& damping() const { return damping_; }
-  std::vector<double> const& participation() const { return participation_; }  // Gamma above, [mode][3]
-  // A floor's centre of mass has the absolute acceleration rigid A + shape q''. `shape` is [floor][3][mode], `rigid` is
-  // [floor][3][3].
+  std::vector<double> const& participation() const { return participation_; }  // Gamma at the file's top, [mode][3]
+  // A floor's centre of mass has the absolute acceleration rigid A + shape q'', with A and q as at the top of this
+  // file. `shape` is [floor][3][mode], `rigid` is [floor][3][3].
   std::vector<double> const& shape() const { return shape_; }
   std::vector<double> const& rigid() const { return rigid_; }
   // For a mode of amplitude 1: the drifts and the twist of each storey at Storey::centre, and the storey's shears [kN]
@@ -93,7 +93,7 @@ class Structure {
   std::vector<double> const& deformation() const { return deformation_; }
   std::vector<double> const& shear() const { return shear_; }
 
-  // Ascending circular frequencies [rad/s] on bearings that have this stiffness about the base's centre of mass.
+  // Ascending circular frequencies [rad/s] on bearings whose stiffness about the base's centre of mass is `bearings`.
   std::vector<double> frequencies_on(Matrix3 const& bearings) const;
 
  private:
@@ -104,7 +104,7 @@ class Structure {
   Frame frame_;
   Matrix3 mass_, base_mass_;
   num::Vector masses_;     // mass of each degree of freedom: ux, uy and rotation of the base, then of each floor
-  num::Matrix stiffness_;  // of the storeys between these degrees of freedom, without the bearings
+  num::Matrix stiffness_;  // stiffness of the storeys between these degrees of freedom; bearings excluded
   std::vector<double> frequency_, damping_, participation_, shape_, rigid_, deformation_, shear_;
 };
 

@@ -13,8 +13,8 @@ namespace isolaw::building {
 struct SyntheticMotion {
   double step_s = 0.005, duration_s = 20.0;
   double peak_g = 0.35;          // largest acceleration along x; the independent motion along y has 0.85 times as much
-  double ground_period_s = 0.5;  // natural period of the soil that filters the noise; its damping ratio is below
-  double ground_damping = 0.6;
+  double ground_period_s = 0.5;  // natural period of the soil that filters the noise
+  double ground_damping = 0.6;   // damping ratio of this soil
   bool two_components = true;
 };
 

@@ -207,7 +207,7 @@ class Analysis {
     mark({Phase::lot});
   }
 
-  // Returns nullopt if interrupted, and a result without parameters if no start of the descents has finite forces.
+  // Returns nullopt if interrupted, and a result without parameters if the law has no finite forces at any start.
   std::optional<LotAnalysis> fitted(LawOnLot const& lot) const {
     LotAnalysis result{.law = std::string(lot.law), .refinement = lot.refinement, .devices = lot.devices};
     auto const models = lot.pointers();

@@ -20,9 +20,9 @@ fit::SearchBox examined_box(Search const& search);
 fit::SearchBox box_of_lot(Contents const& contents, std::string_view law);
 
 fit::LawOnRecord law_on_device(Contents const& contents, std::size_t device, std::string_view law, int refinement = 1);
-// The law on the device's tests twice: once the objective counts only the small swings, once only the large ones. A
-// swing is the motion from one turning point to the next (data/cycles/swing_sizes.hpp). nullopt if the tests have too
-// few small or too few large swings.
+// Makes two models of the law on the device's tests: the objective of one counts only the small swings, that of the
+// other only the large swings. A swing is the motion from one turning point to the next (data/cycles/swing_sizes.hpp).
+// nullopt if the tests have too few small or too few large swings.
 std::optional<analysis::SwingModels> law_on_swings(Contents const& contents, std::size_t device, std::string_view law,
                                                    int refinement);
 

@@ -329,7 +329,7 @@ class Computation {
   std::size_t jobs_;
   Progress progress_;
   Estimate estimate_;
-  std::optional<std::size_t> too_few_threads_;  // the smallest number that worked, if it was ever less than wanted
+  std::optional<std::size_t> too_few_threads_;  // fewest threads that worked at a time, if fewer than wanted
   std::atomic<bool> stop_ = false;
   std::mutex one_writer_;
 };
@@ -353,7 +353,7 @@ bool run(Contents& contents, std::filesystem::path const& file, RunOptions const
   computation.make_analyses();
   computation.tell_if_short_of_threads();
   bool const complete = contents.complete();  // may be true although an interruption was asked for during the last run
-  bool const plain = store->finish();  // also after an interruption, so that the next reader finds one plain file
+  bool const plain = store->finish();         // also after an interruption, so that no log stays beside the store
   store.reset();
   if (complete && plain) campaign_store().put_in_order(file);
   own.lap(Phase::report);

@@ -19,7 +19,7 @@ struct Progress {
   bool analysis = false;               // whether `done` and `total` count analyses
   std::map<std::string, double> best;  // best objective so far, by law
   std::span<Run const> runs = {};      // all finished runs, those stored earlier too
-  std::string law = {}, device = {};   // of the latest result; `device` is empty if it is about the lot
+  std::string law = {}, device = {};   // of the latest result; `device` is empty for a result on the lot
   double share = 0.0;                  // estimated share of all work that is done, including work stored earlier
   double left_s = 0.0;                 // estimated time until all runs and analyses are done
 };

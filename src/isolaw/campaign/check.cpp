@@ -34,7 +34,7 @@ bool close(double a, double b) {
 }
 
 // Two series are close if no pair of values differs by more than evaluation_tolerance times the largest magnitude in
-// the first series. Relative to the single values, differences would be large wherever a value is near zero.
+// the first series. A tolerance relative to each value would be too strict where a value is near zero.
 bool close(std::vector<double> const& a, std::vector<double> const& b) {
   double size = 0.0;
   for (double const value : a) size = std::max(size, std::abs(value));
@@ -56,8 +56,8 @@ void check_record(Device const& device, Settings const& settings, std::vector<st
   }
 }
 
-// A stored curve that no longer has its hash is a fault. A stiffness that differs from the stored one goes to `found`
-// instead, since it may only mean that another build computed it.
+// It is a fault if the stored curve does not have the stored hash. A stiffness that differs from the stored one goes to
+// `found` instead, since perhaps only another build computed it.
 void check_vertical(Device const& device, std::vector<std::string>& faults, std::vector<std::string>& found) {
   auto const& test = device.vertical;
   if (!test.curve_sha256.empty() && test.curve_sha256 != data::curve_hash(test))

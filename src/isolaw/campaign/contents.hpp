@@ -42,7 +42,7 @@ struct Device {
   std::string file;  // path as given, relative to the lot file
   DeviceInfo info;
   std::string refusal = {};                // why the device is left out; empty if it is usable
-  std::vector<Complaint> complaints = {};  // the faults behind the refusal, as readers of records gave them; not stored
+  std::vector<Complaint> complaints = {};  // the single faults that make up the refusal; not stored
   data::TestRecord raw = {};
   data::TestRecord uncorrected = {};  // `raw` without the corrections that the user asked for; empty if there are none
   data::FitRecord record = {};        // the cleaned record that laws are fitted to
@@ -182,12 +182,12 @@ struct Contents {
   Settings settings;
   std::vector<Device> devices = {};
   std::optional<ObservedTests> observed = {};        // if the lot file has a table [conditions]
-  std::vector<Search> searches = {};                 // sorted by device, then as settings.laws
+  std::vector<Search> searches = {};                 // sorted by device, then in the order of settings.laws
   std::vector<Run> runs = {};                        // sorted by device, law, number
   std::vector<DeviceAnalysis> device_analyses = {};  // sorted by device, law
   std::vector<LotAnalysis> lot_analyses = {};        // sorted by law
   std::vector<LeftOutAnalysis> left_out = {};        // sorted by device, law
-  std::vector<Maker> makers = {};                    // the first one read the records; empty: this program alone
+  std::vector<Maker> makers = {};                    // makers[0] read the records; empty: this program did all
   std::optional<Part> part = {};                     // the part computed and stored here; nullopt: the whole campaign
   EarlierAnalyses held_over = {};                    // analyses made before the campaign grew; not stored
 

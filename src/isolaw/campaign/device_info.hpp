@@ -14,7 +14,7 @@ struct InfoOption : Option<DeviceInfo> {  // a key of a device's table that stat
   Measure measure = Measure::text;
 };
 
-// Returns the table, which has a row for each fact. The rows alone check whether a value is allowed.
+// Returns the table, which has a row for each fact. A row also checks whether a value is allowed.
 std::vector<InfoOption> const& info_table();
 
 // Visits the options for reading a compression test: all but those about the force of a shear test (`of_test`).

@@ -42,8 +42,8 @@ std::optional<std::size_t> place_of(Contents const& contents, std::string_view d
 }
 
 bool same_record(Device const& there, Device const& now) {
-  // The hash alone is not enough: it is the same if several files were joined to one history and if they were read as
-  // several tests. In these two cases `starts` differs.
+  // The hash alone is not enough. Several files that are joined to one history have the same hash as the same files
+  // read as several tests, and only `starts` differs.
   return there.raw.sha256 == now.raw.sha256 && there.raw.starts == now.raw.starts && there.refusal == now.refusal;
 }
 

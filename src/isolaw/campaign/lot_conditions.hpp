@@ -17,7 +17,7 @@ namespace isolaw::campaign {
 struct StatedAgeing {
   double days = 0.0, at_C = 0.0;
 };
-// The rows for the keys of a table `aged`.
+// Returns a table with a row for each key that the table `aged` of a lot file may have.
 std::span<Option<StatedAgeing> const> aged_table();
 
 // The compound and size that a lot file states for a device. Only devices of the same compound and size are compared
@@ -36,12 +36,12 @@ struct StatedTest {                                      // what a lot file stat
   std::string temperature_of;                            // "core", "surface" or "chamber"; empty if it is not stated
   std::optional<double> conditioned_h;                   // time in a chamber at the temperature, before the test
   std::optional<StatedAgeing> aged = {};
-  bool is_acceptance = false;  // the campaign fits laws to this test; stated in the lot file, or chosen by its reader
+  bool is_acceptance = false;  // the campaign fits laws to this test; lot_file.cpp chooses it if the user does not
   bool takes_part_in_fit = false;
   bool is_scaled = false;  // the specimen is a scaled model of the device
   std::optional<double> scale = {};
 };
-// The rows for the keys of StatedTest, except `aged`. The rows alone check whether a value is allowed.
+// Returns a table with a row for each key of StatedTest except `aged`. A row also checks whether a value is allowed.
 std::span<Option<StatedTest> const> test_table();
 // Returns the start of a test in hours since 1970; nullopt for a text that is no date with a time of day.
 std::optional<double> start_h(std::string_view started);
@@ -52,10 +52,10 @@ struct ConditionRange {
   double low = 0.0, high = 0.0;
 };
 
-struct StatedConditions {  // the table [conditions]
-  std::string text;        // this table as TOML, from which read_conditions() makes the other members
-  std::string rules;       // the rule set that says how effects combine; empty: that of the acceptance, if there is one
-  StatedDevice compared;   // compound and size of the devices to compare, if the lot has several
+struct StatedConditions {           // the table [conditions]
+  std::string text;                 // this table as TOML, from which read_conditions() makes the other members
+  std::string rules;                // the rule set that says how effects combine; empty: Acceptance::rules, if given
+  StatedDevice compared;            // compound and size of the devices to compare, if the lot mixes several kinds
   std::vector<std::string> assume;  // effects for which the rule set's default factors may replace missing tests
   struct {
     double temperature_C = 20.0;

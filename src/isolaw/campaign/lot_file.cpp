@@ -270,7 +270,7 @@ class DeviceReader {
   TestInput named_test(toml::table const& source, data::ReadOptions const& defaults, std::string const& file) {
     TomlTable table(source, file, "[[device.test]]", complaints_);
     auto test = test_in(table, defaults, false);
-    // Tables from a Python program have no line numbers.
+    // Tables from a Python program have no line numbers, so their tests get no place.
     if (auto const line = source.source().begin.line; line > 0)
       test.place = fmt::format("{}:{}", std::filesystem::path(file_).filename().string(), line);
     find_columns(table, source, test);
@@ -295,8 +295,8 @@ class DeviceReader {
     return test;
   }
 
-  // Complains about the first key that is about conditions, only once for the whole file. table.find() marks each such
-  // key as known, so that table.refuse_unknown() does not complain about it.
+  // For a lot file without a table [conditions]: complains about its first key that needs this table, and about no
+  // other. table.find() marks each such key as known, so that table.refuse_unknown() does not complain about it.
   void refuse_conditions(TomlTable& table, toml::table const& source, auto const& options) {
     for (auto const& option : options) {
       if (!source.contains(option.option())) continue;
@@ -389,7 +389,7 @@ class DeviceReader {
   std::string file_;
   StatedConditions const* conditions_;
   std::vector<Complaint>& complaints_;
-  bool lacks_conditions_ = false;  // a complaint says that the file has no table [conditions]
+  bool lacks_conditions_ = false;  // a complaint already says that the file has no table [conditions]
 };
 
 // Complains about each value that Settings::validate() refuses, at the line of its key.

@@ -88,7 +88,7 @@ Lot read_lot_text(std::string_view text, std::filesystem::path const& file, LotF
 Lot lot_of_tables(Json const& tables, std::filesystem::path const& folder, LotFileOptions const& options = {});
 std::string name_of_file(std::filesystem::path const& file);        // printable and without blanks around it
 Lot lot_of_files(std::vector<std::filesystem::path> const& files);  // devices are named after their files
-// "a + b", "a + b + c", or "a and 3 more tests".
+// One name for several tests, such as "a + b", "a + b + c", or "a and 3 more tests".
 std::string name_of_tests(std::span<data::TestSource const> tests);
 
 using StatedFacts = std::map<std::string, std::string>;  // facts that a record's file states about its device, by key

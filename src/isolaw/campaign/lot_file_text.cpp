@@ -49,8 +49,8 @@ void insert(toml::table& table, std::string const& key, Json const& value) {
   }
 }
 
-// The reading options on which all devices agree, for [read]. An option that only some devices have must not be in
-// [read], since it would apply to all devices.
+// Returns the reading options that are the same for all devices, to write them in [read]. An option that only some
+// devices have must not be in [read], since it would apply to all devices.
 Json shared_reading(Lot const& lot) {
   Json shared = Json::object();
   for (auto const& option : data::reading_table()) {
@@ -118,7 +118,7 @@ void insert_test(toml::table& table, TestInput const& test, std::filesystem::pat
   insert_reading(table, test.read, shared_reading);
 }
 
-std::string open_keys(DeviceInfo const& info, StatedFacts const& hints) {  // keys that have no value, as comments
+std::string open_keys(DeviceInfo const& info, StatedFacts const& hints) {  // lists keys without a value as comments
   std::string text;
   for (auto const& option : info_table()) {
     if (!option.get(info).is_null()) continue;
@@ -137,8 +137,8 @@ std::string as_comment(std::string_view text) {
   return all;
 }
 
-// Returns the text of a lot file in which the records are tests of fewer devices under several conditions. The test of
-// an aged device becomes a comment in the file, because the name of the record does not say how long it was aged.
+// Returns the text of a lot file in which several records may be tests of one device under different conditions. The
+// test of an aged device becomes a comment in the file, because the record's name does not say how long it was aged.
 std::string proposed_tables(Lot const& lot, std::filesystem::path const& directory, Json const& shared_reading,
                             LotFileRemarks const& remarks) {
   std::vector<std::string> devices;
@@ -148,7 +148,7 @@ std::string proposed_tables(Lot const& lot, std::filesystem::path const& directo
       "[conditions]\nreference = {}\n"
       "# design = {{ temperature-C = [-15.0, 45.0], rest = \"full\" }}  # the building's conditions; without them no bounds\n",
       remarks.reference);
-  // A device is usually tested first at the reference temperature, and last after ageing.
+  // Writes the tests near the reference temperature first and those after ageing last, which is their usual order.
   std::vector<std::size_t> order(remarks.tests.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) {

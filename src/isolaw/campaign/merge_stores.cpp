@@ -42,7 +42,7 @@ void refuse_absent(Path const& out, std::vector<std::string> const& absent) {
                .advice = "its name as it is, or leaving it out"});
 }
 
-// Returns read(), or `otherwise` if read() throws, as for a file to be replaced that is damaged or no store at all.
+// Returns read(), or `otherwise` if read() throws: a file that is to be replaced may be damaged or no store at all.
 template <class Value, class Read>
 Value value_or(Value otherwise, Read&& read) {
   try {

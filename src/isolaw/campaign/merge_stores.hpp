@@ -24,7 +24,7 @@ struct MergeResult {
   std::string lost = {};                  // a sentence if `fresh` replaced a damaged or empty file; else empty
   std::map<int, std::size_t> missing_of;  // missing runs by the part that should hold them; part 0 if that is not known
 };
-// "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if none is missing.
+// Text such as "5 runs are missing, of part 4/7 (4 runs), 5/7 (1 run)"; empty if no run is missing.
 std::string missing_text(MergeResult const& merged);
 // Throws Error for a file in which SQLite finds faults. `again` tells the user how to compute the file once more.
 void require_sound(std::filesystem::path const& file, std::string const& again);

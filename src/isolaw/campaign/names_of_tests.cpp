@@ -53,7 +53,7 @@ NumberInName number_at(std::string_view name, std::size_t first) {
   found.before = lower(name.substr(found.from, sign - found.from));
   bool const after_word = sign > 0 && is_in_word(name[sign - 1]);
   found.is_minus = found.has_dash && (!after_word || found.before == "t" || found.before == "temp");
-  // The dash of "cold-20C" separates two words.
+  // A dash as in "cold-20C" separates two words and is no minus sign.
   if (found.has_dash && !found.is_minus) {
     found.from = sign;
     found.before.clear();
@@ -118,7 +118,7 @@ std::vector<ProposedTest> propose_tests(std::span<std::string const> names) {
     return at != std::string_view::npos && at + 2 < name.size() && is_digit(name[at + 2]);
   });
   std::vector<ProposedTest> all;
-  std::vector<std::string> devices;  // names of the devices in those names that state a condition
+  std::vector<std::string> devices;  // the devices' names, from the names that state a condition
   for (auto const& name : names) {
     auto found = conditions_in(name, dash_separates);
     auto const last = std::string_view(name).substr(0, found.from).find_last_not_of(separators);

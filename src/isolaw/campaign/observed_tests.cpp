@@ -234,7 +234,7 @@ ObservedTest test_of(Json const& json) {
                     .rubber_area_mm2 = real_or_none(json.at("rubber_area_mm2")),
                     .refusal = json.at("refusal").get<std::string>(),
                     .farthest_mm = real_or_none(json.at("farthest_mm"))};
-  // A store of an earlier build has no doubts.
+  // The key "doubts" is missing in stores that an earlier build wrote.
   if (auto const doubts = json.find("doubts"); doubts != json.end())
     test.doubts = wording::findings_of(doubts->get<std::string>());
   take_values(compared_devices_table(), json.at("of_device"), test.of_device);

@@ -25,9 +25,10 @@ struct ObservedBlock {
   int number = 0;
   double amplitude_mm = 0.0;
   std::optional<double> frequency_Hz = {};  // empty if it is not known or not the same in all cycles
-  std::string fault = {};                   // if a signal is impossible and no cycle counts: why; else empty
+  std::string fault = {};                   // why no cycle counts, if a signal is impossible; else empty
   std::vector<ObservedCycle> cycles = {};   // the counted cycles
-  // The loop of cycle reference.last_cycle, or of the last counted cycle before it; at most 120 points, for drawing.
+  // For drawing: at most 120 points of the loop of one cycle, which is the last of the reference cycles (`reference` in
+  // StatedConditions) or, if that is missing, the last counted cycle before it.
   std::vector<double> loop_mm = {}, loop_kN = {};
 };
 

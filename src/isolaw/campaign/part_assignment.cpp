@@ -23,7 +23,8 @@ Costs dearest_first(Contents const& contents) {  // costs of the searches that w
   return in_order(std::move(searches));
 }
 
-// Assigns each item, from 0 to count - 1, to the part with the least load so far. Items without a cost get part 0.
+// Assigns each item, from 0 to count - 1, to the part with the least load so far. An item that is not in `costs` gets 0
+// instead of a part's number.
 std::vector<int> even_by_cost(Costs const& costs, std::size_t count, int parts) {
   std::vector<int> part(count, 0);
   std::vector<std::uint64_t> load(static_cast<std::size_t>(parts), 0);

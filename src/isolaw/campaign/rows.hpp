@@ -16,7 +16,7 @@ void write_row(sqlite::Connection const& db, Run const& run);
 class RunWriter {  // writes many runs one after the other
  public:
   explicit RunWriter(sqlite::Connection const& db);
-  bool add_if_new(Run const& run);  // writes nothing and returns false if the store has this device, law and number
+  bool add_if_new(Run const& run);  // writes nothing and returns false if a run of this device, law and number is there
   bool is_there(Run const& run);    // whether the stored run is the same, bit by bit, whoever computed it
 
  private:

@@ -31,7 +31,8 @@ void apply(Values const& given, Settings& settings);
 struct Sides {  // how messages name the two campaigns or files that differ
   std::string one = "there", other = "now";
 };
-// "method: ga there, best now" for each setting that differs. Leaves out settings that only one of two methods has.
+// A text such as "method: ga there, best now" for each setting that differs. If the methods differ, leaves out settings
+// that only one of them has.
 std::vector<std::string> differences(Settings const& there, Settings const& now, Sides const& sides = {});
 
 // The options of the rules that tests are checked against. Setting the option `rules` only keeps the name of the rule

@@ -43,11 +43,11 @@ struct Settings {
 };
 
 // to_pairs() returns every setting of the method with its value as JSON text, in a fixed order. settings_from_pairs()
-// throws Error for a wrong value and for a missing setting that a store must have (Setting::without).
+// throws Error for a wrong value and for a missing setting that a store must have (Setting::value_if_absent).
 std::vector<std::pair<std::string, std::string>> to_pairs(Settings const& settings);
 Settings settings_from_pairs(std::vector<std::pair<std::string, std::string>> const& pairs);
 
-inline constexpr std::string_view usual_laws = laws::law_sets[1].first;  // fitted if none are asked for
+inline constexpr std::string_view usual_laws = laws::law_sets[1].first;  // fitted if the user names no law
 // Turns "paper,gallardo" into ids without repetition; "paper", "usual" and "all" name sets. Throws Error that lists the
 // laws if a name is unknown.
 std::vector<std::string> parse_laws(std::string_view text);

@@ -248,7 +248,7 @@ std::filesystem::path unfinished(std::filesystem::path const& file) {
 void remove_unfinished(std::filesystem::path const& file) {
   std::error_code ignored;
   auto const aside = unfinished(file).string();
-  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have left the first
+  for (auto const& name : {unfinished(aside).string(), aside})  // put_in_order(aside) may have left unfinished(aside)
     for (auto const* suffix : {companion_suffixes[0], companion_suffixes[1], companion_suffixes[2], ""})
       std::filesystem::remove(name + suffix, ignored);
   // put_in_order() works on two files in one transaction. While it commits, SQLite keeps a list of both beside them.

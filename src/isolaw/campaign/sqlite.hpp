@@ -130,7 +130,8 @@ class Unfinished {
  private:
   std::filesystem::path file_;
 };
-// Replaces `file` by `whole`, which has no log and is not open. At every moment one complete file exists. Throws Error.
+// Replaces `file` by `whole`, which must have no log and not be open. At every moment one complete file exists. Throws
+// Error.
 void move_into_place(std::filesystem::path const& whole, std::filesystem::path const& file);
 // See StoreKind::put_in_order.
 void put_in_order(std::filesystem::path const& file, std::function<void(Connection const&)> const& create_tables);

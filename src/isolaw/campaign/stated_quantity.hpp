@@ -7,7 +7,7 @@
 
 namespace isolaw::campaign {
 
-// The quantity and unit of a lot file's key. A key of `text` takes no number.
+// The quantity and unit of the number that a key of a lot file takes. A key with Measure::text takes no number.
 enum class Measure { text, temperature_C, length_mm, area_mm2 };
 
 // Returns the number that `text` states, in the unit of the measure. nullopt if it has no number or no known unit, or

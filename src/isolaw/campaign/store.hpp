@@ -14,7 +14,7 @@ namespace isolaw::campaign {
 
 class Store {
  public:
-  // Makes a store of `contents` with its results. A file of that name is replaced only when the new store is complete.
+  // Makes a store of `contents` with its results. If `file` exists, it is replaced only when the new store is complete.
   static Store create(std::filesystem::path const& file, Contents const& contents,
                       std::function<void()> const& before_replacing = {});
   // Opens an existing store to add results. Throws Error if the file is no campaign store of the present schema, or

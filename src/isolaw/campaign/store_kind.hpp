@@ -33,7 +33,7 @@ class StoreKind {
   Words const& words() const { return words_; }
   // Creates the tables in an empty file, and writes the makers and the part into them.
   void begin(sqlite::Connection const& db, std::vector<Maker> const& makers, std::optional<Part> const& part) const;
-  // Makes a store by fill() and replaces a file of that name. If this fails or the program is killed, the former or the
+  // Makes a store by fill() and replaces `file` if it exists. If this fails or the program is killed, the former or the
   // new file is there and complete. Calls before_replacing() when the new file is complete but does not have its name
   // yet. Throws Error if `file` is not a plain file or cannot be written.
   static void create(std::filesystem::path const& file, std::function<void(sqlite::Connection const&)> const& fill,

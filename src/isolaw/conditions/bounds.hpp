@@ -27,7 +27,7 @@ struct LoopParts {
   Loop elastic, hysteretic;
 };
 
-// Simulates the block with 400 samples a cycle. Not finite if the law has no finite force there.
+// Simulates the block with 400 samples a cycle. The result is not finite if a force of the law is not.
 Loop loop_of(laws::LawEntry const& law, std::span<double const> parameters, ReferenceBlock const& block);
 struct CycleCurve {
   std::vector<double> disp_mm, force_kN;
@@ -46,7 +46,7 @@ LoopFactors factors_for(LoopParts const& parts, Loop const& target);
 
 // Why a bound law multiplies all forces by one factor, instead of the parts by a and b.
 enum class OneFactor {
-  inseparable,   // no parameters of the law tell the parts apart
+  inseparable,   // the law has no parameters that change one part of the force alone
   not_positive,  // a or b would not be above 0
   limits,        // the parameters would leave their limits
   not_reached,   // K_eff or energy would be farther than 0.5 % from its target, since the parts act on each other

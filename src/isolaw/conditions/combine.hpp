@@ -23,14 +23,14 @@ struct Combination {
   Form form = Form::product;
   double adjust = 1.0;  // the number f in the formula of the form (rules/effects.hpp)
   double margin = 1.0;  // the number `margin` in the formula of Form::sum
-  double supply = 1.0;  // S, the factor of the scatter between devices that the rule set or the contract states
+  double supply = 1.0;  // S, the factor for the scatter between devices, stated by the rule set or the contract
 };
 
 struct Combined {
   double factor = 1.0;
   std::optional<Interval> interval = {};
   double se = 0.0, df = 0.0;      // standard error and degrees of freedom of ln factor, from factors that tests show
-  Status status = Status::shown;  // the weakest status of its parts
+  Status status = Status::shown;  // the weakest status among the combined factors
   double share_shown = 0.0;       // share of the sum of |ln lambda| that comes from factors shown or interpolated
   std::vector<Effect> assumed = {}, not_covered = {}, without_interval = {};
   bool complete() const { return not_covered.empty(); }  // if false, reports say "at least" or "at most" this factor

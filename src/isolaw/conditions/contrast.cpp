@@ -155,7 +155,7 @@ Response::Response(Effect effect, std::span<Sample const> reference, std::span<S
     return effect == Effect::ageing && ageing ? std::pair(ageing->at_C, ageing->days)
                                               : std::pair(condition_of(effect, sample.condition), 0.0);
   });
-  // A test joins the level whose first test it agrees with.
+  // A test joins a level if its condition agrees with that of the level's first test.
   std::vector<std::vector<Sample>> clusters;
   for (auto const& sample : sorted) {
     auto const same = std::ranges::find_if(clusters, [&](auto const& cluster) {

@@ -55,10 +55,10 @@ enum class Lack {
   too_far,          // the condition is too far beyond the tests
   no_level,         // no test has this ageing
   no_energy,        // the design states a life in years, but no activation energy is stated
-  too_long,         // the life is more than twice that for which a test stands
+  too_long,         // the life is more than twice the life that a test stands for
   no_new_device,    // no reference test has the first cycle of a new device
   no_rest,          // no test after this rest, nor tests after both a shorter and a longer one
-  no_cycle,         // no reference test has so many cycles
+  no_cycle,         // no reference test has as many cycles as the design asks for
   unknown_scatter,  // only devices without a reference test were tested, and reference tests do not show the scatter
 };
 
@@ -124,8 +124,9 @@ class Response {
   Factor factor_of(Level const& level) const;
   bool is_at(Level const& level, Condition const& test) const;  // whether a test with this condition is at the level
   // The factor at a temperature in degrees, a frequency in Hz or a load in kN. Between levels it is the mean over the
-  // devices that were tested on both sides, each on its own line. It is extrapolated from the outermost level by at
-  // most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond this it is not covered.
+  // devices that were tested on both sides, each by the straight line through its own values. It is extrapolated from
+  // the outermost level by at most 10 K, a factor of 2 in frequency, or 20 % of the load. Beyond that, it is not
+  // covered.
   Factor at(double condition) const;
   Factor at(Ageing const& ageing) const;  // the factor of the level that agrees with it; if none does, not covered
   // The factor at the value that this effect's condition has in a test. Only devices with a reference test count: the
@@ -145,8 +146,8 @@ class Response {
   // the device's line goes.
   std::vector<Level const*> behind(std::string_view device, Condition const& test) const;
   // The largest and the smallest factor in a range of the condition, among those of the reference, of the two ends and
-  // of the levels within the range. If an end is not covered, both count as not covered; their values are then the
-  // largest and the smallest that are known.
+  // of the levels within the range. If an end is not covered, both factors count as not covered; their values are then
+  // the largest and the smallest that are known.
   struct Extremes {
     Factor max, min;
   };
@@ -172,10 +173,10 @@ class Response {
   std::vector<std::string> unpaired_;
 };
 
-// Returns the factor if other devices were tested at the level than at reference. Its logarithm is the mean of
-// ln(value) at the level minus that at reference. `lot_std` is the standard deviation of ln(value) over `lot_devices`
-// devices at reference. With fewer than two such devices the scatter of devices is unknown, and the status is
-// not_covered.
+// Returns the factor of a level at which other devices were tested than at reference. Its logarithm is the mean of
+// ln(value) at the level minus the mean at reference. `lot_std` is the standard deviation of ln(value) over
+// `lot_devices` devices at reference. With fewer than two such devices the scatter of devices is unknown, and the
+// status is not_covered.
 Factor unpaired_factor(std::span<Sample const> level, std::span<Sample const> reference, double lot_std,
                        int lot_devices);
 

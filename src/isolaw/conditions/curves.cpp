@@ -9,7 +9,7 @@ namespace isolaw::conditions {
 namespace {
 
 struct Line {
-  double start = 0.0, slope = 0.0, residual = 0.0;  // y = start + slope x; `residual` is the sum of squares
+  double start = 0.0, slope = 0.0, residual = 0.0;  // y = start + slope x; `residual` is the sum of squared errors
 };
 Line line_through(std::span<double const> x, std::span<double const> y) {
   double const n = static_cast<double>(x.size());
@@ -75,7 +75,7 @@ std::optional<Softening> softening(std::span<double const> values) {
     return line_through(x, values);
   };
   constexpr double least_p = 0.2, most_p = 3.0;
-  constexpr int bits = std::numeric_limits<double>::digits / 2;  // a minimum is no sharper than half of the digits
+  constexpr int bits = std::numeric_limits<double>::digits / 2;  // rounding blurs a minimum beyond half of the digits
   auto const [p, residual] = boost::math::tools::brent_find_minima(
       [&](double power) { return line_at(power).residual; }, least_p, most_p, bits);
   auto const line = line_at(p);

@@ -24,7 +24,7 @@ std::string_view name(NotAssessed reason);
 
 struct AskedAgeing {
   Ageing test;  // the ageing of the test that is used
-  // The life of the design, and the life for which the test stands. Both are 0 if the design asks for the test itself.
+  // The life of the design, and the life that the test stands for. Both are 0 if the design states a test and no life.
   double years = 0.0, test_stands_for_years = 0.0;
 };
 // The conditions of the design. A limit for which the rule set states no levels holds at these conditions.
@@ -42,9 +42,9 @@ struct DeviceDependence {            // one device at one condition
 };
 
 // Judges every device that was tested at another condition than the reference, at every level of the limit. A level
-// that agrees with the reference has the ratio 1 and is left out. Only a ratio that is shown or interpolated is
-// judged; a ratio equal to the limit passes. If the set is not `verified`, the verdict is information. The tests are
-// `as_asked` if the reference cycles are those of the set and the reference tests meet its conditions
+// that agrees with the reference is left out, because its ratio is 1. Only a ratio that is shown or interpolated is
+// judged; a ratio equal to the limit passes. If the rule set is not `verified`, the verdict is information. `as_asked`
+// says that the reference cycles are those of the rule set and that the reference tests meet its conditions
 // (rules::unmet_conditions()).
 std::vector<DeviceDependence> judge_dependence(rules::DependenceLimit const& limit, bool verified,
                                                Response const& response, DesignConditions const& design,

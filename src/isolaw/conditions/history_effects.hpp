@@ -11,10 +11,10 @@
 
 namespace isolaw::conditions {
 
-// The time in years at the service temperature for which an ageing test stands, by the law of Arrhenius.
+// How many years at the service temperature an ageing test stands for, by the law of Arrhenius.
 double stands_for_years(Ageing const& test, double service_temperature_C, double activation_energy_kJ_per_mol);
-// The level of ageing that stands for the shortest life among those of at least `years`; if there are none, the level
-// that stands for the longest life. nullptr if no level is aged.
+// The level of ageing to use for a life of `years`: among the levels that stand for at least this life, the one with
+// the shortest life; if there are none, the level with the longest life. nullptr if no level is aged.
 Level const* ageing_level_for(double years, std::span<Level const> levels, double service_temperature_C,
                               double activation_energy_kJ_per_mol);
 // The ageing in an oven at `oven_C` that stands for `years` of service.

@@ -55,7 +55,8 @@ std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candi
                          .rest_h = is_reference ? std::nullopt : end.rest_h,
                          .before = end.status,
                          .devices_before = end.devices};
-        // The end keeps its status until a device shows it. A reference test alone may not achieve that.
+        // The end of the design range keeps its status until a device shows this end. A reference test that is only
+        // the basis of a later test does not show it.
         test.after = shown_on > 0 ? Status::shown : end.status;
         test.devices_after = shown_on > 0 ? shown_on : end.devices;
         planned.push_back(std::move(test));

@@ -20,12 +20,12 @@ struct Candidate {  // a device that can be tested again
 // One end of the design range of an effect.
 struct DesignEnd {
   Effect effect = Effect::temperature;
-  Condition condition = {};             // condition of a test that shows this end: the reference except in this effect
-  int cycles = 3;                       // least number of cycles of such a test
+  Condition condition = {};  // of a test that shows this end; it differs from the reference only in this effect
+  int cycles = 3;            // least number of cycles of such a test
   std::optional<double> rest_h = {};    // rest before such a test, if the effect is the recovery at rest
   Status status = Status::not_covered;  // present status, which rests on `devices` devices
   int devices = 0;
-  std::vector<std::string> shown_on = {}, tested = {};  // devices that show it, and those with any test of the effect
+  std::vector<std::string> shown_on = {}, tested = {};  // devices that show this end; those with any test of the effect
   // Devices that were tested at this end and have no reference test, but could still get one that is comparable.
   std::vector<std::string> without_reference = {};
 };
@@ -44,8 +44,8 @@ struct PlannedTest {
 };
 
 // Lists tests until every end of the design is shown on `devices` devices. For each end it takes devices that do not
-// show it yet: first those with tests of this effect, then others with a reference test, then those that need a
-// reference test too, then new devices, which are called "new 1", "new 2". The candidates are in the order of the lot
+// show it yet: first those with a reference test, then those that need one too, in both groups first those with tests
+// of this effect. Last come new devices, which are called "new 1", "new 2". The candidates are in the order of the lot
 // file. An aged device is taken only for a longer ageing in the same oven.
 std::vector<PlannedTest> plan(std::span<DesignEnd const> ends, std::vector<Candidate> candidates, int devices,
                               Condition const& reference, int reference_cycles);

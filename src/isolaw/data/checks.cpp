@@ -129,7 +129,8 @@ void warn_of_gaps(TestRecord& record) {
 // Warns if times read as seconds look like a spreadsheet's days: large numbers that grow by less than 1 in the test.
 void warn_of_days(TestRecord& record) {
   if (record.time_s.empty() || !may_be_serial(record.time_s.front()) || !may_be_serial(record.time_s.back())) return;
-  constexpr double fastest_Hz = 1000.0;  // a test of less than a second hardly has a higher rate, so the times are days
+  constexpr double fastest_Hz =
+      1000.0;  // a test of less than 1 s rarely has a higher rate; such times are taken as days
   double const length = record.time_s.back() - record.time_s.front();
   double const rate = static_cast<double>(record.time_s.size() - 1) / length;
   if (length > 1.0 || rate < fastest_Hz) return;

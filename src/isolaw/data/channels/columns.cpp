@@ -280,7 +280,7 @@ class Resolver {
   }
 
   // Finds the column of a channel by the names of the columns and stores it in result_, or else reports why there is
-  // none. A cycle column or a vertical load may be absent from a shear test.
+  // none. In a shear test, a missing cycle column or vertical load is not reported, because both are optional.
   void recognise(Channel channel) {
     if (channel == Channel::time) return recognise_time();
     auto found = wanted_.vertical ? compression_candidates(channel) : candidates_of_any(channel);

@@ -1,5 +1,5 @@
-// Finds each channel's column and unit by the user's options, or else by the header. If one cannot be found, a
-// complaint names the option that the user can give.
+// Finds each channel's column and unit by the user's options, or else by the header. If a column or unit cannot be
+// found, a complaint names the option that the user can give.
 #pragma once
 
 #include <cstddef>

@@ -382,7 +382,7 @@ std::string unequal_step(std::vector<double> const& time_s, std::size_t otherwis
 }
 
 // Compares the times with equal steps from the first time on. Returns the index of the first time that is off, or
-// time_s.size() if none is. A file may round each time, for example to three decimals.
+// time_s.size() if none is. A time may be slightly off, because a file may round it, for example to three decimals.
 std::size_t equally_spaced(std::vector<double> const& time_s, double step) {
   constexpr double allowed = 0.1;  // a time may be off by this fraction of a step
   for (std::size_t i = 0; i < time_s.size(); ++i)

@@ -42,7 +42,7 @@ struct TestRecord {
   std::vector<double> load_kN;
   std::vector<double> logged_cycle = {};    // the logger's cycle number at each sample; usually empty
   std::vector<double> second_disp_mm = {};  // at right angles to disp_mm, in tests in two directions; only plotted
-  // All choices made in reading. Read with these options, the file gives the same record.
+  // All choices made in reading. If the file is read with these options, it gives the same record.
   ReadOptions layout;
   // Facts that the file states about the device: pairs of a key as in lot files, such as "serial", and the stated text.
   std::vector<std::pair<std::string, std::string>> device_facts;

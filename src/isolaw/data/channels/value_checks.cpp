@@ -15,7 +15,7 @@ constexpr double beyond_any_sensor = 1e10;
 constexpr std::array sentinels{999.0,  9999.0,  99999.0, 999999.0, 9999999.0, 999.9,
                                9999.9, 99999.9, 999.99,  9999.99,  99999.99};
 constexpr double far_beyond = 50.0;      // a value above this many times ordinary_size() is an overload
-constexpr double sentinel_beyond = 3.0;  // a 9999 below this many times ordinary_size() may be a measured value
+constexpr double sentinel_beyond = 3.0;  // a value such as 9999 below this many times ordinary_size() may be measured
 constexpr std::size_t least_values = 20;
 
 bool is_sentinel(double size) {
@@ -107,7 +107,7 @@ void check_channel(std::string const& file, RawChannel const& raw, std::span<std
   }
   if (raw.channel == Channel::cycle) return check_cycle(file, raw, lines, complaints);
   check_overload(file, raw, lines, complaints);
-  // A press may hold the vertical load constant, and nothing may move in the second direction.
+  // These two may be constant: a press may hold the vertical load, and nothing may move in the second direction.
   if (raw.channel != Channel::load && raw.channel != Channel::second_disp) check_constant(file, raw, complaints);
 }
 

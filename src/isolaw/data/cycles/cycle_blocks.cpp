@@ -22,8 +22,8 @@ constexpr double far_period = 1.4;     // two periods are alike if they differ b
 constexpr double other_load = 0.1;     // a change of the vertical load by more than this fraction splits a block
 constexpr double build_up = 0.15;      // a lone cycle joins a run if their amplitudes differ by at most this fraction
 constexpr double symmetric = 0.05;     // a lone cycle with at most this Shape::unevenness is a block of its own
-constexpr double lopsided = 0.25;    // times the amplitude; neighbouring regular cycles' middles differ by at most this
-constexpr std::size_t sure_run = 3;  // fewer cycles may agree in amplitude by chance
+constexpr double lopsided = 0.25;      // the middles of regular neighbours differ by at most this part of the amplitude
+constexpr std::size_t sure_run = 3;    // the amplitudes of fewer cycles may agree by chance
 constexpr std::size_t longest_taper = 2;  // a test builds up or fades within at most this many cycles
 
 struct Run {

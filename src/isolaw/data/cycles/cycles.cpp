@@ -19,13 +19,13 @@ namespace isolaw::data {
 namespace {
 
 constexpr double least_floor = 0.01;      // the noise band is at least this fraction of the half range
-constexpr double largest_floor = 0.05;    // times the half range; no rig has more noise, so the band is at most this
+constexpr double largest_floor = 0.05;    // the noise band is at most this fraction of the half range
 constexpr double noise_deviations = 5.0;  // noise band in standard deviations; one sample in a million lies beyond it
 constexpr double interruption = 0.04;     // a swing below this fraction of both neighbouring swings is an interruption
 constexpr double off_centre = 0.05;       // a middle closer to zero than this fraction of the amplitude counts as zero
-constexpr double uneven = 0.25;           // times the amplitude; a start that is closer to the middle may be the centre
-constexpr double resting = 0.05;   // times the amplitude; a record that ends closer to its start has returned to it
-constexpr double as_large = 0.05;  // amplitudes that differ by at most this fraction repeat each other
+constexpr double uneven = 0.25;    // a start off the middle by up to this part of the amplitude may be the centre
+constexpr double resting = 0.05;   // an end within this part of the amplitude from the start is a return to the start
+constexpr double as_large = 0.05;  // amplitudes that differ by at most this fraction count as equal
 // In a cyclic record, cycles that repeat an amplitude or are symmetric make up at least this fraction of the travel
 // (the way that the device moves in all). Cyclic tests reach 0.9. Among 1000 irregular responses of linear oscillators,
 // ten reach 0.64 and one reaches 0.80.
@@ -34,7 +34,7 @@ constexpr double least_regular_share = 0.8;
 // largest_growth. A ground motion does not grow like this over fewest_growing half cycles.
 constexpr std::size_t fewest_growing = 6;
 constexpr double least_growth = 1.02, largest_growth = 1.5;
-constexpr double at_start = 0.05;  // times the smallest peak; a one-sided test returns as close as this to its start
+constexpr double at_start = 0.05;  // a one-sided test returns to its start within this part of its smallest peak
 constexpr double one_stage = 1.1;  // in a one-sided test in stages, largest peak / smallest peak exceeds this
 constexpr auto not_cyclic_cycle = "the record is not cyclic";
 
@@ -260,7 +260,7 @@ std::vector<CycleCut> with_parts(std::vector<CycleCut> cycles, Motion const& mot
       return std::ranges::upper_bound(motion.turns, index, {}, [](std::size_t i) { return static_cast<double>(i); });
     };
     auto const inside = after(part.last) - after(part.first);
-    constexpr auto usual = 2;  // a part of a cycle hardly has more turns
+    constexpr auto usual = 2;  // a partial cycle rarely holds more turns of the motion
     if (inside > usual) part.not_counted += fmt::format("; {} turns of the motion lie within it", inside);
     all.push_back(std::move(part));
   }

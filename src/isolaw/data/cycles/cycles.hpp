@@ -35,7 +35,7 @@ struct CycleCut {
   bool turns_at_start = false;  // at its start, the motion turns at the centre or begins from rest
   bool turns_at_end = false;
   bool half = false;           // a half cycle: a swing from one turn to the next that belongs to no full cycle
-  bool one_sided = false;      // to one side only: from one return to the start displacement to the next
+  bool one_sided = false;      // goes to one side only, from a return to the start displacement to the next return
   double still_samples = 0.0;  // samples in which the device stands still
   double still_time = 0.0;     // time in which it stands still, in s; in samples if there is no time
 };

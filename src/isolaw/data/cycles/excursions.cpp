@@ -10,7 +10,8 @@ constexpr double at_rest = 0.05;   // a point closer to the centre than this fra
 constexpr double alike = 0.15;     // the reaches of alike excursions differ by at most this fraction of the larger one
 constexpr double same_fall = 1.5;  // the times in which two alike excursions fall differ by at most this factor
 constexpr double slight = 0.2;     // an excursion with less than this fraction of the next one's reach is a pre-load
-constexpr double closed_by = 1.5;  // a record that ends at most this many of its last steps off the centre is at rest
+// A record ends at rest if its last sample is off the centre by at most this many times its last step.
+constexpr double closed_by = 1.5;
 constexpr double high = 0.9, low = 0.1;  // fractions of the reach between which the fall of an excursion is timed
 
 class Finder {

@@ -22,7 +22,7 @@ struct Excursion {
   bool positive = false;     // on the positive side of the centre
   double reach_mm = 0.0;     // distance of the tip from the centre
   double fall = 0.0;         // time of its fall from 90 to 10 % of the reach, in s (in samples without time)
-  bool turns = false;        // the motion turns at the centre where it starts, or the record starts there at rest
+  bool turns = false;        // at the start of the excursion the motion turns, or the record begins at rest
   double rest = 0.0;         // time near the centre before it, in s (in samples without time)
   bool rests = false;        // it starts after a rest
   bool starts_open = false;  // the record starts within it

@@ -25,7 +25,8 @@ bool names_a_channel(std::string_view cell);
 
 enum class Certainty { none, symbol, word };
 
-// `plain_load` marks a name with "load" but without "vertical" or "horizontal". It may be the force or the load.
+// `plain_load` marks a name with "load" but without "vertical" or "horizontal", which may mean the horizontal force or
+// the vertical load.
 struct Meaning {
   std::optional<Channel> channel;
   Certainty certainty = Certainty::none;

@@ -78,7 +78,7 @@ void write_all(int descriptor, std::string_view bytes) {
   ::_exit(exit_by_exception);
 }
 
-// Reads the pipe until the forked process closes it. Returns why isolaw gave the process up, or an empty text.
+// Reads the pipe until the forked process closes it. Returns why isolaw stopped the process, or an empty text.
 std::string collect(int input, ConfinedLimits const& limits, std::string& output) {
   // limits.seconds limits the processor time. A process on a busy machine also waits for the processor, so the limit by
   // the clock is five times as long.

@@ -180,7 +180,7 @@ void take_device_facts(std::string_view line, char delimiter, DeviceFacts& found
     if (!key) continue;
     if (colon != std::string::npos && !trimmed(std::string_view(cell).substr(colon + width)).empty()) {
       auto value = std::string(trimmed(std::string_view(cell).substr(colon + width)));
-      // Where commas separate the cells, a decimal comma has split the value into two cells.
+      // Where commas separate the cells, a decimal comma has split the value into two cells, which are joined here.
       if (delimiter == ',' && is_digit(value.back()) && i + 1 < cells.size() && !cells[i + 1].empty() &&
           is_digit(cells[i + 1].front()))
         value += "," + to_utf8(cells[i + 1]);

@@ -11,7 +11,7 @@ namespace isolaw::data {
 
 struct Exporter {
   std::string_view name;
-  // Names such as "Axial Displacement" refer to the actuator, which may have any direction in the rig.
+  // True if names such as "Axial Displacement" refer to the actuator, which may have any direction in the rig.
   bool own_axis = false;
 };
 

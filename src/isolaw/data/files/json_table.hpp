@@ -11,7 +11,7 @@
 
 namespace isolaw::data {
 
-// Whether the bytes begin as JSON does. False for "[Data]", with which text files may begin.
+// Whether the bytes begin like JSON. Returns false for "[Data]", with which text files may begin.
 bool is_json(std::string_view bytes);
 
 // `key` is a table's key or its number from 1. Without it, reads the first table and lists all tables in Tests::sheets.

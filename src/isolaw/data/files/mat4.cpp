@@ -24,7 +24,7 @@ T number_at(std::string_view bytes, bool swapped) {
 }
 
 struct Matrix {
-  std::uint32_t form = 0;    // position in number_bytes
+  std::uint32_t form = 0;    // type of the numbers: a position in number_bytes
   std::uint32_t matrix = 0;  // 0: numbers, 1: text, 2: sparse
   std::uint64_t rows = 0, columns = 0;
   bool complex = false, swapped = false;

@@ -114,7 +114,8 @@ struct Tag {
   std::array<char, 4> data{};
 };
 
-// Reads one data element and counts its bytes down. An element's bytes are subtracted from the enclosing element too.
+// Reads one data element and counts how many of its bytes are left. Each byte read counts for the enclosing element
+// too.
 class Reader {
  public:
   Reader(Source& source, bool swapped, std::uint64_t available)
@@ -347,7 +348,7 @@ class Mat5File : public MatFile {
   std::vector<double> values(MatVariable const& variable, MatSlice const& slice) const override {
     std::vector<double> values;
     guarded([&] {
-      bool found = false;  // if a name occurs twice, the first variable counts, as in the list
+      bool found = false;  // if two variables have one name, the first counts, as in the list of variables
       walk(
           [&](MatVariable const& other) {
             bool const same = other.name == variable.name && other.size == variable.size && other.kind == variable.kind;

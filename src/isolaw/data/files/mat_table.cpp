@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t fewest_values = 3;
 constexpr std::uint64_t most_rows_across = 20;  // the rows of a wide matrix are channels if there are at most this many
-constexpr std::uint64_t bytes_per_sample = 32;  // a double for each of four channels
+constexpr std::uint64_t bytes_per_sample = 32;  // doubles of four channels; limits how many samples a file may have
 constexpr std::size_t most_listed = 30;
 
 struct Origin {

@@ -1,4 +1,4 @@
-// Reads MATLAB variables as columns: vectors, fields of structs, columns of a matrix ("x_F:3") or rows of a wide one.
+// Reads MATLAB variables as columns: vectors, fields of structs, columns of a matrix ("x_F:3"), rows of a wide matrix.
 #pragma once
 
 #include <optional>
