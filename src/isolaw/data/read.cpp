@@ -226,8 +226,8 @@ VerticalTest read_vertical(std::filesystem::path const& file, ReadOptions const&
     return test;
   } catch (Error const& error) {
     auto complaints = error.complaints();
-    // The advice names options of the command line, which are for shear tests. For a compression test, the keys of the
-    // lot file have the same names.
+    // The advice names options of the command line, which are for shear tests. A compression test has keys of the same
+    // names in the lot file, so the advice points to these.
     for (auto& complaint : complaints)
       if (complaint.advice.find("--") != std::string::npos)
         complaint.advice += ", as keys of the device's table 'vertical' in a lot file";

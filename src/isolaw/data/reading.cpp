@@ -39,7 +39,8 @@ Reading by_channel(std::string_view key, std::string help, std::map<Channel, std
                      .found = fmt::format("{}: '{}' is more than one unit", channel, text),
                      .allowed = "one unit for each channel",
                      .advice = "all units in one text: \"disp=mm,force=kN\""});
-      // parse() splits text at commas, so it gets "1" instead of a column's name that contains a comma.
+      // parse() splits text at commas, so it gets "1" instead of a column's name that contains a comma. The name itself
+      // is stored afterwards.
       for (auto& [known, parsed] : parse(fmt::format("{}={}", channel, comma ? "1" : text)))
         (to.*values)[known] = comma ? text : parsed;
     }

@@ -16,8 +16,9 @@ namespace {
 // zero, its scale covers the six decades below the end that is farther from zero.
 constexpr double decades_from_zero = 6.0 * 2.302585092994046;
 
-// The logarithmic scale of an interval that touches or spans zero: value = linear_size sinh(c). It is logarithmic where
-// |value| is above linear_size and linear below. c goes from `from` = asinh(lower / linear_size) to `to` at `upper`.
+// The logarithmic scale of an interval that touches or spans zero: value = linear_size sinh(c), with the coordinate c.
+// The scale is logarithmic where |value| is above linear_size and linear below. c goes from `from` = asinh(lower /
+// linear_size) to `to` at `upper`.
 struct AcrossZero {
   double linear_size, from, to;
 
@@ -261,14 +262,14 @@ laws::RecordScales scales_of(data::FitRecord const& record, laws::LawInfo const&
   if (x.empty()) throw Error({.where = "law " + std::string(law.id), .found = "a record of 0 samples"});
   double const disp = record.largest_scored(x), force = record.largest_scored(f);
   double stiffness = peak_to_peak_stiffness(record);
-  // If the record has no clear slope from peak to peak, the largest force over the largest displacement takes its
-  // place.
+  // If the record has no clear slope from peak to peak, the largest force over the largest displacement serves as
+  // stiffness.
   if (!(stiffness > 0.05 * force / disp)) stiffness = force / disp;
 
   auto const at_zero = forces_at_zero(record);
   double strength = 0.0;
   for (double const value : at_zero) strength += std::abs(value) / static_cast<double>(at_zero.size());
-  // If the displacement never crosses zero or the loop is very thin, a quarter of the largest force takes its place.
+  // If the displacement never crosses zero or the loop is very thin, a quarter of the largest force serves as strength.
   if (!(strength > 0.02 * force)) strength = 0.25 * force;
 
   // The work of a test over all samples, including those that do not count in the objective: some laws remember all

@@ -1,6 +1,6 @@
-// Compiles the laws for batches of candidates, once for every instruction set. ISOLAW_KERNELS (for example
-// kernels_avx2) is the only object that other files may use. If two objects define a function of the same mangled name,
-// the linker keeps one, perhaps one that this processor cannot run. The name of a function that is not inlined must
+// Compiles the laws for batches of candidates, once for every instruction set. The variable ISOLAW_KERNELS (for example
+// kernels_avx2) is all that other files may use. If two object files define a function of the same mangled name, the
+// linker keeps one, perhaps one that this processor cannot run. The name of a function that is not inlined must
 // therefore contain the instruction set. It does if num::Batch, whose namespace is named after the instruction set, is
 // among its template arguments. tests/kernels checks this.
 #include "isolaw/fit/kernels.hpp"

@@ -72,7 +72,7 @@ struct Abe {
   // A step holds so many values at once that kernels compute fewer parameter sets together (fit/kernels.cpp).
   static constexpr bool crowded = true;
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Abe]
   template <class N>
   struct State {

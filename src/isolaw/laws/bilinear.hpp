@@ -52,7 +52,7 @@ struct Bilinear {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Bilinear]
   // z is the force of an elastic-perfectly-plastic part of stiffness K1 - K2.
   template <class N>

@@ -83,7 +83,7 @@ struct BoucWen {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct BoucWen]
   template <class N>
   struct State {
@@ -145,7 +145,7 @@ struct BoucWen {
   static T step_paper(Params<T> const& p, Constants<T, double> const&, State<T>& state, Step const& step) {
     T const direction(step.direction);
     state.z = runge_kutta(state.z, step.dx, [&](double, T const& z) {
-      // beta sgn(z dx) + gamma if z and the motion dx have the same sign, and if they have opposite signs.
+      // beta sgn(z dx) + gamma is `same` if z and the motion dx have the same sign, and `opposite` if not.
       T const same = p.beta + p.gamma, opposite = p.gamma - p.beta;
       return p.A - power(abs(z), p.n) * select(direction * z < T(0.0), opposite, same);
     });

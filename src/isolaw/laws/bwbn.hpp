@@ -111,7 +111,7 @@ struct Bwbn {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Bwbn]
   // z is the hysteretic variable [mm], and e the work of its force, with which strength and stiffness degrade.
   template <class N>

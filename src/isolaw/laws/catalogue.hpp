@@ -28,7 +28,8 @@ struct LawEntry {
   // nothing.
   void (*evaluate)(std::span<double const> parameters, Path const& path, Integration integration,
                    std::span<double> force);
-  // Returns this law's form in analysis programs (parts/canonical.hpp), for parameters in the law's order and units.
+  // Returns the law of analysis programs that equals this one (parts/canonical.hpp), for parameters in the law's order
+  // and units.
   Canonical (*canonical)(std::span<double const> parameters) = nullptr;
   // Conditions between several parameters. unmet() gives the first one that `parameters` do not meet, for example found
   // "K1 = 1, K2 = 2" and statement "K1 >= K2", or nullopt if they meet all.

@@ -23,7 +23,7 @@ double coefficient_at_reference(RecordScales const& s) {
   return s.stiffness * reference_mm * std::pow(reference_mm / s.disp, power - 1);
 }
 
-// The rate f for which f (x/100 mm)^p is 1 at the largest displacement if p is 1/2, its usual size.
+// The rate f for which f (x/100 mm)^p is 1 at the largest displacement, if p has its usual value of 1/2.
 inline double rate_at_reference(RecordScales const& s) {
   return std::sqrt(reference_mm / s.disp);
 }
@@ -105,7 +105,7 @@ struct Gallardo {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Gallardo]
   // On one side of x = 0 the elastic force is km linear g - cubic g^3 + quintic g^5, with g = x / 100 mm.
   template <class N>

@@ -76,7 +76,7 @@ struct HwangWu {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct HwangWu]
   // The force at one point of the path, with displacement x and velocity v, in three terms. Exponentials of the work W
   // multiply the last two.

@@ -68,7 +68,7 @@ struct Jankowski {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Jankowski]
   template <class N>
   struct State {  // empty: the force depends on the present displacement and velocity alone

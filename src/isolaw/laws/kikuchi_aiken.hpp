@@ -221,7 +221,7 @@ struct KikuchiAiken {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct KikuchiAiken]
   template <class N>
   using State = kikuchi_aiken::Loops<N>;

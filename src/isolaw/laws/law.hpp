@@ -193,14 +193,14 @@ struct StepOf<double> {
 };
 using Step = StepOf<double>;
 
-// The memory of the displacement after a step. Laws with the trait `remembers` read it. memory/ computes the members. A
-// first sample away from 0 counts as a motion from 0. A law's stack has one value for each turning point that Masing's
-// rules still need (memory/open_branches.hpp). The skeleton is the force curve of the first loading.
+// The memory of the displacement after a step. Laws with the trait `remembers` read it. The files in memory/ compute
+// its members. A first sample away from 0 counts as a motion from 0. A law's stack has one value for each turning point
+// that Masing's rules still need (memory/open_branches.hpp). The skeleton is the force curve of the first loading.
 struct Memory {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   bool turns;              // whether the motion turned at the begin of this step
   std::size_t turn_index;  // if it turned: stack index at which a law keeps its force at that turning point
-  // Stack index of the first of two turning points that are dropped before this step; or none.
+  // If two turning points are dropped from the stack before this step: the stack index of the first; otherwise none.
   std::size_t first_dropped;
   // The turning point at which the present branch began: its stack index (none: the path is on the skeleton), and its
   // displacement.

@@ -43,7 +43,7 @@ struct PowerMasingViscous : PowerMasing {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct PowerMasingViscous : PowerMasing]
   template <class T, class X, class N, class PathMemory>
   static N step(Params<T> const& p, NoConstants const& c, State<N>& state, StepOf<X> const& step,

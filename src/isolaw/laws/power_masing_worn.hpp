@@ -56,7 +56,7 @@ struct PowerMasingWorn : PowerMasing {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct PowerMasingWorn : PowerMasing]
   template <class X>
   using Memory = Remembered<X, OpenBranches, Wear<X>, Sides<X>>;

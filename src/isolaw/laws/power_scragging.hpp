@@ -69,7 +69,7 @@ struct PowerScragging {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct PowerScragging]
   template <class N>
   struct State {

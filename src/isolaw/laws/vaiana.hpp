@@ -92,7 +92,7 @@ struct Vaiana {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp):
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Vaiana]
   template <class N>
   struct State {
@@ -116,7 +116,7 @@ struct Vaiana {
     return state.f;
   }
 
-  // cu(x) of Eq. (6) for loading, cl(x) for unloading.
+  // The limit curve of Eq. (6): cu(x) for loading, cl(x) for unloading.
   template <class T, class N>
   static N limit_curve(Params<T> const& p, bool loading, N const& x) {
     auto const curve = [&](T const& Kb, T const& offset, T const& beta1, T const& beta2, T const& gamma1,

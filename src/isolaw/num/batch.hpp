@@ -3,9 +3,10 @@
 // agrees with the computation on plain doubles within rounding.
 // A batch consists of a few native vectors of GCC or Clang (vector_size), so a law's code uses the vector registers of
 // the processor. The vectors do not depend on one another: the processor computes one while it waits for another.
-// The code is compiled once for each instruction set, and the objects are linked into one program (fit/kernels.cpp).
-// The linker keeps only one of several functions with the same mangled name. The names of the types here therefore
-// contain the instruction set, and a function that several objects compile must have such a type in its mangled name.
+// The code is compiled once for each instruction set, and the object files are linked into one program
+// (fit/kernels.cpp). If several object files contain a function of the same mangled name, the linker keeps only one.
+// The names of the types here therefore contain the instruction set, and every function that several object files may
+// contain must have such a type in its mangled name.
 #pragma once
 
 #include <array>

@@ -103,7 +103,7 @@ inline constexpr double expm1_terms[] = {0x1.0000000000000p+0,  0x1.000000000000
                                          0x1.55555555502a0p-5,  0x1.1111111122b4ap-7,  0x1.6c16c1852c01cp-10,
                                          0x1.a01a014498ae6p-13, 0x1.a01997c656a0fp-16, 0x1.71deec62e8918p-19,
                                          0x1.28af42a60c9fap-22, 0x1.add773f1864b3p-26};
-// (1 - r)^(-4/5) for |r| <= 0.1551, relative error 6.2e-14.
+// (1 - r)^(-4/5) for |r| <= 0.1551, which corrects the guess of fast_fifth_root(); relative error 6.2e-14.
 inline constexpr double fifth_root_terms[] = {0x1.ffffffffffe17p-1, 0x1.9999999998dcdp-1, 0x1.70a3d70b97f13p-1,
                                               0x1.58106251289e7p-1, 0x1.46dc5ad4239cfp-1, 0x1.39c94b1496699p-1,
                                               0x1.2f556f2eab700p-1, 0x1.26ab754546262p-1, 0x1.1ebe68daca01fp-1,

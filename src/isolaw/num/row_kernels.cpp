@@ -1,6 +1,6 @@
-// Sums over tables of residuals, compiled once per instruction set. Each compilation defines one object, whose name is
-// the macro ISOLAW_ROW_KERNELS. A function that is not inlined needs a batch among its template arguments, so that its
-// mangled name contains the instruction set.
+// Sums over tables of residuals, compiled once per instruction set. Each compilation defines one variable, whose name
+// is the macro ISOLAW_ROW_KERNELS. A function that is not inlined needs a batch among its template arguments, so that
+// its mangled name contains the instruction set.
 #include "isolaw/num/row_kernels.hpp"
 
 #include <algorithm>

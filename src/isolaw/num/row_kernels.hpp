@@ -34,8 +34,8 @@ struct NormalSums {
 };
 
 struct RowKernels {
-  // In column c, values[c] = sum of weight * |r| and rounded[c] = sum of weight * sqrt(r^2 + delta^2). Both arrays have
-  // room for padded(columns) values.
+  // For each column c, with r its value in a row: values[c] is the sum of weight * |r| over the rows, and rounded[c] is
+  // the sum of weight * sqrt(r^2 + delta^2). Both arrays have room for padded(columns) values.
   void (*sizes)(RowTable const& table, std::size_t columns, double delta, double* values, double* rounded);
   // The curvature of a row in `cautious` is weight / size: a parabola with this curvature touches the row's term,
   // weight * size, from above. In `bold` it is cautious_share times weight / size plus bold_share times the term's true

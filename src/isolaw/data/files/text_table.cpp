@@ -122,7 +122,8 @@ class RowReader {
       digits = digits || cells_[i].find_first_of("0123456789") != std::string_view::npos;
       statistics = statistics || (word && is_statistic(cells_[i]));
     }
-    // A line with one number may be a count of rows or a broken row. It counts as text only with --footer skip.
+    // A line with one number may be a count of rows, which is text, or a broken row of the table. It is taken as text
+    // only with --footer skip.
     if (!as_wide) return words || !digits || (choice_.skip_footer && cells_.size() == 1);
     if (statistics) return true;
     auto const reads = std::ranges::count_if(indices_, [&](auto k) { return is_value(cells_[k]); });
@@ -320,7 +321,7 @@ class RowReader {
   Header const& header_;
   RowChoice const& choice_;
   std::optional<std::size_t> stamped_;      // position in `indices_` of the channel that is read from time stamps
-  bool serial_ = false;                     // the stamps are days, as spreadsheets store dates
+  bool serial_ = false;                     // the stamps are numbers of days, as spreadsheets store dates
   std::optional<std::size_t> date_column_;  // the column that holds the dates if the stamps are times of day
   std::vector<Stamp> stamps_;
   std::optional<bool> in_threes_;

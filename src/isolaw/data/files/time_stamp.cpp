@@ -14,7 +14,7 @@ namespace isolaw::data {
 namespace {
 
 constexpr double day_s = 86400.0;
-constexpr long spreadsheet_epoch = -25569;  // 1899-12-30, from which spreadsheets count the days after 1900-02-28
+constexpr long spreadsheet_epoch = -25569;  // 1899-12-30 as days from 1970-01-01; spreadsheets count days from it
 
 std::optional<long> days_of(int year, int month, int day) {
   std::chrono::year_month_day const date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
@@ -71,7 +71,7 @@ std::optional<int> month_of(std::string const& word) {
   return found == names.end() ? std::nullopt : std::optional(static_cast<int>(found - names.begin()) + 1);
 }
 
-// Reads a date: 2024-05-02, 2024/05/02, 20240502, 02.05.2024, 05/02/24, 02-May-2024
+// Reads a date, such as 2024-05-02, 2024/05/02, 20240502, 02.05.2024, 05/02/24 or 02-May-2024.
 bool take_date(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 8);
   if (!lead) return false;
@@ -133,7 +133,8 @@ bool take_zone(StampText& text, Stamp& stamp) {
   return text.done();
 }
 
-// Reads a time of day: 10:00:00.250, 10:00:00:250, 10:00:00 PM, 59:59.5 (no hours); 10:00 or 100000.25 after a date
+// Reads a time of day, such as 10:00:00.250, 10:00:00:250, 10:00:00 PM or 59:59.5 (no hours); after a date also 10:00
+// or 100000.25.
 bool take_clock(StampText& text, Stamp& stamp) {
   auto const lead = text.digits(1, 6);
   if (!lead) return false;
@@ -284,8 +285,8 @@ class DateReader {
     return "which alone makes dates of all of them";
   }
 
-  // Chooses the order of day and month in which the times rise in steps of at most 12 hours. Complains if both orders
-  // do, or neither.
+  // Chooses the order of day and month in which the times rise in steps of at most 12 hours. Complains if they do so in
+  // both orders or in neither.
   std::optional<DatesRead> by_sequence(std::vector<double> day_first, std::vector<double> month_first) {
     constexpr double step_of_a_record_s = 12.0 * 3600.0;
     auto const fits = [&](std::vector<double> const& times) {

@@ -14,7 +14,7 @@ namespace isolaw::data {
 
 enum class DateOrder { day_first, month_first };
 
-// `serial_number` means plain numbers that may be dates as spreadsheets store them, in days.
+// `serial_number` means a plain number that may be a date, stored as a number of days as in spreadsheets.
 enum class StampKind { none, date_time, date, clock, serial_number };
 
 struct Stamp {
@@ -26,7 +26,8 @@ struct Stamp {
 };
 
 std::string_view date_order_word(DateOrder order);  // "dmy" or "mdy"
-// nullopt if the cell is no time stamp. Also parses a workbook's date, a number of days followed by date_cell_mark.
+// nullopt if the cell is no time stamp. Also parses a date of a workbook, which is written as a number of days and the
+// text date_cell_mark.
 std::optional<Stamp> parse_stamp(std::string_view cell);
 StampKind kind_of(Stamp const& stamp);
 Stamp stamp_of_serial(double days);

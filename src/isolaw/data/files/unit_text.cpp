@@ -69,7 +69,7 @@ std::optional<double> take_number(std::string_view& text) {
 
 struct Factor {
   double value;
-  bool is_certain;  // a power or a fraction, which nobody writes for a sensor's range
+  bool is_certain;  // true for a power or a fraction, as nobody writes a sensor's range so
 };
 // Takes "10", "0.1", "10^3", "1e3" or "1/100" from the front of the text.
 std::optional<Factor> take_factor(std::string_view& text) {
@@ -127,7 +127,7 @@ bool is_power_of_ten(double value) {
   return value != 1.0 && std::abs(power - std::round(power)) < 1e-9;
 }
 
-// Finds "/2", "*10", "x10", "2 x", "1:2" and the like.
+// Finds a factor in a column's name, such as "/2", "*10", "x10", "2 x" or "1:2"; "" if there is none.
 std::string factor_hint(std::string_view base) {
   auto const text = plain(base);
   // Finds a scale such as 1:2. Other ratios, such as 10:30, may be a time of day or a channel's place in a rack.
@@ -145,8 +145,8 @@ std::string factor_hint(std::string_view base) {
     if (division || letter) {
       auto rest = from_here.substr(1);
       auto const factor = take_factor(rest);
-      // Outside brackets, "x2" may name the second displacement along x. "x10" hardly names a tenth one, so it is a
-      // factor there too.
+      // Outside brackets, "x2" may name the second displacement along x, so it is no factor there. "x10" is one,
+      // because hardly any test has a tenth displacement.
       bool const in_brackets = base.find(fmt::format("({}", from_here.substr(0, 2))) != std::string_view::npos;
       bool const ends = rest.empty() || rest.front() == ' ' || rest.front() == ')';
       if (factor && ends && i > 0 && (division || in_brackets || is_power_of_ten(factor->value)))

@@ -74,7 +74,7 @@ class SharedTexts {
   void read(ZipArchive& archive, std::string const& file, std::string const& entry) {
     if (!archive.has(entry)) return;
     bool in_text = false;
-    int phonetic = 0;  // depth in elements that state the pronunciation of a Japanese text
+    int phonetic = 0;  // number of open elements that state the pronunciation of a Japanese text
     parse(archive, file, entry,
           {.start =
                [&](std::string_view name, Attributes const&) {
@@ -299,7 +299,7 @@ class RowWriter {
   std::vector<bool> const& dates_;
   std::uint64_t longest_;
   std::string rows_;
-  std::size_t row_ = 0, next_row_ = 0;        // current row; number of the next row if the file gives none
+  std::size_t row_ = 0, next_row_ = 0;        // current row; next row if the file gives no number (from 0)
   std::size_t column_ = 0, next_column_ = 0;  // last column written; column of the next cell if the file gives none
   std::size_t cell_column_ = 0;
   bool in_cell_ = false, in_value_ = false, phonetic_ = false, formula_ = false, has_value_ = false, date_ = false;
@@ -334,7 +334,7 @@ class Workbook {
       parse(archive_, file_, sheet.entry, writer.handlers());
       auto notes = sheet_tests(writer.take(), sheet.name);
       return notes.tables.empty() ? std::move(notes.device_facts) : DeviceFacts{};
-    } catch (Error const&) {  // a sheet that is not the test may hold anything
+    } catch (Error const&) {  // an error is ignored: a sheet that is not the test may hold anything
       return {};
     }
   }

@@ -26,8 +26,8 @@ struct XmlHandlers {
   std::function<void(std::string_view text)> text = {};
 };
 
-// `source` passes the document to `take` piece by piece. Messages call it `place`. Throws Error, or a handler's
-// exception.
+// `source` passes the document to `take` piece by piece. Messages call the document `place`. Throws Error, or a
+// handler's exception.
 void read_xml(std::string const& place, XmlHandlers const& handlers,
               std::function<void(std::function<void(std::string_view piece)> const& take)> const& source);
 

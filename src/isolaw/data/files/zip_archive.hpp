@@ -16,7 +16,7 @@ class ZipArchive {
     std::size_t at = 0;
   };
 
-  // `bytes` must outlive the archive. Throws Error if it is damaged or holds more than 10 000 entries.
+  // `bytes` must outlive the object. Throws Error if the archive is damaged or holds more than 10 000 entries.
   ZipArchive(std::string_view bytes, std::string file);
   ~ZipArchive();
   ZipArchive(ZipArchive const&) = delete;

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double least_rise = 0.03;      // at one amplitude, a sound device's force rises by less than this fraction
 constexpr double rise_deviations = 5.0;  // a real rise exceeds this many standard deviations of a rise by noise
-// The channel drifts, and no fault began suddenly, if it changes in the other cycles by more than this fraction of its
-// largest change in one cycle.
+// A fault begins suddenly if the channel changes in the other cycles by at most this fraction of its change in the
+// cycle that changes most. Otherwise the channel drifts.
 constexpr double most_outside = 0.35;
-constexpr double least_step = 0.02;   // times the amplitude; a smaller step of the zero is not reported
+constexpr double least_step = 0.02;   // times the amplitude; a smaller step of a channel's zero is not reported
 constexpr double least_ratio = 0.05;  // the forces of the two directions must differ by at least this fraction
-constexpr double better_by = 3.0;     // a factor is the cause if its rms residual is below 1/3 of an offset's residual
+constexpr double better_by = 3.0;     // a gain is the cause if its rms residual is below 1/3 of an offset's residual
 constexpr double same_at_peaks = 0.3;
-constexpr double same_in_disp = 0.3;      // times the force's asymmetry; displacement with more asymmetry is the cause
+constexpr double same_in_disp = 0.3;      // times the force's asymmetry; if displacement has more, it is the cause
 constexpr double line_contrast = 4.0;     // a line of the spectrum must be this many times higher than its neighbours
 constexpr double lowest_line = 10.0;      // lines are sought above this many times the test's frequency
 constexpr double line_neighbours = 9.0;   // lines closer than this many times the test's frequency are neighbours
@@ -67,8 +67,8 @@ struct Repeats {
 };
 
 // Pairs each value with the value one cycle before. Leaves out the first counted cycle, in which rubber softens
-// unevenly. Values of force are paired by their phase between the cuts of the cycles. A jump of displacement moves
-// these cuts, so values of displacement are paired one mean period apart.
+// unevenly. Values of force are paired by their phase, which counts from the start of a cycle. A jump of displacement
+// moves these starts, so values of displacement are paired one mean period apart.
 Repeats repeats_of(std::span<double const> values, std::vector<Cycle const*> const& cycles, LoopChannel channel) {
   double const period = (cycles.back()->last - cycles[1]->first) / static_cast<double>(cycles.size() - 1);
   Repeats repeats{.begin = static_cast<std::size_t>(std::ceil(cycles[2]->first)),
@@ -191,7 +191,7 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
   std::size_t least = 1;  // the first cycle starts from rest, so its loop differs from the later ones
   for (std::size_t k = 2; k < cycles.size(); ++k) {
     if (cycles[k]->still_samples > 0.0 || cycles[k]->first != cycles[k - 1]->last) {
-      least = k;  // a device recovers in a rest
+      least = k;  // a device recovers in a rest, so only later cycles are compared
       continue;
     }
     auto const share_from = [&](std::size_t from) { return ratios[k].kN_per_mm / ratios[from].kN_per_mm - 1.0; };
@@ -237,8 +237,8 @@ std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block) {
   };
   auto const force = sums_of(view.force_kN), disp = sums_of(view.disp_mm);
   double const gain = force.bd / force.bb, disp_gain = disp.bd / disp.bb;
-  // The mean squared asymmetry that two fits leave: by_gain with an asymmetry in proportion to the size (the gains of
-  // the directions differ), by_offset with a constant asymmetry (the zero is off).
+  // Mean squared residuals of two fits to the asymmetry. by_gain: the asymmetry is proportional to the size, because
+  // the gains of the directions differ. by_offset: the asymmetry is constant, because the zero is off.
   double const by_gain = (force.dd - gain * force.bd) / force.n,
                by_offset = (force.dd - force.d * force.d / force.n) / force.n;
   double peaks = 0.0, difference_of_peaks = 0.0;

@@ -21,7 +21,7 @@ std::optional<StiffnessRise> stiffness_rise(CycleView const& view, Block const& 
 // A difference between the forces of the two directions, while displacement is symmetric.
 struct Asymmetry {
   double ratio = 1.0;       // forces for positive displacement / forces for negative displacement
-  bool is_of_gain = false;  // the factor explains the difference three times as well as an offset does
+  bool is_of_gain = false;  // a factor explains the difference three times as well as an offset does
 };
 std::optional<Asymmetry> asymmetry(CycleView const& view, Block const& block);
 
@@ -35,8 +35,8 @@ std::optional<OffsetStep> offset_step(CycleView const& view, Block const& block,
 
 // An oscillation of one frequency besides the motion. It is a line in the spectrum of `values` over the block, at ten
 // times the test's frequency or more. This line must be over four times as high as every line that is less than nine
-// times the test's frequency away; lines of lower frequency count less. nullopt without time, or if sampling is not
-// uniform.
+// times the test's frequency away; the height of a line of lower frequency is first multiplied by the square of the
+// ratio of the frequencies. nullopt without time, or if sampling is not uniform.
 struct Hum {
   double amplitude = 0.0, frequency_Hz = 0.0;
   double rate_Hz = 0.0;            // samples a second

@@ -135,7 +135,7 @@ class Assessment {
     }
   }
 
-  // Warns that a test has several amplitudes, because the reported cycle describes only one of them.
+  // Warns if a test has several amplitudes, because the reported cycle describes only one of them.
   void stages() {
     auto const counted = properties_.counted();
     auto const by_amplitude = [](Cycle const* c) { return c->amplitude_mm; };
@@ -348,7 +348,8 @@ class Assessment {
          {{"load_kN", *cycle().N_mean_kN}, {"friction_kN", friction}, {"damping_points", points}});
   }
 
-  // The drop of force within 0.2 % of the amplitude around a reversal, minus the drop that the slope after it explains.
+  // The drop of force within 0.2 % of the amplitude around a reversal, minus the drop that follows from the slope of
+  // the force after the reversal.
   std::optional<double> jump(Cycle const& at, bool upper) const {
     auto const peaks = peak_positions(view_.disp_mm, at.first, at.last);
     double const sign = upper ? 1.0 : -1.0;

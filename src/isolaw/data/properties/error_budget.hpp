@@ -21,7 +21,7 @@ struct Effect {
 struct Budget {
   std::vector<Finding> warnings;  // effects that exceed their limits
   std::vector<Finding> notes;     // other effects worth knowing
-  std::vector<Effect> effects;    // all effects, in numbers
+  std::vector<Effect> effects;    // values and limits of all effects
 };
 
 // Names of the effects of the rig that add to the measured equivalent damping. Their values are percentage points of

@@ -19,7 +19,7 @@ constexpr double most_lost = 0.35;   // fraction of a peak force that no sound d
 constexpr double most_lost_first = 0.5;  // as most_lost, from the first cycle to the second: virgin rubber softens more
 constexpr double clear_force = 0.3;      // a peak force below this fraction of size_of() may change by any amount
 constexpr double same_amplitude = 1.05;  // a comparable earlier cycle has at most this many times the cycle's amplitude
-constexpr double same_pace = 2.0;        // periods of comparable cycles differ by at most this factor (viscous devices)
+constexpr double same_pace = 2.0;        // cycles with periods that differ by more than this factor are not compared
 
 // The size of a cycle's force: half the difference of its peak forces or, if that is larger, half the mean height of
 // its loop. Without stiffness, a device's peak forces do not differ.
@@ -50,7 +50,8 @@ std::string name_of(Cycle const& cycle, std::span<double const> time_s) {
   return fmt::format("the uncounted cycle from {} on in block {}", from, cycle.block);
 }
 
-// Returns a cycle's peak force divided by the same peak force in the cycle before; the smaller ratio of the two peaks.
+// Divides each of a cycle's two peak forces by the same peak in the cycle before and returns the smaller ratio, at most
+// 1. Ignores peaks that were small in the cycle before.
 double share_kept(Cycle const& before, Cycle const& cycle) {
   double least = 1.0;
   for (auto const peak : {&Cycle::F_plus_kN, &Cycle::F_minus_kN})

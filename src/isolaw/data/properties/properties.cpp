@@ -27,7 +27,7 @@ constexpr double rounding_of_energy = 1e-9;  // times K_eff D^2; a negative ener
 constexpr double noise_of_energy = 5.0;      // standard deviations; a negative energy within them may be noise
 constexpr double least_sweep = 1.2;          // in a sweep, first and last period differ by more than this factor
 constexpr double most_steps = 0.8;           // at least this fraction of a sweep's periods change in its direction
-constexpr double same_shape = 0.05;          // largest rms difference / amplitude; sine and triangle differ by 0.15
+constexpr double same_shape = 0.05;  // two motions of one shape differ by at most this rms difference / amplitude
 
 // The samples [begin, end) that lie strictly between a cycle's fractional start and end.
 struct Inside {
@@ -88,7 +88,7 @@ std::optional<double> at_level(std::span<double const> x, std::span<double const
 // Returns half the loop's height at the displacement where the cycle starts and ends. Does not use a start or end at
 // which the device rests or turns, because the force there is not on the loop.
 double strength(Cycle const& cycle, Peaks const& peaks, std::span<double const> x, std::span<double const> F) {
-  if (cycle.half) {  // halfway between the turns, the distance of the force from the chord that joins them
+  if (cycle.half) {  // the force halfway between the turns, minus the chord that joins the turns
     auto const halfway = at_level(x, F, cycle.first, cycle.last, (peaks.largest + peaks.least) / 2.0);
     return halfway ? std::abs(*halfway - (peaks.F_at_largest + peaks.F_at_least) / 2.0) : 0.0;
   }
@@ -190,7 +190,8 @@ void add_load(Cycle& cycle, CycleView const& view) {
   cycle.N_max_kN = largest;
 }
 
-// For each sample, the work of the force since the first sample. It does not change between two tests of a device.
+// For each sample, the work of the force since the first sample. From the last sample of a test to the first sample of
+// the next test it does not change.
 std::vector<double> work(CycleView const& view) {
   std::vector<double> sums(view.disp_mm.size());
   for (auto const& test : test_ranges(view.starts, view.disp_mm.size())) {
@@ -219,18 +220,18 @@ Cycle measure(CycleCut const& cut, CycleView const& view) {
 // ("triangle"). A cycle that spends more than twice a sine's time near its extremes is neither a sine nor a triangle.
 std::string waveform(Cycle const& cycle, CycleView const& view) {
   auto peaks = peak_positions(view.disp_mm, cycle.first, cycle.last);
-  if (cycle.half)  // the whole swing
+  if (cycle.half)  // compares the whole half cycle
     peaks = value_at(view.disp_mm, cycle.first) < value_at(view.disp_mm, cycle.last)
                 ? PeakPositions{.largest = cycle.last, .smallest = cycle.first}
                 : PeakPositions{.largest = cycle.first, .smallest = cycle.last};
-  else if (cycle.one_sided)  // the way out, from the turn at which it is cut
+  else if (cycle.one_sided)  // compares the way out, which begins at the turn where the cycle starts
     (value_at(view.disp_mm, cycle.first) < (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0 ? peaks.smallest
                                                                                       : peaks.largest) = cycle.first;
   bool const falls = peaks.largest < peaks.smallest;
   double const from = value_at(view.time_s, std::min(peaks.largest, peaks.smallest));
   double const to = value_at(view.time_s, std::max(peaks.largest, peaks.smallest));
   double const centre = (cycle.d_plus_mm + cycle.d_minus_mm) / 2.0;
-  constexpr double near = 0.995;  // fraction of the amplitude
+  constexpr double near = 0.995;  // a sample beyond this fraction of the amplitude is near an extreme
   double const lingers = 2.0 * std::acos(near) / std::numbers::pi;
   double from_sine = 0.0, from_triangle = 0.0, count = 0.0, all = 0.0, at_extremes = 0.0;
   auto const samples = inside(cycle, view.disp_mm.size());

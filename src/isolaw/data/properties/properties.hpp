@@ -37,8 +37,8 @@ struct Cycle : CycleCut {
   // Displacement at which the force first comes to zero after the largest and after the smallest displacement; nullopt
   // if it does not come to zero before the next peak or the end of the cycle.
   std::optional<double> residual_plus_mm, residual_minus_mm;
-  // The values from here on depend on the record and not on the force of a law, so properties_on() leaves them as they
-  // are.
+  // The values from here on describe the record, whatever the force. So properties_on(), which takes the force of a
+  // law, leaves them as they are.
   double work_kN_mm = 0.0;           // work of the force from the first sample of the record to the end of the cycle
   std::optional<double> period_s;    // from start to end, without the time in which the device stands still
   std::optional<double> still_s;     // time in which the device stands still; nullopt without time
@@ -63,8 +63,8 @@ struct Cycle : CycleCut {
     return K_minus_kN_per_mm == 0.0 ? std::nullopt : std::optional(K_minus_kN_per_mm);
   }
 };
-// Two amplitudes count as equal if they differ by at most this fraction of the amplitude, or of the design displacement
-// when the block nearest to the design displacement is chosen.
+// Two amplitudes count as equal if they differ by at most this fraction of the amplitude. When the block nearest to the
+// design displacement is chosen, the fraction is of the design displacement.
 inline constexpr double same_nominal = 0.02;
 
 struct Block {
@@ -76,7 +76,7 @@ struct Block {
   std::optional<double> v_max_mm_s;
   std::string waveform;       // "sine", "triangle" or "other"; empty without time
   std::string fault;          // why no cycle of the block counts, if a signal or loop in it cannot be true
-  std::vector<Cycle> cycles;  // in order, with the cycles that do not count
+  std::vector<Cycle> cycles;  // in order, including cycles that do not count
 
   std::vector<Cycle const*> counted() const;
   std::vector<Cycle const*> whole() const;  // the counted cycles or, if none counts, all complete ones

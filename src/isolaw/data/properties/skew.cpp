@@ -18,8 +18,8 @@
 namespace isolaw::data {
 namespace {
 
-constexpr double wide = 0.08;            // fraction of a cycle on each side of a reversal: half a radian
-constexpr double narrow = 0.04;          // fraction of a cycle; even a sharp loop is smooth in so short a part
+constexpr double wide = 0.08;    // length of the wide window on each side of a reversal, in cycles: half a radian
+constexpr double narrow = 0.04;  // length of the narrow window, in cycles; even a sharp loop is smooth in it
 constexpr double farthest_shift = 0.04;  // fraction of a cycle: a quarter of a radian; larger shifts are not tried
 constexpr int shifts = 41;
 constexpr std::size_t least_in_window = 12;  // fewest samples in a window: twice the number of unknowns
@@ -27,13 +27,13 @@ constexpr std::size_t most_samples = 400;    // most samples in a window; a wind
 constexpr std::size_t most_cycles = 12;
 constexpr int least_reversals = 4;
 constexpr double poor_fit = 0.012;    // rms residual over the force's amplitude; a worse fit gives no skew
-constexpr double good_fit = 0.0012;   // as poor_fit, without noise; else the shape of the loop may look like a delay
+constexpr double good_fit = 0.0012;   // as poor_fit, less noise; in a worse fit a loop's shape may look like a delay
 constexpr double least_late = 0.015;  // rad; a smaller delay is no skew
 constexpr double least_late_by_shape = 0.045;  // rad; as least_late, for a loop that is too sharp to be fitted
 constexpr double least_early = 0.04;
 constexpr double standard_errors = 4.0;  // a skew must exceed this many standard errors
 constexpr double by_chance = 0.001;      // at most this fraction of records without skew may seem late by chance
-constexpr double most_agree = 0.75;      // fraction of the reversals that must agree
+constexpr double most_agree = 0.75;      // least fraction of the reversals that must show the skew
 constexpr double least_growth = 0.03;    // rad; a delay that changes by less within the test does not grow
 constexpr double most_apart = 0.004;     // rad; the wide and the narrow window agree if their skews differ by less
 constexpr double quiet = 0.0005;         // fraction of the amplitude; less noise needs no smoothing
@@ -283,7 +283,8 @@ std::optional<Skew> estimate_skew(CycleView const& of, Properties const& propert
         std::clamp<std::size_t>(static_cast<std::size_t>(smoothed_over * samples_of(shortest)), 2, most_smoothed);
     smooth = smoothed(of.disp_mm, half);
     view.disp_mm = smooth;
-    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);  // 9 / (4 (2 h + 1)) of the variance stays
+    // Smoothing leaves 9 / (4 (2 half + 1)) of the noise's variance.
+    left_of_noise *= 1.5 / std::sqrt(2.0 * static_cast<double>(half) + 1.0);
   }
   std::vector<Sample> of_wide, of_narrow;
   for (auto const* cycle : cycles) {

@@ -33,7 +33,7 @@ struct Skew {
   double growth = 0.0, growth_uncertainty = 0.0;  // in the unit of force_late; uncertainty is two standard errors
   double growth_phase = 0.0;                      // the angle of `growth` in a cycle, rad
   int growth_reversals = 0;
-  bool is_followed = true;  // the residual is noise only; if it is larger, a loop with sharp corners may seem late
+  bool is_followed = true;  // whether the fit leaves only noise; if not, a loop with sharp corners may seem late
 
   // Whether the skew is real: most reversals agree, and it exceeds four standard errors (more if reversals are few) and
   // a limit. The shape of a loop alone can imitate a skew a little below this limit, which is 0.04 rad for an early

@@ -28,9 +28,10 @@ struct VerticalTest {
   std::vector<double> disp_mm = {}, load_kN = {};  // as recorded; the sign is arbitrary
   std::optional<LoadRange> loads = {};             // range for the stiffness; nullopt: the usual one
   std::optional<double> stated_kN_per_mm = {};     // stiffness stated by the user, without a record
-  std::vector<Finding> recognised = {};            // choices made in reading
+  std::vector<Finding> recognised = {};            // choices made when the record was read
   std::string refusal = {};                        // why the record gives no stiffness; empty if it does
-  // The stiffness found on reading, and the hash of both signals. A check of a stored campaign computes both again.
+  // The stiffness found when the record was read, and the hash of both signals. A check of a stored campaign computes
+  // both again and compares.
   std::optional<double> found_kN_per_mm = {};
   std::string curve_sha256 = {};
 

@@ -108,7 +108,7 @@ class Clipping {
   }
 
   // Estimates the height that a plateau cuts off a peak. For a parabola it is an eighth of the fall within one
-  // plateau's length beside the plateau. A triangle loses four times as much.
+  // plateau's length beside the plateau. For a triangle the true height is four times this estimate.
   std::optional<double> depth_of(Signal const& signal, double sign, SampleRange const& run) const {
     auto const reach = std::min(run.size(), std::max<std::size_t>(1, pair_.half_cycle / 4));
     double sum = 0.0, count = 0.0;
@@ -418,8 +418,8 @@ class Clipping {
     double const last = (tops.rise_last - top_deviations * noise * std::sqrt(2.0 * count)) /
                         std::max(tops.last_way, 1e-3 * pair_.disp.half_range * count);
     if (!(std::max({slope, slope_before, last}) < 0.4 * leaves)) return false;
-    // A force that is cut off by `depth` stays level until displacement has come back by `expected`. Noise may hide a
-    // small return.
+    // A force that is cut off by `depth` stays level until displacement has come back by `expected`. If `expected` is
+    // so small that noise may hide the return, no return is required.
     double const expected = depth / leaves;
     double const told = std::max(8.0 * pair_.disp.noise, past_the_tip * pair_.disp.half_range);
     return expected < 2.0 * told || tops.returned / count > least_return * expected;

@@ -88,7 +88,7 @@ std::optional<std::ptrdiff_t> best_step(Trace const& one, Trace const& other) {
   auto const n = static_cast<std::ptrdiff_t>(one.passes.size()), m = static_cast<std::ptrdiff_t>(other.passes.size());
   std::optional<std::ptrdiff_t> best;
   // The outlines of a copy and its original differ because noise was added to the force, and because noise of the
-  // displacement moves the passes.
+  // displacement moves the passes. So noisier records may differ more.
   double least = std::min(outlines_alike, 0.001 + 3.0 * std::max(one.noise_share, other.noise_share));
   for (std::ptrdiff_t step = -m; step <= n; ++step) {
     if ((step % 2 == 0) != (one.rises_first == other.rises_first)) continue;

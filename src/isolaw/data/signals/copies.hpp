@@ -39,8 +39,8 @@ bool is_same_record(TestRecord const& one, TestRecord const& other);
 // If there are more records than this, only identical ones are looked for, because the time to find altered copies
 // grows with the square of the number of records.
 inline constexpr std::size_t most_compared = 1000;
-// Returns groups of two or more records, as rising indices. Each other record of a group equals its first record, or
-// one of these two was made from the other.
+// Returns groups of two or more records, as rising indices. Every later record of a group equals the first one, was
+// made from it, or is the record that the first one was made from.
 std::vector<std::vector<std::size_t>> groups_of_copies(std::span<TestRecord const* const> records);
 
 }  // namespace isolaw::data

@@ -135,7 +135,8 @@ std::vector<double> directions(std::vector<double> const& x, std::vector<double>
     for (auto i = std::min(turn.at, peak); i <= std::max(turn.at, peak); ++i)
       found[i] = approach * (i < turn.at ? 1.0 : i == turn.at ? turn.there : -1.0);
   }
-  // After its last extreme, displacement either rests within the noise or turns once more before the record ends.
+  // After its last extreme, displacement either rests within the noise or turns once more before the record ends. The
+  // last sample gives the direction; the direction in a rest becomes 0 below.
   double const tail = sign(x.back() - x[motion.at.back()]);
   for (auto i = motion.at.back() + 1; i < x.size(); ++i) found[i] = tail;
   for (std::size_t i = 0; i < x.size() && std::abs(x[i] - x.front()) <= motion.band_mm; ++i) found[i] = 0.0;

@@ -16,11 +16,11 @@ constexpr std::size_t fewest_gone = 3;
 constexpr double least_gone = 0.1;        // this fraction of the channel's half range
 constexpr double gone_deviations = 10.0;  // this many standard deviations of the channel's noise
 constexpr double gone_quanta = 4.0;       // this many steps of the channel's digitiser
-constexpr double gone_steps = 4.0;        // this many times the largest step between samples just before or after it
+constexpr double gone_steps = 4.0;        // this many times the largest step just before or after the dropout
 // During a dropout the other channel of the device moves by more than this fraction of its own half range.
 constexpr double other_goes_on = 0.002;
-// If both channels jump, the device itself has moved. So at a dropout, the other channel's jump / its half range is at
-// most this fraction of the jump / half range of the channel with the dropout.
+// If both channels jump, the device itself has moved, and there is no dropout. So at a dropout, the other channel jumps
+// by a smaller part of its half range: at most this fraction of jump / half range in the channel with the dropout.
 constexpr double other_jumps = 0.3;
 // If more than this fraction of all samples lies in dropouts, none is reported: they seem to belong to the signal.
 constexpr double most_gone = 0.15;

@@ -8,8 +8,8 @@
 namespace isolaw::data {
 namespace {
 
-// Sums of the first values. Also stores each sum's rounding error, so that differences stay exact after a million
-// samples.
+// The sums of the first 0, 1, 2, ... values. Also stores each sum's rounding error, so that differences stay exact
+// after a million samples.
 class PrefixSums {
  public:
   explicit PrefixSums(std::vector<double> const& values) : sum_(values.size() + 1), lost_(values.size() + 1) {

@@ -25,8 +25,9 @@ constexpr double edge_contrast = 2.0;
 // A sample is no spike if it lies on the line through the two samples before it, or after it: its distance from that
 // line is below this fraction of its distance from the cubic.
 constexpr double on_one_side = 0.5;
-// In a rough signal many samples look like spikes: more than 24, and more than one in 75. The largest 24 of them (or
-// one in 75) are then set aside, and a fault must exceed the largest of the remaining ones by a quarter.
+// Many samples of a rough signal look like spikes. If they are more than 24 and more than 1/75 of all samples, the
+// largest ones, as many as the larger of these two numbers, are set aside. A spike is then a fault only if it exceeds
+// the largest of the others by a quarter.
 constexpr double beyond_others = 1.25;
 constexpr std::size_t fewest_others = 24;
 constexpr std::size_t samples_an_other = 75;

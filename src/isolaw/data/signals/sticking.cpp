@@ -76,7 +76,8 @@ class Sticking {
     double const floor = std::max({0.01 * pair_.force.half_range, 6.0 * pair_.force.noise, 3.0 * pair_.force.quantum});
     if (!(*largest - *least > floor)) return false;
     double advance = 0.0;
-    // When the device comes to rest at the record's end, displacement may stop a little before the force.
+    // When the device comes to rest at the record's end, displacement may stop a little before the force. So the force
+    // at the stretch's first `late` samples is not used.
     auto const late =
         run.last + 1 == pair_.size() ? std::min(run.size() - 1, std::max<std::size_t>(2, pair_.half_cycle / 12)) : 0;
     auto const way = std::min(run.first, std::clamp<std::size_t>(pair_.half_cycle / 16, 2, 8));
@@ -232,7 +233,8 @@ class Sticking {
                                              missed_quanta * pair_.force.quantum,
                                              least_jump * std::max(std::abs(before), std::abs(after))});
       }
-      // When the device rests at an end of the record, one channel may stand still a little longer than the other.
+      // When the device rests at an end of the record, one channel may stand still a little longer than the other. So a
+      // stretch there is kept only if displacement moves by its half range or more.
       bool const at_an_end = run.first == 0 || run.last + 1 == pair_.size();
       if (stuck && !(at_an_end && *high - *low < pair_.disp.half_range)) keep(run);
     }

@@ -75,7 +75,8 @@ inline constexpr double sharp_n = 1.5;
 // If |u|, followed back in time, comes to rest only beyond 1 / least_rest, it is treated as if it never came to rest.
 // `rate` is then negative and at least least_rate times n in size.
 inline constexpr double least_rest = 0.05, least_rate = 0.05;
-// The time is a logarithm of E, which falls to 0 at saturation. A smaller E counts as this one.
+// The time is a logarithm of E (see the top of this file), which falls to 0 at saturation. A smaller E is replaced by
+// this one, so that the time stays finite.
 inline constexpr double saturated = 1e-13;
 
 }  // namespace flow_parts
@@ -122,7 +123,7 @@ class SaturatingFlow {
     T rate, bend, end, per_end;
     void fit(T const& n, T const& kappa, T const& rest, bool bends);
   };
-  // Chooses for each lane the coefficient of its side of u = 0. `mixed`: some lanes are below 0.
+  // Chooses for each lane the coefficient of its side of u = 0. `mixed` says that some lanes are below 0.
   template <bool mixed>
   static T pick(Mask const& below, T const& above_zero, T const& below_zero) {
     if constexpr (mixed)
@@ -234,7 +235,8 @@ void SaturatingFlow<T, reach>::Side::fit(T const& n, T const& kappa, T const& re
   for (std::size_t k = 1; k < terms; ++k) end = end + inverse[k];
   per_end = one / end;
   for (std::size_t k = 0; k < terms; ++k) inverse[k] = rounded(inverse[k] * per_end);
-  // For each fixed v = x^(1/5), from the largest down, finds place = w^(1/5) such that place H^(1/5) is v.
+  // For each fixed v = x^(1/5), from the largest down, finds place = w^(1/5), where w = |u| / largest_u, such that
+  // place H^(1/5) is v.
   bool const sharp = any(n > T(flow_parts::sharp_n));
   std::array<T, terms + 1> place;
   place[terms] = one;

@@ -49,7 +49,8 @@ inline constexpr double spacing = 1.0 / 3.0;
 inline constexpr double smallest_w = -12.0;  // |u| = 6e-6; between -6e-6 and 6e-6 the curve is taken as a straight line
 inline constexpr double largest_w = 16.0;    // |1 - u| = 1e-7; closer to saturation u is taken as constant
 inline constexpr double unloading_w = 14.0;  // |1 + u| = 8e-7 at the first node with Reach::within_saturation
-inline constexpr double reach_w = 4.0;       // |u| = 55 at the first node otherwise; beyond it du/dt is taken as at 55
+// If u may exceed 1, |u| is 55 at the first node, and du/dt is taken as constant beyond it.
+inline constexpr double reach_w = 4.0;
 // On the falling piece, the key falling_origin - u is 4.4 to 59, above all keys of the rising one.
 inline constexpr double falling_origin = 60.0;
 // Keeps a saturated u in the last cell of its piece; rounding would otherwise move it to the next.
@@ -86,11 +87,11 @@ class TabulatedFlow {
  public:
   // Fills the table in place, because it is large. Results are finite only for n > 0 and kappa > -1.
   void tabulate(T const& exponent, T const& unloading);
-  // As in SaturatingFlow, except that times count from the first node.
+  // Work as in SaturatingFlow, except that times count from the first node.
   T time_at(T const& u) const { return place_of(u).time(); }
   T value_at(T const& time) const { return value_of_key(place_at(time).key() + first_rate_ * min(time, T(0.0))); }
 
-  // As SaturatingFlow::Advance, without the ratio of the rates.
+  // The members of SaturatingFlow::Advance without the ratio of the rates.
   struct Advance {
     T u, rate0, rate1;
   };
@@ -209,7 +210,8 @@ void TabulatedFlow<T, reach>::fit_cell(std::size_t i, T const& h, Motion const& 
     cells_.set(i, {begin, h, key, mean, zero, zero, zero, zero});
     return;
   }
-  // The quintic Hermite polynomial needs the rate, here less the mean rate, and the curvature at both ends.
+  // The quintic Hermite polynomial needs the rate and the curvature at both ends. d0 and d1 are these rates minus the
+  // mean rate of the cell.
   T const d0 = a.rate - mean, d1 = b.rate - mean, c0 = a.curvature * h, c1 = b.curvature * h;
   T const third = T(-6.0) * d0 - T(4.0) * d1 - T(1.5) * c0 + T(0.5) * c1;
   T const fourth = T(8.0) * d0 + T(7.0) * d1 + T(1.5) * c0 - c1;

@@ -22,7 +22,7 @@ class Flow {
   static constexpr bool beyond = reach == Reach::beyond_saturation;
 
  public:
-  // The largest u below saturation, u = 1, whose time is in the table: u at w = largest_w.
+  // The largest u below saturation, u = 1, whose time is in the table (the node at w = largest_w).
   static constexpr double end_of_curve = 0.9999998874648379;
 
   void fit(double n, double kappa) {

@@ -1,4 +1,4 @@
-// Fills in the Memory of a path. Source: docs/laws.md, power-masing and gallardo.
+// Fills in the Memory of a path. Source: the sections on power-masing and gallardo in docs/laws.md.
 #include <algorithm>
 #include <vector>
 

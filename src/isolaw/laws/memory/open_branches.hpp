@@ -23,7 +23,7 @@ struct OpenBranches {
   // Displacements at which the open branches began, the oldest first. A law's stack has its force at each of them.
   std::vector<double> turned;
   std::size_t first_dropped = none;  // stack index of the first of two turning points that are dropped before this step
-  // If the motion turned at the step's begin: stack index at which to keep the force there.
+  // If the motion turned when the step began: the stack index at which a law keeps its force at this turn.
   std::size_t turn_index = none;
   // The turning point at which the present branch began: its stack index (none: on the skeleton), and its displacement.
   std::size_t branch_index = none;

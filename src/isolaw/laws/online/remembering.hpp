@@ -6,7 +6,8 @@
 
 namespace isolaw::laws {
 
-// The parameters of a law, and the dead band of the record that it was fitted to, which only laws that remember use.
+// The parameters of a law, and the dead band of the record that it was fitted to. Only laws with the trait `remembers`
+// use the dead band.
 template <class Law>
 struct ParametersWithBand : ParamsOf<Law, double> {
   double dead_band = 0.0;

@@ -18,7 +18,7 @@ struct HistoryIntegralOf {
   template <class T>
   struct State {
     Vector<T> slow{T(0.0), T(0.0)}, quick{T(0.0), T(0.0)};
-    // With Softening::by_axis the largest |x| and the largest |y| so far. With by_distance both elements are the
+    // With Softening::by_axis these are the largest |x| and the largest |y| so far. With by_distance both are the
     // largest distance from the origin so far.
     Vector<T> peaks{T(0.0), T(0.0)};
   };

@@ -20,7 +20,7 @@ enum class Bidirectional { coupled, springs };
 // trial starts from the last committed state. Copies are independent of one another.
 class InPlane {
  public:
-  // One state for both directions. Throws Error if the law has no such form with these parameters, and for
+  // A device with one state for both directions. Throws Error if the law cannot have one with these parameters, and for
   // Softening::by_axis if no peak softens the law.
   static InPlane coupled(std::string_view law, std::span<double const> parameters,
                          plane::Softening softening = plane::Softening::by_distance);
