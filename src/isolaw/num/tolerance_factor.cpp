@@ -40,7 +40,7 @@ double spread_is_enough(double freedom, double half, double k) {
 double tolerance_factor(std::size_t count, double coverage, double confidence) {
   if (count < 2) return std::numeric_limits<double>::quiet_NaN();
   auto const n = static_cast<double>(count);
-  // The integral ends nine standard deviations from the mean. Beyond them the integrand is below the rounding error.
+  // The integral over the sample's mean ends at nine of its standard deviations. The rest is below the rounding error.
   double const end = 9.0 / std::sqrt(n);
   auto const reached = [&](double k) {
     auto const integrand = [&](double mean) {

@@ -20,8 +20,9 @@ namespace {
 // "The optimum"). Gains and distances between values are relative. Coordinates are in [0, 1].
 namespace tuning {
 
-// A descent has stages. A stage lowers delta, which rounds off |residual|, to `smoothing` times the mean residual. The
-// stage ends when the iterations at this last delta gain too little, at the latest after `iterations` iterations.
+// A descent has stages. It minimises the sum of sqrt(residual^2 + delta^2), in which delta rounds off |residual|. A
+// stage lowers delta to `smoothing` times the mean residual. It ends when the iterations at this last delta gain too
+// little, at the latest after `iterations` iterations.
 struct Stage {
   double smoothing;
   int iterations;
@@ -34,13 +35,13 @@ constexpr Stage approach{.smoothing = 0.5, .iterations = 25};
 // Finds the floor of the valley. Its least gain is below the hit tolerance of 5e-4, and need not be smaller, because
 // the value at the end is only compared with the values of other descents.
 constexpr Stage settle{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4};
-// Replaces `settle` after a descent on the outline. It uses all residuals. It starts at the minimum of the outline,
-// which is close to the minimum of all residuals.
+// Replaces `settle` after a descent on the outline (a problem with fewer residuals). This stage uses all residuals. It
+// starts at the minimum of the outline, which is close to the minimum of all residuals.
 constexpr Stage finish{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 3};
 // Replaces `finish` if descend() is asked to be brief. Ends with about four correct digits.
 constexpr Stage finish_briefly{.smoothing = 0.01, .iterations = 80, .least_gain = 3e-4, .patience = 2};
-constexpr double rounding_after_outline = 0.03;                // largest delta after the outline, divided by the value
-constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // adds digits to a descent that may be reported
+constexpr double rounding_after_outline = 0.03;                // delta after the outline is at most this times the sum
+constexpr Stage polish{.smoothing = 0.003, .iterations = 60};  // computes more digits of a value that may be reported
 
 constexpr double gain_worth_staying = 3e-3;  // after an iteration with a smaller relative gain, delta falls
 // When delta falls, it is multiplied by this factor. The fall is so small that a few iterations lead from the minimum
@@ -50,13 +51,14 @@ constexpr double noise_of_gain = 1e-6;  // smaller gains count as none: one-side
 // Step of one-sided differences. A slope is wrong by about 1e-6 because the residuals are curved, and by 1e-9 because
 // of rounding. Both errors change a Newton step less than its damping does.
 constexpr double difference_step = 1e-6;
-// The curvature for bold steps is bold_share times the true curvature plus cautious_share times the cautious one, since
-// the true one vanishes if no residual is near zero.
+// Each iteration tries bold and cautious steps (see slopes()). The curvature for bold steps is bold_share times the
+// true curvature plus cautious_share times the cautious curvature, since the true one vanishes if no residual is near
+// zero.
 constexpr double bold_share = 0.9, cautious_share = 0.1;
 // Trial steps in an iteration: as many as a law's kernel computes at once, since fewer would cost as much.
 constexpr std::size_t tried = 8;
 constexpr double damping_ratio = 20.0;  // trial steps use 1/20, 1, 20 and 400 times the present damping
-constexpr double damping_rise = 1e4;    // factor on the damping if all trial steps failed; above the 400 tried before
+constexpr double damping_rise = 1e4;    // factor on the damping if all trial steps failed; more than the factor 400
 constexpr int rises = 4;                // attempts in an iteration: enough to raise usual_damping beyond most_damping
 constexpr double usual_damping = 1e-2;
 constexpr double most_damping = 1e8;                        // steps damped this much follow the gradient and are short
@@ -66,8 +68,8 @@ constexpr double least_curvature = 1e-9;
 
 constexpr double one_valley = 0.75;  // if this share of the scattered starts are hits, a better valley is unlikely
 // A search ends early after `many_hits` hits, if at least the share `agreeing` of the scattered starts are hits. This
-// rule missed the best valley in 1 of 380 logged searches. Another rule, a share of 0.3 of all descents, missed it in 6
-// of them.
+// rule missed the best valley in 1 of 380 logged searches. Ending when 0.3 of all descents were hits missed it in 6 of
+// them.
 constexpr std::ptrdiff_t many_hits = 12;
 constexpr double agreeing = 0.4;                // share of hits among the scattered starts
 constexpr std::ptrdiff_t part_when_agreed = 3;  // a third of the starts suffices: 24 instead of 72
@@ -84,10 +86,10 @@ constexpr double more_in_many_dimensions = 2.5;  // factor on the starts, half o
 // A descent is given up if its value after approach() exceeds the best value by this factor, since settle() gains less.
 constexpr double promising = 1.5;
 constexpr double least_power_of_hop = -1.5, most_power_of_hop = -0.3;  // hops of 0.03 to 0.5, to leave a valley
-constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // hops of 0.01 to 0.3, to stay in it
+constexpr double least_power_of_last_hop = -2.0, most_power_of_last_hop = -0.5;  // of 0.01 to 0.3, to stay in a valley
 
-// In hit tolerances. The floor of the valley counts as smooth if at least half of the hits, and at least twice
-// MultistartOptions::hits, are this close to the best value.
+// The floor of the valley counts as smooth if at least half of the hits, and at least twice MultistartOptions::hits,
+// are closer to the best value than this number of hit tolerances.
 constexpr double smooth_floor_height = 0.2;
 // If the values of the hits scatter, this many of the best descents are polished. Polishing only the best one left the
 // result 0.1 % too high in 3 of 29 logged searches.
@@ -123,7 +125,7 @@ void write_cost(Cost const& cost, DeviationProblem const& problem, BestPoint& re
   result.failed_evaluations = in_points(cost.failed);
 }
 
-class Counting {  // computes residuals of the problem or of its outline, and counts them
+class Counting {  // computes and counts residuals of the problem or of its outline, which has fewer residuals
  public:
   explicit Counting(DeviationProblem const& problem) : problem_(&problem), whole_(problem) {}
 
@@ -172,8 +174,9 @@ struct Located {
   double value = infinity;  // sum of weight * |residual|
 };
 
-// One descent. approach() finds a valley, on the outline if the problem has one. settle() finds the valley's floor, on
-// the outline first and then on all residuals. polish() adds digits.
+// One descent. approach() finds a valley, and settle() finds the valley's floor. If the problem has an outline (a
+// problem with fewer residuals), approach() uses only the outline, and settle() uses the outline first and then all
+// residuals. polish() computes more digits.
 class Descent {
  public:
   Descent(DeviationProblem const& problem, std::span<double const> start, double rounding = 1.0)
@@ -282,7 +285,7 @@ class Descent {
     return result;
   }
 
-  // Does one iteration. Returns the sum of sqrt(r^2 + delta^2) before and after it; both are equal if no step gained.
+  // Does one iteration. Returns the sum of sqrt(r^2 + delta^2) before and after; both are equal if no step lowered it.
   std::pair<double, double> iterate() {
     using namespace tuning;
     auto const here = slopes();
@@ -440,8 +443,8 @@ class Search {
 
   // Runs one descent from `start`. Worker threads call this early, in any order; count_in() later adds the descents to
   // the result in the order of their starts. The descent is settled, that is, refined to its end, only if its value is
-  // less than `promising` times the best value known now. The best value may fall before count_in() makes the same
-  // comparison, but it cannot rise, so count_in() never needs a settled descent that is missing here.
+  // less than `promising` times the best value known now. When count_in() makes the same comparison, the best value may
+  // be lower but never higher, so every descent that count_in() takes as settled was settled here.
   FinishedDescent descent_from(std::span<double const> start) const {
     FinishedDescent result;
     Descent descent(problem_, start);

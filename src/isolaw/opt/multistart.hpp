@@ -1,14 +1,14 @@
-// Minimises a sum of absolute residuals over the unit box by descents from many starts.
-// In each round, descents begin at points scattered over the box (Latin hypercube) and then at disturbed copies of the
-// best point (hops, as in basin hopping). A descent is a Levenberg-Marquardt iteration with bounds. It minimises sum w
-// sqrt(r^2 + delta^2), which rounds off the corner of |r|. delta begins at the size of the residuals, where the sum
-// resembles a sum of squares, and falls to a hundredth of that size. All points that the finite differences of a
-// Jacobian need are computed in one batch, and every iteration tries several steps at once. A problem may offer an
-// outline: a smaller problem with about a third of the residuals, whose minima lie in the same valleys. A descent then
-// minimises the outline first and uses all residuals only for its last steps.
-// A descent that ends at the best value is a hit. The larger the share of hits, the fewer descents the search makes
-// (see MultistartOptions). In more than fourteen dimensions it makes up to 2.5 times as many, half of them hops.
-// Rejected: descending only from the starts of lowest value. For isolaw's laws these starts lie in the wrong valleys.
+// Minimises a sum of absolute residuals over the unit box by descents from many starts. In each round, descents begin
+// at points scattered over the box (Latin hypercube) and then at disturbed copies of the best point (hops, as in basin
+// hopping). A descent is a Levenberg-Marquardt iteration with bounds. It minimises sum w sqrt(r^2 + delta^2), which
+// rounds off the corner of |r|. delta begins at the size of the residuals, where the sum resembles a sum of squares,
+// and falls to a hundredth of that size. All points that the finite differences of a Jacobian need are computed in one
+// batch, and every iteration tries several steps at once. A problem may offer an outline: a smaller problem with about
+// a third of the residuals, whose minima lie in the same valleys. A descent then minimises the outline first and uses
+// all residuals only for its last steps. A descent that ends at the best value is a hit. The larger the share of hits,
+// the fewer descents the search makes (see MultistartOptions). In more than fourteen dimensions it makes up to 2.5
+// times `starts` descents, half of them hops. Rejected: descending only from the starts of lowest value. For isolaw's
+// laws these starts lie in the wrong valleys.
 #pragma once
 
 #include <functional>
@@ -46,7 +46,7 @@ MultistartResult minimise_multistart(DeviationProblem const& problem, num::Strea
                                      MultistartOptions const& options = {},
                                      std::function<bool()> const& interrupted = {});
 
-// Points scattered evenly over the unit box: along each coordinate, one lies in each of `count` equal intervals.
+// Points scattered evenly over the unit box: along each coordinate, each of `count` equal intervals holds one point.
 Points latin_hypercube(std::size_t dimension, std::size_t count, num::Draws& draws);
 
 // Makes one descent from a point near a minimum, for a problem that differs little from one already solved. The result

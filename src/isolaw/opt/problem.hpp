@@ -35,7 +35,7 @@ class Problem {
   virtual void evaluate(Points const& points, std::span<double> values) const = 0;
 };
 
-// The value is the sum of weights()[j] * |residual j|. Searches that know the residuals need far fewer evaluations.
+// A problem whose value is the sum of weights()[j] * |residual j|. Knowing the residuals saves most evaluations.
 class DeviationProblem : public Problem {
  public:
   virtual std::span<double const> weights() const = 0;  // one weight for each residual, >= 0, with sum 1

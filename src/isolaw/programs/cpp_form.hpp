@@ -11,9 +11,10 @@ namespace isolaw::programs {
 std::string cpp_facts(Subject const& subject, UnitSystem const& units, std::string_view program);
 // Returns the includes and the law in namespace identifier(subject, units). Throws Error if the law has no C++ form.
 std::string cpp_law(Subject const& subject, UnitSystem const& units);
-// Puts an include guard around `code`. Another file that defines the same name is then a compile error.
+// Puts an include guard around `code`. Including another file that defines the same name is then a compile error.
 std::string guarded(std::string_view name, std::string_view code);
-// Returns a main() for ISOLAW_SELF_CHECK. It drives `material` over the self-check's motion by trial() and commit().
+// Returns a main() that is compiled only if ISOLAW_SELF_CHECK is defined. It drives `material` over the self-check's
+// motion by trial() and commit(), and compares its force with the law's.
 std::string cpp_check(Subject const& subject, UnitSystem const& units, std::string_view material);
 
 }  // namespace isolaw::programs

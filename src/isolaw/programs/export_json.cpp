@@ -1,4 +1,4 @@
-// Writes everything that the exports for programs contain as JSON: law, forms, errors and the self-check's forces.
+// Writes as JSON all that exports for programs contain: the law, its commands in OpenSees, errors and expected forces.
 #include "isolaw/base/json.hpp"
 #include "isolaw/programs/exports.hpp"
 #include "isolaw/programs/self_check.hpp"

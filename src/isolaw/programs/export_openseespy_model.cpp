@@ -52,9 +52,9 @@ std::string python_isolator(ModelNumbers const& n) {
              : python_springs(n.function);
 }
 
-// Says how the law itself acts in two horizontal directions, as in isolaw.building. A law with a form for two
-// directions uses it. Any other law acts as springs around a circle, which round off the loop's knee. Such springs need
-// an odd law: its force in one direction must mirror that in the opposite direction. If the law is not odd, or the
+// Says how the law itself acts in two horizontal directions, as in isolaw.building. A law that has a formula for two
+// directions acts by it. Any other law acts as springs around a circle, which round off the loop's knee. Such springs
+// need an odd law: its force in one direction must mirror that in the opposite direction. If the law is not odd, or the
 // motion is along x alone, there is one spring along each axis instead.
 building::Coupling coupling_in_model(Subject const& subject) {
   auto const coupling = building::coupling_of(subject.law->info.id, subject.parameters);

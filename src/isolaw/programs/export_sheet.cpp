@@ -350,7 +350,7 @@ std::string value_sheet(Subject const& subject, UnitSystem const& units, Remarks
   bool const fitted = wen || corner;
   auto const rubber = fitted ? rubber_isolator(subject, building) : std::nullopt;
   auto const free = free_bouc_wen(subject, building, wen);
-  RefitResponse response;  // of the last set; only its facts about the building are used, the same for all sets
+  RefitResponse response;  // of the last set; only its facts about the building are used, which all sets share
   auto const compare = [&](auto const& set) {
     if (!set || set->response.mass_from.empty()) return;
     remarks.add(set->response, subject);

@@ -140,7 +140,7 @@ std::string with_plain_numbers(std::string_view code) {
   return text;
 }
 
-// Returns the lines of a file between `// [export]` and `// [end]`, as C++ without templates over numbers.
+// Returns the lines of a file between `// [export]` and `// [end]`, as C++ with fixed number types.
 std::string exported(std::string_view text) {
   constexpr std::string_view begin = "// [export", end = "// [end]";
   std::string code;

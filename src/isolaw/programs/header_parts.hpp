@@ -11,8 +11,8 @@
 
 namespace isolaw::programs {
 
-// Returns the whole C++ code of a law: numbers, the law, its motion and the material. The parameters' values are not
-// part of it. Empty if laws/ has no file of the law's name.
+// Returns the whole C++ code of a law: number types, the law, its motion and the class Material. The parameters' values
+// are not part of it. Empty if laws/ has no file of the law's name.
 std::string law_in_cpp(std::string_view law);
 // True if the law stores its turning points, so that its state grows with their number.
 bool remembers_turning_points(std::string_view law);

@@ -90,7 +90,7 @@ struct Iteration {
 double implicit_z(double z0, double dx, double A, double beta, double gamma, double n, double start,
                   Iteration const& iteration) {
   if (dx == 0.0) return z0;
-  constexpr double least = std::numeric_limits<double>::epsilon();  // stands for |z| = 0 in |z|^(n-1)
+  constexpr double least = std::numeric_limits<double>::epsilon();  // used in place of |z| if z is 0
   double z = start;
   for (int i = 0; i < iteration.most; ++i) {
     double const size = z == 0.0 ? least : std::abs(z), shape = gamma + beta * sign(dx * z);
@@ -161,8 +161,8 @@ DimensionlessBoucWen::Parameters bearing_bouc_wen(std::span<double const> a) {
                     {.tolerance = bearing_tolerance, .most = bearing_iterations});
 }
 
-// Arguments: ka kb fo b1 b2 gamma. After a long travel in one direction, rounding can make s * distance negative, which
-// makes the force NaN.
+// Arguments: ka kb fo b1 b2 gamma. After a long travel in one direction, rounding can make s * distance, whose
+// logarithm is taken, negative. The force is then NaN.
 class HystereticAsym final : public Material {
  public:
   explicit HystereticAsym(std::span<double const> a)

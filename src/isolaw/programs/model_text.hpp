@@ -9,7 +9,8 @@
 
 namespace isolaw::programs {
 
-// Returns the form that a model uses. A bearing element that couples both directions is preferred, if there is one.
+// Returns the form that a model uses. A form is a list of commands that stand for the law in the analysis program. A
+// bearing element that couples both directions is preferred, if there is one.
 Realised& form_of_model(Realisation& realisation);
 Realised const& form_of_model(Realisation const& realisation);
 

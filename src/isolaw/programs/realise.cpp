@@ -39,8 +39,8 @@ std::vector<double> every(std::span<double const> values, int step) {
   return kept;
 }
 
-// Whether point i of a history is a sample of the record. It is not if it was added between samples or before the first
-// one. In the self-check's protocol, which has no measured force, all points count as samples.
+// Whether point i of a history is a sample of the record. A point that was added between samples or before the first
+// one is no sample. In the self-check's protocol, which has no measured force, all points count as samples.
 bool is_sample(History const& history, std::size_t i) {
   return history.measured_kN.empty() || std::isfinite(history.measured_kN[i]);
 }
@@ -86,8 +86,8 @@ double longest_step(History const& history) {
   return longest;
 }
 
-// True if the form gives a finite force in every unit system. BoucWen starts Newton's rule at z = 0.01 whatever the
-// unit of length, so it may fail in some unit systems only.
+// True if the form's commands give a finite force in every unit system. BoucWen starts Newton's rule at z = 0.01
+// whatever the unit of length, so it may fail in some unit systems only.
 bool has_a_force(Form const& form, Subject const& subject) {
   auto const cycles = two_cycles(0.5 * subject.tested.disp_mm, subject.tested.disp_mm, subject.frequency_Hz);
   return std::ranges::all_of(unit_systems, [&](UnitSystem const& units) {
@@ -101,8 +101,8 @@ std::vector<double> replay_in_pieces(Form const& form, std::span<double const> d
   return every(replay_kN(form, record_units, refined(disp_mm, pieces)), pieces);
 }
 
-// The number of pieces into which steps of at most `longest_mm` must be cut, so that a cycle of the tested amplitude
-// has at least the number of steps that the exported file demands. At most finer_steps.
+// Returns into how many pieces steps of at most `longest_mm` must be cut, so that a cycle of the tested amplitude has
+// as many steps as the exported file demands. The result is at most finer_steps.
 int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, Subject const& subject,
                     double longest_mm) {
   if (form.exactness != Exactness::small_steps) return 1;
@@ -111,9 +111,9 @@ int pieces_demanded(Form const& form, std::optional<StepsNeeded> const& steps, S
   return std::clamp(static_cast<int>(std::ceil(longest_mm / longest_demanded_mm - 1e-9)), 1, finer_steps);
 }
 
-// Replays a form on all histories. `as_demanded` is for the form of a substitute, which can only approximate the law.
-// The steps of the records are then cut until they are as short as the exported file demands. Without this, the
-// deviation from the law would include integration errors of longer steps.
+// Replays a form's commands on all histories. `as_demanded` is true if the form is of a substitute (another law, fitted
+// to the law), which can only approximate the law. The steps of the records are then cut until they are as short as the
+// exported file demands. Otherwise the deviation from the law would include integration errors of longer steps.
 Realised replayed(Form const& form, Subject const& subject, bool as_demanded = false) {
   Realised realised{.nominal = form};
   if (form.exactness == Exactness::small_steps) realised.steps = steps_needed(subject, form);
@@ -136,8 +136,8 @@ Realised replayed(Form const& form, Subject const& subject, bool as_demanded = f
 }
 
 // True if the force may be NaN when the isolator moves `overtravel` times as far as in the tests. If it then travels
-// farther than the form's longest swing from side to side, this counts as true without a replay, because a replay of
-// these histories may happen to give finite forces.
+// farther than the form's longest swing from side to side, the function returns true without a replay: the force may be
+// NaN on another motion even if it is finite on these histories.
 bool breaks_beyond_the_test(Form const& form, Subject const& subject, double travel_mm) {
   if (form.longest_swing_mm && *form.longest_swing_mm < overtravel * travel_mm) return true;
   for (auto const& history : subject.histories) {
@@ -187,7 +187,7 @@ Realisation refit(Subject const& subject, Realisation realisation) {
       auto realised = replayed(form, subject, true);
       if (!std::isfinite(realised.from_law.largest) || !has_a_force(form, subject)) continue;
       // Every cycle of other_cycles() has protocol_steps steps, whatever its amplitude. The number of pieces that gives
-      // a cycle of the tested amplitude the demanded number of steps is therefore right for all of them.
+      // a cycle of the tested amplitude the demanded number of steps is therefore right for all of these cycles.
       int const pieces = pieces_demanded(form, realised.steps, subject,
                                          2.0 * std::numbers::pi * subject.tested.disp_mm / protocol_steps);
       realised.other_cycles =
@@ -319,7 +319,8 @@ Substitute fit_substitute(Subject const& subject, std::string_view id, std::vect
   auto const& history = subject.histories.front();
   data::FitRecord record;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i) {
-    // A history may go from zero to the first sample in no time, but the times of a record must increase.
+    // A history may go from zero to the first sample in no time, but the times of a record must increase. The point at
+    // zero therefore moves 1e-9 s back.
     if (!record.time_s.empty() && history.time_s[i] <= record.time_s.back()) record.time_s.back() -= 1e-9;
     record.time_s.push_back(history.time_s[i]);
     record.disp_mm.push_back(history.disp_mm[i]);

@@ -49,7 +49,7 @@ struct Realised {
   std::optional<StepsNeeded> steps = {};        // only for small_steps; empty if no number of steps was enough
   // The records' longest travel in one direction, and their longest step between two samples.
   double longest_travel_mm = 0.0, longest_step_mm = 0.0;
-  double replayed_step_mm = 0.0;  // longest step of the replay, for a substitute as short as the exported file demands
+  double replayed_step_mm = 0.0;  // longest step of the replay; a substitute's steps are cut as its file demands
 };
 inline constexpr int finer_steps = 16;
 
@@ -64,10 +64,10 @@ struct Realisation {
   std::optional<Deviation> draws_from_law;  // largest deviation of a form from its drawn law, on the first history
 };
 
-// A form counts as exact if it differs from the law by at most this percentage of the peak force: exact_percent at
-// every step, or limit_percent at finer steps for a form that the program integrates.
+// The commands of a form count as exact if their force differs from the law's by at most this percentage of the peak
+// force: exact_percent at every step, or limit_percent at finer steps if the program integrates an equation.
 inline constexpr double exact_percent = 1e-7, limit_percent = 0.5;
-// A form must also give a force if the isolator moves this many times as far as in the tests.
+// The commands must also give a finite force if the isolator moves this many times as far as in the tests.
 inline constexpr double overtravel = 1.5;
 
 inline constexpr std::string_view corner_law = "bilinear", smooth_law = "bouc-wen";

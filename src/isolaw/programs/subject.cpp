@@ -340,8 +340,9 @@ History tested_cycles(Subject const& subject) {
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm) {
   constexpr double pi = std::numbers::pi;
   // A law with a dead band computes its force from a motion that follows the real one (laws/memory/followed.hpp). After
-  // a turn, this follower rests until the real motion has gone back by two bands, and has caught up with it after six.
-  // The small loop goes back by four bands, so that its force depends on the width of the band.
+  // a turn, this follower rests until the real motion has gone back by two bands, and it has caught up with the real
+  // motion after six. The small loop from 0.4 to 0.4 - tremor goes back by four bands, so that its force depends on the
+  // width of the band.
   double const tremor = 4.0 * dead_band_mm / tested_mm, step_s = 1.0 / (protocol_steps * frequency_Hz);
   History history{.device = {}, .time_s = {0.0}, .disp_mm = {0.0}, .vel_mm_s = {0.0}, .measured_kN = {}, .law_kN = {}};
   double from = 0.0;

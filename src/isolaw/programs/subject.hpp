@@ -76,7 +76,7 @@ struct Subject {
   std::optional<std::vector<double>> springs;
   // One history for each test of the device, or of the lot's devices. The one of largest amplitude is first.
   std::vector<History> histories;
-  History protocol;           // check_path() of the tests, with the law's force
+  History protocol;           // the path of check_path(), with the law's force
   double frequency_Hz = 0.0;  // frequency of the protocol
   std::optional<double> objective;
   TestedRange tested;
@@ -109,11 +109,11 @@ History tested_cycles(Subject const& subject);
 // between samples is the period of this sine divided by protocol_steps.
 History check_path(double tested_mm, double frequency_Hz, double dead_band_mm);
 
-// Makes a name that programs accept: letters and digits, at most `longest` characters. `_` replaces each run of others.
+// Makes a name that programs accept: letters, digits, and `_` for each run of other characters; at most `longest` long.
 inline constexpr std::size_t longest_name = 40;
 std::string plain_name(std::string_view name, std::size_t longest = longest_name);
 
-// Throws Error if the campaign has no such law, device or result. Bounds::source and Subject::beyond use `units`.
+// Throws Error if the campaign has no such law, device or result. Bounds::source and Subject::beyond_tests use `units`.
 Subject make_subject(campaign::Contents const& contents, study::Summary const& summary, std::string_view law,
                      std::string_view device, UnitSystem const& units = unit_systems[0]);
 

@@ -37,8 +37,8 @@ std::string range_of(std::optional<double> low, std::optional<double> high, std:
   return fmt::format("{:.4g} to {:.4g} {}", *low, *high, unit);
 }
 
-// True if two forms deviate equally from the law, apart from rounding, as two forms of one equation do. One sentence
-// then describes both.
+// True if the materials of two forms deviate equally from the law, apart from rounding, as two materials with the same
+// equation do. One sentence then describes both.
 bool same(Deviation const& a, Deviation const& b) {
   return std::abs(a.largest - b.largest) <= 1e-6 * a.largest + 1e-9;
 }

@@ -1,6 +1,6 @@
 // Checks an exported law on motions that differ from the tested cycle: a substitute at smaller amplitudes and another
-// rate, the law at larger amplitudes, a form in larger steps, and two springs in place of a bearing on a circle in
-// plan. Each check drives two equal cycles from rest and uses the second.
+// rate, the law at larger amplitudes, the exported commands in larger steps, and two springs in place of a bearing on a
+// circle in plan. Each check drives two equal cycles from rest and uses the second.
 #pragma once
 
 #include <functional>
@@ -38,8 +38,9 @@ bool needs_warning(std::vector<OtherCycle> const& cycles);
 inline constexpr double beyond_times[] = {1.25, 1.5};
 std::vector<std::string> beyond_the_tests(Subject const& subject, UnitSystem const& units);
 
-// The number of steps per cycle that a form needs: the smallest of 20, 40, ..., 1280 with which the energy of a cycle
-// differs from that with 2560 steps by at most step_energy_percent. `energy` is this difference in percent.
+// The number of steps per cycle that the commands of `form` need: the smallest of 20, 40, ..., 1280 with which the
+// energy of a cycle differs from that with 2560 steps by at most step_energy_percent. `energy` is this difference in
+// percent.
 inline constexpr double step_energy_percent = 1.0;
 struct StepsNeeded {
   int per_cycle = 0;

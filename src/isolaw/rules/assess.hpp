@@ -48,8 +48,8 @@ struct LoadPair {  // properties of one device at the largest and smallest verti
   BlockValues largest, smallest;
 };
 
-// All assessments of a device: first those of the set's limits on each device, on stability and on vertical load. After
-// them, as information, K_v and the quantities with a design value but no limit.
+// All assessments of a device. The set's limits on each device, on stability and on vertical load come first. After
+// them come, as information, K_v and the quantities with a design value but no limit.
 std::vector<Assessment> assess(RuleSet const& rules, BlockValues const& block, Design const& design,
                                std::optional<LoadPair> const& loads = std::nullopt);
 std::string same_record_as(std::string_view device);  // "the same record as D01"

@@ -15,10 +15,10 @@ namespace isolaw::rules {
 struct DeviceValues {
   std::string name;
   BlockValues block;  // the block that the rules are applied to
-  // The name of another device with the same record; empty if there is none. A copy is no tested device: it enters
-  // neither the means nor the spread, except those of K_v, which comes from another test.
+  // The name of another device with the same record; empty if there is none. A device with a copied record does not
+  // count as tested. It enters neither means nor spreads, except those of K_v, which comes from another test.
   std::string copy_of = {};
-  // Whether it was tested at the lot's usual amplitude. Only such devices can be outliers, except in K_v.
+  // Whether the device was tested at the lot's usual amplitude. Only such devices can be outliers, except in K_v.
   bool at_usual_amplitude = true;
 };
 

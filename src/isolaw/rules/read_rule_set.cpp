@@ -16,8 +16,8 @@
 namespace isolaw::rules {
 namespace {
 
-constexpr std::size_t longest_note = 2048;  // bytes of the text of a source or a clause
-constexpr std::size_t most_tables = 100;    // tables of limits of one kind
+constexpr std::size_t longest_note = 2048;  // largest size of a source's or a clause's text in bytes
+constexpr std::size_t most_tables = 100;    // largest number of tables of one kind in a file
 constexpr int last_cycle = 1000;
 
 struct Range {

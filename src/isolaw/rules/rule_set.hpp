@@ -1,8 +1,8 @@
 // A rule set: what a standard or a contract asks of cyclic shear tests, as data read from TOML. It states how and from
 // which cycles properties are computed, the conditions of the tests, the limits, how many devices to test, the property
 // modification factors, and how the effects of temperature, rate, load, ageing and history are limited and combined.
-// The program itself contains no limit of a standard. `verified_by` names a person who has compared the set with the
-// text of its standard. A set without it never leads to pass or fail (assess.hpp). docs/rules.md explains the file;
+// isolaw's code contains no limit of a standard. `verified_by` names a person who has compared the set with the text of
+// its standard. A set without such a name never leads to pass or fail (assess.hpp). docs/rules.md explains the file;
 // rules/template.toml is a commented example.
 #pragma once
 
@@ -106,7 +106,7 @@ struct MeanAnalysisRule {  // an analysis may use mean properties if no device i
   std::string clause;
 };
 
-struct CombinationRule {  // how the factors of all effects make one
+struct CombinationRule {  // how the factors of all effects are combined into one factor
   Form form = Form::product;
   double adjust = 1.0;  // the number f in the formula of `form`; Form::asce takes FactorRule::system_factor instead
   double margin = 1.0;  // the number `margin` in the formula of Form::sum
@@ -168,7 +168,7 @@ std::string load_rule_text(std::string_view name_or_file);
 // Reads a built-in set or a file. Throws Error as read_rule_text() does; if there is no such file, the message names
 // the built-in sets.
 RuleSet find_rule_set(std::string_view name_or_file);
-// The text of a built-in set or of "template", with its comments. Throws Error, which lists the names, for others.
+// The text, with comments, of a built-in set or of "template". For other names throws Error, which lists the names.
 std::string_view rule_set_text(std::string_view name);
 // Number of devices to test in a lot of N = `lot_size`: min(N, max(least, ceil(share_percent N / 100))).
 int required_sample(SampleRule const& rule, int lot_size);

@@ -105,7 +105,7 @@ std::string why_withheld(data::Properties const& properties, data::Block const& 
   return fmt::format("{} has lost {:.0f} % of the force", failure->word("where"), 100.0 - failure->number("percent"));
 }
 
-// Replaces every pass by "not assessed" with this reason, except on K_v, which comes from another test. A missing value
+// Replaces every pass by "not assessed" with `reason`, except on K_v, which comes from another test. A missing value
 // gets this reason too. A fail stays, since the fault of the test may be its cause: a loss of force may exceed a limit
 // on the change from cycle to cycle.
 void withhold_passes(std::vector<rules::Assessment>& assessments, std::string const& reason) {

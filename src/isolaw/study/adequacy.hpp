@@ -29,7 +29,7 @@ inline bool is_adequate(LawResult const& law) {
 struct Pinned {
   std::size_t count = 0, calibrated = 0;
   bool decides() const { return 3 * count >= calibrated && count > 0; }  // true: the search box decides this law's beta
-  Finding finding(std::string const& law) const;                         // says so (FindingKind::held_by_box)
+  Finding finding(std::string const& law) const;                         // says that the box decides beta (held_by_box)
 };
 Pinned pinned(LawResult const& law);
 

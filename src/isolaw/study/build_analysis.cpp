@@ -159,7 +159,7 @@ lot::SquareMatrix uncertainty(DeviceFit const& fit, campaign::DeviceAnalysis con
   return covariance;
 }
 
-// Fixes the redundant parameter as LawEntry::reduce() does. First derivatives convert the others' covariance.
+// Fixes the redundant parameter as LawEntry::reduce() does, and converts the others' covariance by first derivatives.
 lot::DeviceEstimate reduced(laws::LawEntry const& entry, std::vector<double> const& values,
                             std::vector<std::size_t> const& free, lot::SquareMatrix const& covariance,
                             std::vector<std::size_t> const& kept) {

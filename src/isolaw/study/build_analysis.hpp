@@ -12,7 +12,7 @@ namespace isolaw::study {
 
 // A run has found the campaign's least objective if it ends within this relative distance of it.
 inline constexpr double found_within = 1e-3;
-// The largest mean objective on the blocks left out of the fit for each grade; above the last, it is unusable.
+// Largest mean objective of each grade on the blocks left out of the fit; above the last, a prediction is unusable.
 inline constexpr double good_prediction = 0.1, fair_prediction = 0.3, poor_prediction = 0.6;
 // A prediction that collapses is unusable too. It collapses if the objective on some predicted block exceeds
 // collapsed_objective, so that the law does worse than a constant force. It also collapses if the mean objective on the

@@ -59,10 +59,10 @@ class Builder {
     return shares.empty() ? 0.0 : num::moments(shares).mean;
   }
 
-  // The tests that show an effect, and the reference tests with which they are compared. All tests of a device that are
-  // taken have the same history in the reference cycle. This is the history, among those of the device's reference
-  // tests, that most of its tests of the effect have. Scaled specimens are taken only if no device of full size shows
-  // the effect.
+  // The tests that show an effect, and the reference tests with which they are compared. If a device has reference
+  // tests, all of its tests that are taken have the same history in the reference cycle. If its reference tests have
+  // several histories, the one that most of its tests of the effect have is taken. Scaled specimens are taken only if
+  // no device of full size shows the effect.
   struct Compared {
     std::vector<conditions::Sample> reference, others;
     std::vector<Observed const*> without_reference;  // tests in `others` of devices without a reference test
@@ -123,8 +123,8 @@ class Builder {
     return is_scaled(true) && !is_scaled(false);
   }
 
-  // At a level where no device with a reference test was tested, the other devices show the effect. Gives their tests
-  // the role TestRole::effect.
+  // If no device with a reference test was tested at a level, the effect at this level is taken from the other devices.
+  // Gives their tests at this level the role TestRole::effect.
   void mark_unpaired(Compared const& tests, conditions::Response const& response) {
     for (auto const* seen : tests.without_reference)
       for (auto const& level : response.levels())

@@ -55,8 +55,9 @@ struct ConditionsTest {                           // one block of one test
   // Values in the reference cycle.
   std::optional<double> K_eff_kN_per_mm = {}, damping_percent = {}, energy_kN_mm = {}, Q_d_kN = {}, K_d_kN_per_mm = {};
   std::optional<double> heating_K = {};  // upper bound of the temperature rise in the reference cycle
-  // warming_h: how long the rubber takes to reach the temperature of the test. Set only if this is not the reference
-  // temperature and was measured in a chamber. conditioned_h: how long the device was kept at it, as stated.
+  // warming_h: how long the rubber takes to reach the temperature of the test. Set only if this temperature was
+  // measured in a chamber and is not the reference temperature. conditioned_h: how long the device was kept at this
+  // temperature, as stated.
   std::optional<double> warming_h = {}, conditioned_h = {};
   std::vector<ConditionsCycle> cycles = {};
   std::vector<double> loop_mm = {}, loop_kN = {};  // the loop of one cycle (ObservedBlock), for drawing
@@ -190,7 +191,7 @@ struct ConditionsResult {
   std::optional<conditions::Ageing> ageing_test = {};
   std::optional<double> ageing_stands_for_years;
   std::vector<DependenceRow> dependence;
-  std::optional<MeanProperties> mean_properties = {};  // empty unless a verified rule set has a rule for it
+  std::optional<MeanProperties> mean_properties = {};  // empty without a rule about it in a verified rule set
   std::vector<AtReferenceRow> at_reference;
   ConditionsPlan plan;
 };

@@ -150,7 +150,8 @@ std::optional<MeanProperties> BoundMaker::mean_properties(std::vector<BoundRow> 
       double const change_percent = 100.0 * (side->factor - 1.0);
       if (std::abs(change_percent) > std::abs(found.farthest_percent))
         found.quantity = row.quantity, found.farthest_percent = change_percent;
-      // An effect that is not covered yet can only move a bound farther from 1. Assumed factors prove nothing.
+      // An effect that is not covered yet can only move a bound farther from 1, so it cannot undo an excess. Assumed
+      // factors prove nothing: with them, the question stays open.
       if (side->assumed.empty() && std::abs(change_percent) > found.rule.within_percent) exceeds = true;
       if (!side->assumed.empty() || !side->complete()) is_open = true;
     }

@@ -23,7 +23,7 @@ class BoundMaker {
   // this group. `strength_share` is the share of Q_d / D in K_eff, with the amplitude D.
   std::vector<DesignRow> completed(std::vector<DesignRow> shown, rules::Quantity quantity, double strength_share) const;
 
-  // nullopt without a verified rule set that has a rule for it, and if `bounds` has no row for K_eff or energy.
+  // nullopt without a verified rule that limits mean analyses, or if `bounds` has no row for K_eff or energy.
   std::optional<MeanProperties> mean_properties(std::vector<BoundRow> const& bounds) const;
 
   BoundRow bound(rules::Quantity quantity, std::vector<DesignRow> const& effects) const;

@@ -159,7 +159,7 @@ void add_lacking_tests(ConditionsResult const& result, std::vector<Finding>& fin
          .numbers = {{"last_order", static_cast<double>(last_order)}, {"tests", static_cast<double>(tests)}}});
 }
 
-// Names the effects that rest on a test which another finding doubts, and the reference if it rests on one.
+// Names the effects that rest on a test which another finding doubts, and the reference if it rests on such a test.
 void add_rests_on_doubts(ConditionsResult const& result, std::vector<Finding>& findings) {
   if (result.bounds.empty()) return;
   auto const is_doubt = [](Finding const& finding) {

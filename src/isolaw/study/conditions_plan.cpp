@@ -178,8 +178,8 @@ class Planner {
     ends_.push_back(std::move(end));
   }
 
-  // The present factor of an effect on K_eff: the largest in the design range or, if this one belongs to the reference
-  // itself, the smallest.
+  // The present factor of an effect on K_eff: the largest factor in the design range. If this is the factor 1 of the
+  // reference itself, it is the smallest factor instead.
   Factor now(Effect effect) const {
     for (auto const& row : result_.design)
       if (row.quantity == rules::Quantity::K_eff && row.effect == effect)

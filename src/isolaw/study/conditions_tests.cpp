@@ -87,7 +87,7 @@ class TestReader {
 
   void read(std::span<campaign::ObservedTest const> of_device) {
     std::vector<Observed> own;
-    campaign::ObservedTest const* aged = nullptr;  // the latest test so far of the aged device; nullptr if not aged yet
+    campaign::ObservedTest const* aged = nullptr;  // the last test so far that states an ageing; nullptr if none does
     if (*of_device.back().stated.order > static_cast<int>(of_device.size()))
       out_.devices_lacking_tests.push_back({.device = of_device.back().device,
                                             .tests = static_cast<int>(of_device.size()),

@@ -15,7 +15,7 @@ struct Observed {  // a block with the history of its cycles
   double largest_before_percent = 0.0;
   // Index in ConditionsResult::tests; empty for a block that only belongs to the device's history.
   std::optional<std::size_t> test_index = {};
-  std::vector<conditions::Effect> differs = {};  // the conditions in which it differs from the reference
+  std::vector<conditions::Effect> differs = {};  // the conditions in which the block differs from the reference
   bool usable = false;                           // the block has the reference strain and the reference cycles
   bool is_scaled = false;
 };

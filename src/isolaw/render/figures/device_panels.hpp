@@ -33,7 +33,7 @@ void write_block(DataTable& table, DevicePanel const& panel);
 
 struct PanelsOverDevices {
   double height_mm = 30.0;
-  Margins margins;  // margins of a panel; room for the devices' names comes on top of `bottom`
+  Margins margins;  // margins of a panel; room for the devices' names is added to `bottom`
   int columns = 3;
   std::string setting = {};  // a line of gnuplot's script that stands before the panels
 };

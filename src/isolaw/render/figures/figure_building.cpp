@@ -96,7 +96,7 @@ Figure histograms_figure(building::Answers const& answers, UnitSystem const& uni
 Figure variance_figure(building::Answers const& answers) {
   std::string const name = "building_variance";
   std::string const about = "parts of the spread of the largest displacement of a bearing";
-  Margins const margins{.left = 13.0, .right = 3.0, .bottom = 10.0, .top = 10.5};  // top: two lines of the key
+  Margins const margins{.left = 13.0, .right = 3.0, .bottom = 10.0, .top = 10.5};  // top: room for two lines of the key
   constexpr std::size_t most_in_a_column = 3;
   auto const grid = grid_of(1, 42.0, margins, answers.laws.size() > most_in_a_column ? 1 : 2);
   auto const& quantity = drawn_quantity(0);

@@ -67,8 +67,9 @@ ConditionPanel condition_panel(ConditionsResult const& result, std::vector<Condi
   return panel;
 }
 
-// Returns the range of the logarithmic axis. A very wide interval would leave little room for the factors, so the axis
-// extends beyond them by at most half their own range or a factor of 1.2, and longer intervals are cut.
+// Returns the range of the logarithmic axis. A very wide interval would leave little room for the factors. The axis
+// therefore extends beyond them by at most half their own range or a factor of 1.2, whichever is more, and longer
+// intervals are cut.
 Range range_of_factors(std::vector<ConditionPanel> const& panels) {
   Range factors;
   factors.add(1.0);

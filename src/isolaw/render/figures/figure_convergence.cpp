@@ -11,7 +11,7 @@
 namespace isolaw::render {
 namespace {
 
-constexpr std::size_t most_panels = 12;  // more devices than this share one panel
+constexpr std::size_t most_panels = 12;  // if there are more devices, they share one panel
 
 struct Spread {
   MaybeNumber median, least, greatest;

@@ -49,7 +49,7 @@ struct Grid {
 // Returns the distance between ticks of an axis: one, two or five times a power of ten, so that at most `steps`
 // distances fit into the length.
 double nice_step(double length, int steps);
-// A single panel is as wide as one column of a printed page; several panels share two columns.
+// A single panel is as wide as one column of a printed page. Several panels together are as wide as two columns.
 Grid grid_of(std::size_t panels, double panel_height_mm, Margins const& margins, int most_columns = 3);
 
 class Script {

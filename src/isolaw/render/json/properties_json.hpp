@@ -13,7 +13,7 @@ namespace isolaw::render {
 // compression test, verdict and assessments.
 void write_properties(JsonWriter& out, LotAcceptance const& lot, DeviceResult const& device,
                       UnitSystems systems = stored_units);
-// Adds the member `tests`: one object for each test of the device, or an empty list if it has one test.
+// Adds the member `tests`: one object for each test of the device, or an empty list if the device has only one test.
 void write_tests(JsonWriter& out, DeviceResult const& device);
 // Adds the overall verdict as the member `result`.
 void write_verdict(JsonWriter& out, OverallVerdict const& verdict);

@@ -38,9 +38,9 @@ constexpr int profile_digits = 6;
 constexpr double curve_levels = 20000.0;
 constexpr std::size_t convergence_points = 120;
 
-// Rounds each value to a whole number of steps and writes the differences between neighbours. The differences are
-// integers, so a reader can add them up without error. In place of a value that is not finite it writes the previous
-// value again.
+// Rounds each value to a whole number of steps of 1/20,000 of the curve's range, and writes the differences between
+// neighbours. The differences are integers, so a reader can add them up without error. In place of a value that is not
+// finite it writes the previous value again.
 void write_curve(JsonWriter& out, std::string_view key, std::vector<double> const& values,
                  std::vector<std::size_t> const& samples) {
   double lower = 0.0, upper = 0.0;
@@ -311,7 +311,7 @@ void write_conclusions(JsonWriter& out, Summary const& summary) {
                   wording::paragraph(verdict.findings, record_units, " ", false), "dominated_by", verdict.dominated_by);
   });
   write_findings(out, "warnings", found.warnings, wording::in_report, unit_systems);
-  // Writes the positions, in the list of warnings, of the warnings that concern the answer.
+  // Writes the positions, in the list of warnings, of the warnings that concern the recommended law.
   std::uint64_t place = 0;
   out.key("answer_warnings").array(wording::grouped(found.warnings), [&](auto const& group) {
     if (found.recommendation && std::ranges::any_of(group, [&](Finding const& warning) {
@@ -347,7 +347,7 @@ void write_shown(JsonWriter& out, Summary const& summary) {
   });
 }
 
-// Writes the limits by which the program chooses the words of verdicts, since the page states these limits.
+// Writes the limits by which isolaw chooses the words of verdicts, since the page states these limits.
 void write_thresholds(JsonWriter& out) {
   out.key("thresholds").begin_object();
   out.member("found_within", found_within).member("determined_within", analysis::determined_within);

@@ -118,8 +118,8 @@ std::string measured_rules(study::ConditionsResult const& result, std::string_vi
     add_text(text, "one = {}\n", reference.first_cycle);
   else
     add_text(text, "mean_of = [{}, {}]\n", reference.first_cycle, reference.last_cycle);
-  // The way of combination is left out if it is "asce", because this form needs numbers from other tables of its rule
-  // set, which the new file does not have.
+  // The file does not say how factors are combined if the form is "asce", because that form needs numbers from other
+  // tables of its rule set, which the new file does not have.
   if (auto const& how = result.combination; how.form != rules::Form::asce) {
     add_text(text, "\n[combination]\nform = \"{}\"\n", rules::name(how.form));
     if (how.form == rules::Form::sum)

@@ -8,7 +8,7 @@
 namespace isolaw::render {
 
 // Returns a table with a row for each law and quantity. The columns are the results of the bound and nominal analyses,
-// fractiles of the draws, and the scatter divided by its causes.
+// fractiles of the draws, and how much of the scatter comes from each cause.
 std::string building_csv(building::Study const& study, building::Answers const& answers);
 std::string coverage_csv(building::Study const& study, building::Answers const& answers);
 // Returns a table about the nominal building with a row for each law and motion. The columns are the results of

@@ -144,7 +144,7 @@ Letters longest_texts(Summary const& summary, std::vector<std::string> const& de
     for (auto const& quantity : quantities_of(law)) {
       int const power = power_of(law, quantity);
       auto const there = quantity.paper_name.empty() ? std::size_t{0} : quantity.paper_name.size() + 8;
-      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + there + 8);  // 8: power of ten, brackets
+      raise(longest.quantity, quantity.name.size() + quantity.unit.size() + there + 8);  // 8: power of ten and brackets
       for (auto const& fit : law.devices) {
         auto const statistic = statistic_of(fit, quantity);
         raise(longest.value, visible(latex_number(scaled(statistic.mean, power))));

@@ -50,7 +50,7 @@ std::string fixed(std::optional<double> const& value, int decimals) {
   return value && std::isfinite(*value) ? bounded(*value, decimals) : "–";
 }
 
-// Returns a standard deviation as text. One that is too small for the printed digits must not look like zero.
+// Returns a standard deviation as text. A deviation that is too small for the printed digits must not look like zero.
 std::string spread(std::optional<double> const& std) {
   constexpr double least = 1e-4;
   if (!std || *std >= least / 2.0) return fixed(std, 4);
@@ -421,7 +421,7 @@ std::string answer(Summary const& summary, std::string_view directory, std::stri
   std::erase_if(concerned, [&](Finding const& finding) { return !concerns_answer(summary, shown, finding); });
   auto const groups = wording::grouped(concerned), every = wording::grouped(found.warnings);
   constexpr std::size_t most = 2;
-  constexpr auto screen = 25, below = 3;  // lines; `below` are those after the warnings
+  constexpr auto screen = 25, below = 3;  // numbers of lines; `below` lines follow the warnings
   std::size_t told = 0;
   for (; told < std::min(most, groups.size()); ++told) {
     auto const warning = wrapped(told == 0 ? "Look at" : "", wording::sentence(groups[told], units, 3), margin, width);

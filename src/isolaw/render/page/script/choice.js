@@ -22,7 +22,8 @@ export function chooser(id, title, options, key, follow = (value) => choose({ [k
   return element('label', {}, title, select);
 }
 
-// Makes a button for each of `options`, [value, title]. The button of the present value of the choice `key` is pressed.
+// Makes a button for each of `options`, which are pairs [value, title]. The button whose value is that of the choice
+// `key` looks pressed.
 export function choiceButtons(key, options, attributes) {
   const buttons = options.map(([value, title]) => button(title, () => choose({ [key]: value }), { value }));
   const follow = () => {

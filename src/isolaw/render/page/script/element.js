@@ -1,5 +1,5 @@
-// Creates elements of the HTML document, also for the page of the program (page/). A text becomes text and is never
-// read as HTML. If the value of an attribute is a function, it is called at the event of that name.
+// Creates elements of the HTML document, also for the web page that runs isolaw (page/). A text becomes text and is
+// never read as HTML. If the value of an attribute is a function, it is called at the event of that name.
 
 const isThere = (value) => value !== null && value !== undefined && value !== false;
 

@@ -21,7 +21,7 @@ export const lotQuantities = (report.assessment?.lot?.quantities ?? []).map(
 );
 
 // Returns the value of a device that the rule set assesses, as the mean over both sides of the loop. If the rule set
-// assesses none, returns the value of the compression test, or of the cycle that stands for the device.
+// assesses no value, returns that of the compression test, or of the cycle that stands for the device.
 export function deviceValue(device, quantity) {
   const own = device.assessments.filter((a) => concerns(a, quantity) && isNumber(a.value));
   if (own.length > 0)

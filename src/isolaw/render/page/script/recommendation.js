@@ -1,5 +1,5 @@
-// The recommendation of the program: which law to use, if it recommends one, and how all laws rank. A report of `isolaw
-// inspect` has no recommendation.
+// isolaw's recommendation: which law to use, if it recommends one, and how all laws rank. A report of `isolaw inspect`
+// has no recommendation.
 
 import { laws, lawsByObjective, report } from './report.js';
 

@@ -50,8 +50,8 @@ export function showSections(sections, { onChoice, opened = () => {} }) {
 }
 
 // Makes buttons that write a system of units into the address; followAddress() then loads the page again in these
-// units. Inside the page of the program (page/), a report comes from a blob in a sandboxed frame and cannot change its
-// address. It then asks the page of the program to open it again in these units.
+// units. Inside the web page that runs isolaw (page/), a report comes from a blob in a sandboxed frame and cannot
+// change its address. It then asks that web page to open it again in these units.
 function unitsChooser() {
   const press = ({ currentTarget: { value } }) => {
     const [section, rest] = location.hash.slice(1).split('?');

@@ -81,7 +81,7 @@ export function keyOf({ title, unit = '' }, place = 0, columns = [{ title, unit 
 // columns: [{title, unit, number, pinned, by, size, ...}]; rows: [{cells: [text or node], className, foot}]. `items`
 // has an object for each row, and `by` returns the sort key of such an object; without `by` the cell's text is the key.
 // `size` sorts by magnitude. A row with `foot` stays at the end. Without `sorts` the order is fixed. When the user
-// sorts, `follow` is called with the new order, {key, down}, or with null for the table's own.
+// sorts, `follow` is called with the new order, {key, down}, or with null for the table's own order.
 export function table(columns, rows, label, { sorts = rows.length > FEW_ROWS, order, follow, items = [] } = {}) {
   const align = (column) =>
     [

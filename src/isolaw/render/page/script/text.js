@@ -100,8 +100,8 @@ export function rangeText([low, high], unit) {
 export const limitText = (limit) => (limit ? sentence(limit).replace(/-(?=\d)/g, MINUS) : DASH);
 export const deviation = (percent, decimals = 1) => (isNumber(percent) ? signed(percent, decimals) + THIN + '%' : DASH);
 
-// Returns the standard deviation as text. One that is too small for the printed digits must not look like zero, and
-// zero itself is not printed.
+// Returns the standard deviation as text. A deviation that is too small for the printed digits must not look like zero,
+// and zero itself is not printed.
 export function spreadText(std, decimals) {
   if (std === 0) return '';
   const least = 10 ** -decimals;
@@ -118,7 +118,7 @@ export function enumerate(names, most = 5) {
   return names.length < 2 ? names.join('') : names.slice(0, -1).join(', ') + ' and ' + names[names.length - 1];
 }
 
-// Prepares a sentence of the program for the page: no line break comes between a number and its percent sign, and
+// Prepares a sentence written by isolaw for the page: no line break comes between a number and its percent sign, and
 // negative numbers get a real minus sign in place of a hyphen.
 export const sentence = (text) => text.replace(/(\d) %/g, '$1' + THIN + '%').replace(/(^|[\s(])-(?=\d)/g, '$1' + MINUS);
 export const count = (number, noun) => number + ' ' + noun + (number === 1 ? '' : 's');

@@ -1,5 +1,5 @@
-// The units in which the page shows values. Its data are stored in kN, mm and s, and give for each system of units the
-// factor and the name of every other unit. The address of the page names the system: "#SECTION?units=kip-in".
+// The units in which the page shows values. Its data are stored in kN, mm and s. For each system of units they also
+// give a factor and a name for every stored unit. The address of the page names the system: "#SECTION?units=kip-in".
 
 const stored = JSON.parse(document.getElementById('isolaw-data').textContent);
 const { systems, chosen, endings, own } = stored.units;

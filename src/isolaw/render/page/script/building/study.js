@@ -10,7 +10,7 @@ export const isDrawn = study.draws !== null; // whether parameters of any bearin
 // bound() returns the factors on the force at the lower or upper bound as text. A bound may come from the design
 // conditions. It is then a separate law with an elastic and a hysteretic factor, and the page states the factors for
 // the law that the verdict is about.
-const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower one first
+const ofBoundLaws = study.calibration.filter(({ kind, law }) => kind === 'bound-law' && law === first.id); // the lower bound comes first
 function bound(factor, place) {
   if (isNumber(factor)) return String(factor);
   if (factor !== null) return factor.elastic + ' elastic and ' + factor.hysteretic + ' hysteretic';

@@ -4,8 +4,8 @@ import { element } from '../dom.js';
 export const blank = (label, more = {}) =>
   element('span', { class: 'blank', contenteditable: 'plaintext-only', role: 'textbox', spellcheck: 'false', 'aria-label': label, ...more });
 
-// Holds the lines made by echoed(), which makes a line like blank(). echo() repeats on other pages of the certificate
-// what is typed there.
+// Holds the lines made by echoed(). They are like those of blank(), but echo() repeats on other pages of the
+// certificate what is typed into them.
 const lines = new Map(); // label -> {line, echoes}
 export function echoed(label) {
   const echoes = [];

@@ -103,8 +103,8 @@ function rangeOfFactors(quantity) {
   const factors = [...levelsOfAll(quantity), ...effects().flatMap((effect) => endsOf(effect, quantity))];
   const logs = (values) => values.filter((value) => isNumber(value) && value > 0).map(Math.log);
   const [low, high] = paddedRange([0, ...logs(factors.flatMap(({ factor, ratios = [] }) => [factor.lambda, ...ratios.map(({ lambda }) => lambda)]))], 0);
-  // A very wide interval would leave little room for the factors, so the axis extends beyond them by at most half their
-  // own range or a factor of 1.2, and longer intervals are cut.
+  // A very wide interval would leave little room for the factors. The axis therefore extends beyond them by at most
+  // half their own range or a factor of 1.2, whichever is more, and longer intervals are cut.
   const room = Math.max(0.5 * (high - low), 0.2), within = (value) => Math.min(high + room, Math.max(low - room, value));
   const ends = logs(factors.flatMap(({ factor: { mean, device } }) => [mean?.low, mean?.high, device?.low, device?.high]));
   return paddedRange([low, high, ...ends.map(within)], 0.08);
@@ -132,8 +132,8 @@ function ofCondition(effect, quantity) {
   };
 }
 
-// Returns the same for ageing. A level of ageing is not a single number, so the levels stand side by side at 1, 2, ...,
-// and devices that were not aged stand at 0.
+// Returns the same as ofCondition(), for ageing. A level of ageing is not a single number, so the levels stand side by
+// side at 1, 2, ..., and devices that were not aged stand at 0.
 function ofAgeing(quantity) {
   const levels = levelsOf('ageing', quantity);
   const points = [{ at: 0, reference: true }, ...levels.map((level, i) => ({ ...level, at: i + 1 }))];

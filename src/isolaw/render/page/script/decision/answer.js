@@ -14,7 +14,7 @@ function answer() {
   const { law, headline, explanation, sure, reasons, weak, reach, surer } = recommendation;
   // If a law is recommended, the answer gives only one of its reasons: a better law that was ruled out. The other
   // reason, the error of the next best law, stands in the table of laws.
-  const beyond = reach.filter(({ kind }) => kind !== 'law-shown-up-to'); // numbersOfAnswer() shows this displacement
+  const beyond = reach.filter(({ kind }) => kind !== 'law-shown-up-to'); // numbersOfAnswer() shows this finding
   const why = law ? reasons.filter(({ kind }) => kind === 'why-better-refused') : reasons;
   const numbers = numbersOfAnswer().map(([value, what]) => element('div', {}, element('b', {}, value), element('span', {}, what)));
   return element(

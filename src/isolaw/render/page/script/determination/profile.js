@@ -141,7 +141,7 @@ function drawProfile(look) {
       annotations: [
         {
           xref: 'paper',
-          x: Math.min(0.8, Math.max(0.2, axis.share((ends[0] + ends[1]) / 2))), // the curve lies below the label
+          x: Math.min(0.8, Math.max(0.2, axis.share((ends[0] + ends[1]) / 2))), // between the ends, where the curve lies below the label
           y: limit,
           xanchor: 'center',
           yanchor: 'bottom',
