@@ -37,7 +37,7 @@ function reportAsShown() {
   return report;
 }
 
-// Returns a sentence of the program as the page shows it, with symbols such as K_eff and minus signs typeset. This
+// Returns a sentence by isolaw as the page shows it, with symbols such as K_eff and minus signs typeset. This
 // function runs in the page.
 function asSet(text) {
   const { words } = JSON.parse(document.getElementById('isolaw-data').textContent).notation;

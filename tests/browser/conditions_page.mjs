@@ -16,7 +16,7 @@ if (!program || !existsSync(program)) {
   process.exit(77);
 }
 
-// Returns what the section shows. This function runs in the page.
+// Returns what the section on the conditions shows. This function runs in the page.
 async function look() {
   const figure = (id) => document.getElementById('figure-conditions-' + id);
   const drawn = async (id) => {
@@ -69,8 +69,8 @@ async function lookAtBoundLaws() {
   return { ...Object.fromEntries(loops), caption: figure.querySelector('figcaption').textContent };
 }
 
-// Returns the axis of the first panel and the marks of intervals that are cut at its ends. This function runs in the
-// page.
+// Returns the axis of the first panel, and the marks of the intervals that the ends of this axis cut off. This function
+// runs in the page.
 async function lookAtPanels() {
   const figure = document.getElementById('figure-conditions-panels');
   figure.scrollIntoView();

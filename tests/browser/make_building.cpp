@@ -15,7 +15,7 @@ namespace {
 
 using namespace isolaw;
 
-// Makes a bouc-wen law from a bilinear law, with a smooth curve instead of the corner and 0.9 of the first stiffness.
+// Makes a bouc-wen law from a bilinear law, with a smooth curve instead of the corner and 90 % of the first stiffness.
 // In the draws of the building, alpha and Ke vary as the first two parameters of the bilinear law do.
 building::LawSource smooth(building::LawSource const& of) {
   auto law = of;

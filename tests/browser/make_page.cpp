@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     if (argc > 4 && (std::string_view(argv[4]) == "passing" || std::string_view(argv[4]) == "failing")) {
       summary.laws.clear();
       summary.outliers.clear();
-      summary.devices.pop_back();  // removes the refused device, the only fault of the lot
+      summary.devices.pop_back();  // removes the refused device, so that the lot can pass
       auto rules = isolaw::rules::find_rule_set("ntc-2018");
       rules.load_variation.reset();
       rules.test = {};
@@ -135,8 +135,8 @@ int main(int argc, char** argv) {
                               std::filesystem::path(argv[1]) / "report.html");
       return 0;
     }
-    // The report must warn of three things that this adds: a failed run, a coarse integration and a constant load
-    // channel.
+    // The report must warn of the three faults that are added here: a failed run, a coarse integration and a constant
+    // load channel.
     summary.laws.back().devices.back().integration_shift = 0.0021;
     summary.laws.back().devices.front().failed_runs = 1;
     summary.laws.back().devices.front().failure = "the computed force became infinite";

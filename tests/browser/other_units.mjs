@@ -64,7 +64,8 @@ export function compareUnits(stored, other, id) {
   const failures = [];
   let compared = 0;
   const word = (unit) => unit.replace(/[/()^]/g, '\\$&') + '(?![\\w/\u00b2\u00b3-])';
-  // Returns the factors of the units that `here` names other than after a number, if `there` names the converted units.
+  // Returns the factors of the units in the heading `here`, such as "K_eff [kN/mm]", if the heading `there` has the
+  // converted units. A unit that follows a number is left out.
   const factorsOf = (here, there) =>
     names
       .filter((name) => {

@@ -1,6 +1,6 @@
 // Compares the numbers that different views of one report show of the same thing. No view may contradict another, in
-// whichever units the page shows. The report is that of `isolaw example --tests`. One of its five bearings has a
-// clipped stage, and one fails.
+// whichever units the page shows. The report is that of `isolaw example --tests`. The force of one of its five bearings
+// is clipped at the largest amplitude, and another bearing fails.
 //   node report_agreement.mjs ISOLAW CHROMIUM
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';

@@ -20,7 +20,7 @@ if (!program || !existsSync(program)) {
 }
 
 // `records` are the options of extend() in test_records.mjs, which replaces the records in the data of the page. With
-// `false` the page stays as the program wrote it.
+// `false` the page stays as isolaw wrote it.
 const LETTERHEAD = Array.from({ length: 12 }, (_, i) => 'Line ' + (i + 1) + ' of the beta laboratory, K_eff 1e+05').join('\n');
 const CASES = [
   { name: 'laptop', devices: 3, laws: 3, width: 1366, height: 768 },
@@ -62,7 +62,7 @@ const SOURCES = [
 ];
 
 // Returns the keys of those parts of the data that extend() replaces. The parts that extend() writes must have the same
-// keys as those that the program writes.
+// keys as those that isolaw writes.
 function shape(report) {
   const lot = report.assessment?.lot;
   const device = report.devices[0];
@@ -303,8 +303,8 @@ function check_records(name, seen, { laws = true, verified = true, assessed = tr
   expect(same(seen.sections, sections), name, 'sections ' + seen.sections);
 }
 
-// Returns what the first screen says and in how many words, what happens when its reader chooses another law and another
-// device there, and the views of accuracy against robustness. This function runs in the page.
+// Returns the text of the first screen and its number of words, what the page shows after the reader has chosen another
+// law and another device there, and the views of accuracy against robustness. This function runs in the page.
 async function look_at_answer() {
   const report = reportAsShown();
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -641,8 +641,8 @@ async function look() {
   await wait(300);
   for (const button of document.querySelectorAll('button.csv')) button.click();
   await wait(100);
-  // Tables and the table of contents may be wider than the page, because they scroll by themselves. Nothing else may,
-  // except the skip link and what lies inside a figure.
+  // Tables and the table of contents may be wider than the page, because they scroll by themselves. Nothing else may be
+  // wider, except the skip link and what lies inside a figure.
   const width = document.documentElement.clientWidth;
   const wide = [...document.querySelectorAll('body *')].filter(
     (node) => !node.closest('.scroll, nav, .skip, svg') && node.getBoundingClientRect().right > width + 1,
@@ -902,7 +902,7 @@ async function check_certificate(page, name, pictures, { state, letterhead = '' 
 // own.
 async function check_units(browser, url, name, size) {
   const page = await browser.open(url, size);
-  // Null while the page loads.
+  // Returns null while the page loads.
   const shown = () => page.evaluate("document.querySelector('.units [aria-pressed=true]')?.value").catch(() => null);
   const address = () => page.evaluate('decodeURIComponent(location.hash)');
   const become = async (units, change) => {
@@ -979,7 +979,7 @@ async function check(browser, directory, one) {
     mkdirSync(pictures, { recursive: true });
     await photograph(page, one, pictures);
   }
-  const { laws: identified = laws > 0 } = records || {}; // a page as the program wrote it has `laws` laws
+  const { laws: identified = laws > 0 } = records || {}; // without `records` the page keeps its `laws` laws
   if (identified) check_answer(name, await page.evaluate(`(${look_at_answer})()`), one);
   const seen = await page.evaluate(`(${look})()`);
   console.log(name, JSON.stringify({ firstScreen: Math.round(firstScreen), ...seen }));

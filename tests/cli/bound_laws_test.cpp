@@ -24,7 +24,7 @@ class BoundLaws : public InFreshDirectory {
                            "--replicates", "0", "--figures", "none", "--out", "C"});
     ASSERT_LE(o.code, 1) << o;
   }
-  // Extends the design conditions to -35 C, 15 degrees below the coldest test, so that they are not covered.
+  // Extends the design conditions to -35 C, 15 degrees below the coldest test, so that no test covers the cold end.
   void leave_cold_open() {
     auto text = read("ex/lot.toml");
     auto const at = text.find("temperature-C = [-15, 45]");

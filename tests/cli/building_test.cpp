@@ -73,8 +73,8 @@ TEST_F(Building, from_template_to_verdict) {
   EXPECT_TRUE(answer.starts_with("No answer yet: 40 draws do not tell whether the building with Bilinear keeps its "))
       << output;
   EXPECT_TRUE(contains(answer, "with Bilinear the bounds cover ")) << output;
-  // If the building does not keep a limit, the exit code is 1. The command takes the runs from the store of the first
-  // call.
+  // If the building does not keep a limit, the exit code is 1. This second command computes no runs but takes those
+  // that the first command stored.
   auto narrow = text;
   narrow.replace(narrow.find("clearance_mm = 250.0"), 20, "clearance_mm = 1.5");
   write("case/narrow.toml", narrow);
@@ -152,7 +152,7 @@ TEST_F(Building, from_template_to_verdict) {
   change("across = 4", "across = 1");
   write("case/building.toml", text);
   auto const arranged = isolaw(command + Words{"--fresh", "--arrange"});
-  EXPECT_LE(arranged.code, 1) << arranged;  // three bearings cannot keep the limits for 28
+  EXPECT_LE(arranged.code, 1) << arranged;  // three bearings need not keep limits that were set for 28
   EXPECT_TRUE(contains(arranged.out, "eccentricity of stiffness"));
 }
 
@@ -207,8 +207,8 @@ TEST_F(BuildingParts, in_any_order_one_twice_and_one_continued_are_what_one_mach
   std::vector<int> sizes;
   for (int number = 1; number <= parts; ++number)
     sizes.push_back(stored_rows(path(fmt::format("P{}/building.sqlite", number)), "runs"));
-  // Each of seven motions needs 84 analyses. They are dealt to the parts in turn, in blocks of 16 and a last one of 4.
-  // So the parts may differ in size, but by no more than two blocks.
+  // Each of seven motions needs 84 analyses, which are divided into five blocks of 16 and one of 4. The parts take the
+  // blocks in turn, so the sizes of the parts may differ, but by no more than two blocks.
   EXPECT_EQ(sizes[0] + sizes[1] + sizes[2] + sizes[3] + sizes[4], 7 * 84);
   EXPECT_LE(std::ranges::max(sizes) - std::ranges::min(sizes), 16 + 16);
   // The test deletes rows, as if part 3 had been stopped. The command of part 3, given again with another number of
@@ -337,7 +337,7 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
-  // A killed program may leave an empty store. A merge must refuse the empty store, and merge --fresh must replace it
+  // A command that was killed may leave an empty store. A merge must refuse it, and merge --fresh must replace it
   // and remove the results of the former study.
   write("O/building.sqlite", "");
   write("O/building.sqlite.part", "left");

@@ -313,7 +313,7 @@ TEST_F(Calibrate, the_profile_adds_up_to_the_total) {
 }
 
 // calibrate and bench run the same code, so their times per evaluation and sample must agree. The factor of 5 allows
-// for other records and parameter sets, other load of the machine, and blocks of parameter sets that are not full.
+// for other records and parameter sets, other load of the machine, and batches with fewer parameter sets than lanes.
 TEST_F(Calibrate, kernel_seconds_are_what_bench_measures_times_evaluations_times_samples) {
   Words const command{"calibrate",
                       "ex/study.toml",

@@ -1,4 +1,4 @@
-// `isolaw check` finds changes that somebody made to a store after the program wrote it.
+// `isolaw check` finds changes that somebody made to a store after isolaw wrote it.
 #include <sys/stat.h>
 
 #include "cli/records.hpp"
@@ -355,7 +355,7 @@ TEST_F(Overflow, of_parameters_that_are_all_fixed) {
                            "hwang-wu.a9=-1e-7", "--set", "hwang-wu.a10=-7.1e-7"}));
 }
 
-// If finer integration steps change a result, the program searches again with finer steps under --method best. Under
+// If finer integration steps change a result, isolaw searches again with finer steps under --method best. Under
 // --method ga it must keep the result and warn.
 TEST_F(Overflow, is_warned_of_where_the_steps_are_given) {
   auto const o = isolaw(overflowing({"--method", "ga", "--population", "40", "--generations", "20"}));

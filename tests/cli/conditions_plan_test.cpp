@@ -81,13 +81,14 @@ TEST_F(ConditionsPlan, is_for_as_many_devices_as_asked) {
   auto const one = json_of({"ex/lot.toml", "--devices", "1"})["plan"];
   EXPECT_EQ(texts(one), (Texts{"P1 temperature -15 C", "P1 temperature 45 C", "P1 rate 0.35 Hz", "P1 rate 0.65 Hz"}));
   // Every end of temperature and frequency needs six devices. The plan takes the devices with a reference test first,
-  // without P4, which was aged. Then come P6, which needs a reference test before, and a new device.
+  // without P4, which was aged. Then come P6, which first needs a reference test, and a new device.
   auto const six = texts(json_of({"ex/lot.toml", "--devices", "6"})["plan"]);
   EXPECT_EQ(Texts(six.begin(), six.begin() + 8),
             (Texts{"P1 temperature -15 C", "P2 temperature -15 C", "P3 temperature -15 C", "P5 temperature -15 C",
                    "P6 reference", "P6 temperature -15 C", "new 1 reference", "new 1 temperature -15 C"}));
   EXPECT_EQ(std::ranges::count(six, "P6 reference"), 1);
-  // Five devices show scragging already. The reference test of "new 1" shows it on a sixth, so no test is added for it.
+  // Five devices show scragging already. The reference test of "new 1" shows scragging on a sixth, so the plan needs no
+  // test for it.
   for (auto const& text : six) EXPECT_FALSE(contains(text, "scragging")) << text;
   auto const refused = isolaw({"conditions", "ex/lot.toml", "--devices", "0"});
   EXPECT_EQ(refused.code, 2) << refused;

@@ -101,7 +101,7 @@ TEST_F(Conditions, of_the_example_are_those_of_its_formulas) {
     }
 }
 
-// The page makes its table of tests from this list. A lot file must accept every key in it.
+// The page makes its table of tests from the keys that `isolaw test-keys` lists. A lot file must accept each of them.
 TEST_F(Conditions, have_keys_that_are_listed_for_the_page) {
   auto const listed = Json::parse(isolaw({"test-keys", "P1_T-20C_2000kN_aged.csv", "device-01.csv"}).out);
   std::vector<std::string> found;
@@ -144,7 +144,7 @@ TEST_F(Conditions, are_proposed_by_init_from_the_names) {
   for (std::string line; std::getline(lines, line);) text += (line.starts_with("# ") ? line.substr(2) : line) + '\n';
   write("ex/new.toml", text);
   auto const read_back = isolaw({"conditions", "ex/new.toml", "--json"});
-  ASSERT_EQ(read_back.code, 1) << read_back << text;  // P4's test has no temperature
+  ASSERT_EQ(read_back.code, 1) << read_back << text;  // a test of P4 is refused, because it states no temperature
   auto const j = Json::parse(read_back.out);
   auto const cold = find(j["levels"], "K_eff", "temperature", "-20 C")["factor"];
   EXPECT_EQ(cold["devices"], 3);
@@ -266,7 +266,8 @@ TEST_F(Conditions, without_details_leave_the_tests_out) {
 TEST_F(Conditions, that_no_test_covers_leave_the_bound_open) {
   auto const o = with("temperature-C = [-15, 45]", "temperature-C = [-35, 45]");
   EXPECT_EQ(o.code, 0) << o;
-  // The factors of all other effects have the product 1.473. The factor at the coldest test is 1.313.
+  // The factors of all other effects have the product 1.473. The factor at the coldest test is 1.313. Multiplied, they
+  // give 1.934, the least that the bound can be.
   EXPECT_TRUE(contains(o.out, "at least 1.934, NOT COVERED: temperature")) << o;
   auto const years = with("aged = { days = 14, at-C = 70 } }", "years = 60, service-temperature-C = 20 }");
   EXPECT_TRUE(contains(years.out, "NOT COVERED: ageing")) << years;
@@ -452,7 +453,7 @@ TEST_F(Conditions, have_one_verdict_in_every_command) {
   EXPECT_EQ(inspected.code, 1) << inspected;
   auto const result = Json::parse(inspected.out)["result"];
   EXPECT_EQ(result["word"], "FAIL");
-  EXPECT_EQ(result["mark_is_red"], false);  // the example is not measured
+  EXPECT_EQ(result["mark_is_red"], false);  // grey, because the example was computed, not measured
   ASSERT_EQ(result["failing"].size(), 1u) << result;
   EXPECT_EQ(result["failing"][0]["device"], "P2");
   EXPECT_EQ(result["failing"][0]["remark"], "K_eff under temperature +27.6 %, limit 20 % of ntc-2018");
@@ -546,7 +547,7 @@ TEST_F(Conditions, combine_as_the_rule_file_says) {
 }
 
 // ASCE 7 gives one factor for the environment, here at most 1 + 0.75 (1.3 - 1) and at least 1 - 0.75 (1 - 0.9). It is
-// used only if no test shows temperature, ageing or contamination.
+// used only if no test shows an effect of temperature, ageing or contamination.
 TEST_F(Conditions, of_the_environment_stand_in_for_tests) {
   write("ex/contract.toml", R"(id = "contract"
 title = "Contract"

@@ -161,8 +161,8 @@ TEST_F(Corrections, of_a_record_without_a_cycle_are_named_with_the_verdict) {
   EXPECT_FALSE(contains(text, "by hand of  the")) << text;
 }
 
-// A factor of the force says what the rig measures and is no correction, so the values "without corrections" include
-// it. A repair that found no spike is no correction either.
+// --force-factor converts the force from the scale in which the rig records it. This is no correction, so the values
+// "without corrections" include the factor. A repair that found no spike is no correction either.
 TEST_F(Corrections, a_factor_and_a_repair_of_nothing_change_no_verdict) {
   write("rig.csv", rig_record({.factor = 2.0}));
   for (auto const& device :

@@ -47,7 +47,8 @@ TEST_F(Example, second_call_leaves_everything_as_it_is) {
 }
 
 // `isolaw example --tests` writes records with typical problems of laboratories: a bearing outside its limit, and a
-// record with a clipped stage. The laws are fitted to two amplitudes and must predict the third.
+// force channel that is clipped at the largest amplitude. The laws are fitted to two amplitudes and must predict the
+// third.
 TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_predict) {
   auto const made = isolaw({"example", "t", "--tests"});
   ASSERT_EQ(made.code, 0) << made;
@@ -57,11 +58,11 @@ TEST_F(Example, tests_have_a_soft_bearing_a_clipped_channel_and_an_amplitude_to_
                          "full", "--replicates", "0", "--figures", "none", "--out", "T"});
   EXPECT_EQ(o.code, 1) << o;
   auto const summary = json("T/summary.json");
-  // The largest stage of B5 is clipped. The laws are fitted to its other stages, and it has no verdict.
+  // The force of B5 is clipped at its largest amplitude. Laws are fitted to its other blocks, and B5 has no verdict.
   for (auto const& device : summary["devices"]) EXPECT_EQ(device["status"], "ok") << device["name"];
   EXPECT_EQ(count_of("laws are not fitted to block 3", read("T/report.html")), 1u);
   EXPECT_EQ(summary["recommendation"]["law"], "power-masing-worn");
-  // The first outlier must be the soft bearing, because of one of its own properties. A device on which a law's misfit
+  // The first outlier must be the soft bearing, because of a property measured on it. A device on which a law's error
   // is only slightly larger than on other devices must not be an outlier.
   ASSERT_FALSE(summary["outliers"].empty());
   EXPECT_EQ(summary["outliers"][0]["unit"], "kN mm");

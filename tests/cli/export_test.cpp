@@ -53,8 +53,8 @@ class Export : public InFreshDirectory {
 };
 
 // Returns how exactly an export must represent the law in other programs. "re-fitted" means that the export fits the
-// nearest form that those programs have. It does so if they have no form of the law, and if loading and unloading
-// follow different limit curves, which none of them supports.
+// nearest material that those programs have. It does so if they have no material that follows the law, and also if the
+// law's loading and unloading have different limit curves, which no material of theirs supports.
 std::string expected_fidelity(laws::LawEntry const& law, Json const& exported) {
   std::vector<double> values;
   for (auto const& parameter : exported["parameters"]) values.push_back(parameter["value"]);
@@ -112,7 +112,7 @@ TEST_P(ExportOfLaw, goes_to_every_target) {
     SCOPED_TRACE(law + " " + to);
     auto const o = exported(law, "a", to, Words{"--anyway"} + needed_by(target, path(".")));
     ASSERT_EQ(o.code, 0) << o;
-    // The search was short, so parameters may lie at bounds and a replacement form may be far off. All messages must
+    // The search was short, so parameters may lie at bounds, and a re-fit may be far off the law. All messages must
     // be warnings or notes.
     std::istringstream said(o.err);
     bool refitted = false;
@@ -323,7 +323,7 @@ TEST_F(Export, says_what_there_is_when_asked_wrongly) {
   write("ground.csv", ground_motion());
   auto const unused = exported("bilinear", "a", "opensees", {"--motion", "ground.csv"});
   EXPECT_TRUE(contains(unused.err, "warning: --motion is not used: the file has the law itself")) << unused;
-  // A file that states neither step nor unit is read as the options state it, as by isolaw building.
+  // A file that states neither step nor unit is read with those of the options, as `isolaw building` reads it too.
   std::string column;
   std::istringstream rows(ground_motion());
   for (std::string row; std::getline(rows, row);)
@@ -370,7 +370,8 @@ TEST_F(Export, of_devices_with_hostile_names_stays_a_comment) {
     std::istringstream lines(o.out);
     bool const is_cpp = to == "cpp" || to == "opensees-cpp" || to == "abaqus";
     for (std::string line; std::getline(lines, line);) {
-      // No comment may end with a backslash, which would continue it on the next line. In C++ the lines of a macro may.
+      // No comment may end with a backslash, which would continue it on the next line. In C++, lines of a macro may end
+      // with one.
       if (!is_cpp || line.starts_with("//")) {
         EXPECT_FALSE(line.ends_with("\\")) << line;
       }

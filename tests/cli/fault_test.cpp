@@ -166,7 +166,7 @@ TEST_F(Fault, a_kill_while_a_merge_commits_leaves_nothing_for_good) {
       files += entry.path().filename().string().find(".part") != std::string::npos;
     return files;
   };
-  fs::path const list = "O/campaign.sqlite.part-mj";  // SQLite adds a random number
+  fs::path const list = "O/campaign.sqlite.part-mj";  // SQLite adds a random number to this name
   ASSERT_EQ(with_fault("count", 0, merge, list).code, 0);
   EXPECT_EQ(left(), 0u);
   auto const operations = std::stol(read("count"));

@@ -100,7 +100,7 @@ TEST_F(Grow, computes_nothing_twice) {
   EXPECT_EQ(kept("lot_analysis", "272727"), "0");
 }
 
-// The records of a campaign must not change. Only the record of a refused device may, because that device has no
+// The records of a campaign must not change. Only the record of a refused device may change, because that device has no
 // results yet.
 TEST_F(Grow, takes_a_device_that_was_refused_once_it_is_mended) {
   lot("lot.toml", "abc");

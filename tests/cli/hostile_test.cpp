@@ -57,7 +57,7 @@ TEST_F(Hostile, title_and_device_name_that_close_tags_stay_text_in_the_page) {
   EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
   EXPECT_EQ(page.find("<!--<script>"), std::string::npos);
   EXPECT_TRUE(contains(page, "\\u003c/script>\\u003cscript>alert(1)"));
-  // The program makes the page from a template and puts the data in place of {{data}} there. A title that contains
+  // isolaw makes the page from a template and puts the data in place of {{data}} there. A title that contains
   // {{data}} must stay as it is.
   EXPECT_TRUE(contains(page.substr(0, 2000), "{{data}}"));
 }

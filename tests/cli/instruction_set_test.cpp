@@ -113,8 +113,8 @@ TEST_F(InstructionSets, what_the_processor_lacks_is_refused_as_that) {
 }
 
 #if defined(ISOLAW_QEMU)
-// Code compiled for x86-64-v3 may use every feature of that level, not only AVX2. A processor that lacks one of the
-// features must not be given that code.
+// Code compiled for x86-64-v3 may use every instruction of this set, not only AVX2. isolaw must not run that code on a
+// processor that lacks some of the instructions.
 TEST_F(InstructionSets, a_processor_that_lacks_a_part_of_a_level_is_not_given_its_code) {
   auto const on = [&](std::string const& processor) { return available({ISOLAW_QEMU, "-cpu", processor}); };
   // QEMU before version 7.2 (as in Debian 12) cannot emulate AVX. Without AVX this test would show nothing.

@@ -18,8 +18,8 @@ inline std::string ground_motion(double amplitude_m_s2 = 1.0, double step_s = 0.
   return text;
 }
 
-// Writes the files that this target needs to `folder` and returns the options that name them. Most targets need none of
-// these files.
+// Writes the files that this target needs into `folder`, and returns the options that name the files. Most targets need
+// no files and no options.
 inline Words needed_by(programs::Target const& target, fs::path const& folder) {
   if (!target.needs_building) return {};
   write_file(folder / "layout.csv", "name,x [m],y [m]\nA,0,0\nB,6,0\nC,0,4\nD,6,4\n");

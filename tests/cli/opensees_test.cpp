@@ -45,7 +45,7 @@ TEST_F(InOpenSees, exports_of_the_example_lot) {
   auto const o = isolaw({"calibrate", "lot/lot.toml", "--laws", "paper", "--runs", "1", "--population", "20",
                          "--generations", "10", "--samples-per-cycle", "60", "--out", "C"});
   ASSERT_EQ(o.code, 0) << o;
-  // Each device has every third law, and each law is on three devices or four.
+  // The test exports every third law of each device, so each law is exported for three or four devices.
   auto const summary = json("C/summary.json");
   Words const laws = summary["settings"]["laws"];
   int run = 0;

@@ -42,7 +42,7 @@ TEST_F(Parts, options_of_the_command_line_are_keys_of_the_lot_file) {
 }
 
 // isolaw lists the details of how it read a file. If the user stated a detail, its line ends with the option in
-// brackets. If the program recognised it, the line has no option.
+// brackets. If isolaw recognised the detail itself, the line has no option.
 TEST_F(Parts, what_the_program_was_told_stands_with_its_option) {
   auto const told = [&](Words const& words) {
     Words found;

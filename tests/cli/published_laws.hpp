@@ -1,6 +1,6 @@
 // published_laws() has the seven laws of Cucuzza et al. 2025 with the parameters and units that docs/laws.md states.
-// Tests compare the program with this list, because users' scripts may rely on names and units. expected_laws() has all
-// laws, from the program's own catalogue.
+// Tests compare isolaw with this list, because users' scripts may rely on names and units. expected_laws() has all laws
+// of isolaw's catalogue.
 #pragma once
 
 #include <array>

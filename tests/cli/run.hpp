@@ -212,7 +212,7 @@ inline void expect_message(Outcome const& o, int code, std::vector<std::string> 
   EXPECT_EQ(o.err.find("internal error"), std::string::npos) << o;
 }
 
-// Joins lines that the program wrapped to the width of the terminal.
+// Joins lines that isolaw wrapped to the width of the terminal.
 inline std::string unwrapped(std::string const& text) {
   return std::regex_replace(text, std::regex("\n +"), " ");
 }

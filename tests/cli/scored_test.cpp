@@ -159,7 +159,7 @@ TEST_F(Scored, samples_count_by_swing_or_by_travel_if_asked_for) {
   double const by_time = objective_of(measured, law, 0, 2 * block_samples);
   auto const swing = calibrated({"--weights", "swing"});
   EXPECT_NEAR(objective(swing), weighted_objective(measured, law, by_swing), 1e-4);
-  EXPECT_LT(objective(swing), 0.8 * by_time);  // the force of the smaller cycles is disturbed
+  EXPECT_LT(objective(swing), 0.8 * by_time);  // the disturbed cycles are the smaller ones, which count less
   EXPECT_NEAR(swing["laws"][0]["devices"][0]["objective_by_time"].get<double>(), by_time, 1e-4);
   EXPECT_TRUE(contains(page_data(read("O/report.html"))["devices"][0]["cleaning"].dump(), "by swing"));
   EXPECT_TRUE(contains(exported("one"), "samples that count by swing"));
@@ -219,7 +219,7 @@ TEST_F(Scored, a_device_that_fails_is_judged_by_the_time_before) {
 // force of a spring and a dashpot is F = 2 (x + 0.2 v / w) kN with w = 2 pi / s: the stiffness is 2 kN/mm, and the
 // loops are nearly ellipses with a damping of 10 %.
 TEST_F(Scored, a_motion_without_cycles_is_judged_by_its_largest_swings) {
-  // Half cycles that grow until 9 s and shrink afterwards, as in an earthquake. No amplitude comes twice.
+  // The half cycles of this record grow until 9 s and shrink afterwards, as in an earthquake. No amplitude comes twice.
   std::vector<Sample> samples;
   for (int i = 0; i <= 1200; ++i) {
     double const t = 0.01 * i, w = 2.0 * std::numbers::pi;

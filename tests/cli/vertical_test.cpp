@@ -42,7 +42,7 @@ TEST_F(Vertical, is_read_and_stands_in_every_output) {
   EXPECT_EQ(found["sha256"].get<std::string>().size(), 64u);
   EXPECT_EQ(found["loading"], 3);
   EXPECT_EQ(found["loadings_kN_per_mm"].size(), 3u);
-  // During the first loading the device also settles by a little for good, so the stiffness of this loading is smaller.
+  // During the first loading the device also settles a little and permanently, so this loading shows less stiffness.
   EXPECT_LT(found["loadings_kN_per_mm"][0].get<double>(), 1190.0);
   EXPECT_NEAR(found["low_kN"].get<double>(), 300.0, 1e-6);
   EXPECT_EQ(found["refusal"], "");

@@ -1,5 +1,5 @@
-// A user adds a law by one header file and one entry in the list of laws. The law must then work in every part of the
-// program. These tests add trilinear.hpp in this way.
+// A user adds a law by one header file and one entry in the list of laws. The law must then work in every part of
+// isolaw. These tests add trilinear.hpp in this way.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -64,7 +64,7 @@ laws::RecordScales published_device() {
 }
 
 // Returns the search box of Table 4 in Cucuzza et al. 2025. A parameter without an interval in that table (vaiana's
-// sigmoid) gets the interval that the program chooses for an unknown device of the same size.
+// sigmoid) gets the interval that isolaw chooses for an unknown device of the same size.
 template <class Law>
 std::array<laws::Interval, laws::parameter_count<Law>> box() {
   std::array<laws::Interval, laws::parameter_count<Law>> intervals{};
@@ -87,7 +87,7 @@ Values<Law> candidate(std::uint32_t index) {
   return values;
 }
 
-// Returns the random parameter set number `index` from the box that the program chooses for an unknown device of the
+// Returns the random parameter set number `index` from the box that isolaw chooses for an unknown device of the
 // published size. Each parameter is uniform on the scale that it declares, linear or logarithmic. Parameters that are
 // fixed by default keep their fixed values.
 template <class Law>

@@ -44,8 +44,8 @@ double allowed() {
   return Law::info.id == "history-integral" || Law::info.id == "power-scragging" ? 1e-4 : 1e-6;
 }
 
-// docs/laws.md says of the power laws that their force has no bounded slope where the displacement first leaves 0 to a
-// side. All paths here therefore pass 0 for the first time to each side within a step.
+// docs/laws.md says of the power laws that the slope of their force is unbounded where the displacement first leaves 0
+// to a side. When the paths here first go to a side, they therefore pass 0 in the middle of a step, not at a sample.
 TYPED_TEST(Continuity, AnyPath) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed)
     EXPECT_LT(most_from_noise<TypeParam>(irregular(seed, 150.0, 6, 50)), allowed<TypeParam>()) << seed;

@@ -1,5 +1,5 @@
 // Some formulas of Cucuzza et al. 2025 become 0/0, infinite or undefined for some parameters or motions. These tests
-// state which value the program gives.
+// state which value isolaw gives.
 #include <gtest/gtest.h>
 
 #include <cmath>

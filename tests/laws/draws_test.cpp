@@ -30,8 +30,8 @@ struct Box {
   std::vector<fit::Override> overrides = {};
 };
 
-// Returns the published search box, and the boxes that the program chooses for devices from a small specimen to a large
-// bearing. The records have twenty samples a cycle, the fewest that the program accepts. For bouc-wen a last box allows
+// Returns the published search box, and the boxes that isolaw chooses for devices from a small specimen to a large
+// bearing. The records have twenty samples a cycle, the fewest that isolaw accepts. For bouc-wen a last box allows
 // negative beta and gamma, so many of its parameter sets have no bounded force.
 std::vector<Box> boxes_of(std::string const& law) {
   using fit::BoxKind;

@@ -73,8 +73,9 @@ void expect_defined(laws::LawEntry const& law, data::FitRecord const& record, Nu
 
 // Parameters ------------------------------------------------------------------------------------------------------
 
-// If a parameter is NaN or infinite, no force may be finite. This holds even where the law has a limit (an infinite
-// yield displacement means no yielding) and where the parameter plays no part (the device rests or moves one way only).
+// If a parameter is NaN or infinite, no force may be finite. This holds even if the infinite value would have a meaning
+// (an infinite yield displacement: no yielding), and if the motion does not involve the parameter (the device rests or
+// moves one way only).
 TEST_P(Faults, AParameterThatIsNotFiniteLeavesNoForce) {
   auto const moving = motion_of(published_record());
   Motion const rest{Numbers(5, 0.0), Numbers(5, 0.0)}, push{{0.0, 10.0, 20.0}, {10.0, 10.0, 10.0}};

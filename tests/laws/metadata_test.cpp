@@ -57,7 +57,8 @@ TYPED_TEST(Metadata, TheLawSaysWhatItIs) {
   EXPECT_EQ(TypeParam::info.length.dimension, Dimension::length);
 }
 
-// paper_facts repeats the facts that the laws declare. Whoever changes a fact on purpose must change it there too.
+// paper_facts repeats the facts that the laws declare. Whoever changes a fact of a law on purpose must change it in
+// paper_facts too.
 TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   auto const& facts = paper_facts.at(TypeParam::info.id);
   EXPECT_EQ(std::string(TypeParam::info.force.symbol) + ' ' + std::string(TypeParam::info.length.symbol), facts.units);
@@ -70,8 +71,8 @@ TYPED_TEST(OfThePaperOnly, UnitsParametersAndTraitsAreThoseOfTheSpecification) {
   EXPECT_EQ(TypeParam::info.traits.path_integrated, facts.traits.path_integrated);
 }
 
-// A joint limit is a condition on several parameters of a law. If it named a parameter that the law does not have, the
-// program would never check it.
+// A joint limit is a condition on several parameters of a law. If it named a parameter that the law does not have,
+// isolaw would never check it.
 TYPED_TEST(Metadata, JointLimitsNameTheirParametersAndHoldForDevices) {
   auto const& law = laws::find_law(TypeParam::info.id);
   for (auto const& limit : law.joint_limits) EXPECT_FALSE(limit.parameters.empty()) << limit.statement;

@@ -134,7 +134,7 @@ TEST(Online, state_holds_the_law_s_variable_and_the_open_turning_points) {
   laws::Online bilinear("bilinear", std::vector{2.0, 1.0, 10.0});  // K1, K2, xy
   bilinear.trial(30.0, 0.0);
   bilinear.commit();
-  EXPECT_EQ(bilinear.state(), (std::vector{10.0, 30.0, 0.0, 1.0, 30.0}));  // z = (K1 - K2) xy
+  EXPECT_EQ(bilinear.state(), (std::vector{10.0, 30.0, 0.0, 1.0, 30.0}));  // z = (K1 - K2) xy, then the motion
   // From its sixth number on, the state holds the displacement without movements in the dead band, the last direction,
   // the number of open turning points and the last of them, and the motion: displacement, velocity, direction and peak.
   laws::Online remembering("ramberg-osgood", parameters_of(laws::find_law("ramberg-osgood"), 0.35));
@@ -180,14 +180,15 @@ TEST_P(EveryLaw, has_within_the_dead_band_the_slope_with_which_the_motion_leaves
         online.trial(0.02 * part * to, 0.0);
         if (to != 0.0) online.commit();
       }
-      // The motion turns within the band. Twice the band from the turn, or once from the start, it leaves the band.
+      // The motion turns within the band. It leaves the band at twice `band` from the turn, or `band` from the start.
       double const back = to > 0.0 ? -1.0 : 1.0, edge = to + (to == 0.0 ? 1.0 : 2.0) * back * band;
       auto const resting = online.trial(to, 0.0), turned = online.trial(to + 0.3 * back * band, 0.0);
       auto const left = online.trial(edge + 0.1 * back * band, 0.0);
       EXPECT_EQ(turned.force, resting.force) << share << " " << to;
       EXPECT_NEAR(turned.by_x, left.by_x, 1e-6 * std::abs(left.by_x)) << share << " " << to;
       EXPECT_NE(turned.by_x, 0.0) << share << " " << to;
-      // The tangents of the other laws are limited where their slope has no bound.
+      // Only two laws are compared with their slope. The slope of the others has no bound there, so isolaw limits their
+      // tangent.
       if (law.info.id != "gallardo" && law.info.id != "ramberg-osgood") continue;
       double const h = 1e-4 * band;
       auto const at = [&](double x) { return online.trial(x, 0.0).force; };

@@ -112,7 +112,7 @@ TEST(Path, ATurningPointIsTheVertexOfTheParabola) {
 }
 
 // At 20 samples a cycle the largest sample may be 1.2 % below the peak of the sine. The added turning points must be
-// within a fiftieth of that.
+// within 0.024 % of the peak.
 TEST(Path, TurningPointsOfASineAreItsPeaks) {
   std::vector<double> t, x, v;
   for (int i = 0; i < 100; ++i) {

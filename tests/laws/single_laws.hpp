@@ -106,9 +106,9 @@ inline double error_of_a_laboratory(std::string_view id) {
   return id == "abe" ? 1e-5 : id == "bwbn" ? 1e-4 : 4e-6;
 }
 
-// Returns the largest relative error of a single step over hundreds of yield displacements. Along such a step abe's
-// yield force changes, so abe divides the step into pieces, but at most 64. bwbn divides it into at most a hundred; its
-// largest error seen is 1e-4.
+// Returns the largest relative error of a single step over hundreds of yield displacements. abe divides such a step
+// into at most 64 pieces, along which its yield force changes. abe corrects for this change only approximately. bwbn
+// divides the step into at most a hundred pieces, and its largest error seen is 1e-4.
 inline double error_of_long_steps(std::string_view id) {
   return id == "abe" ? 0.05 : id == "bwbn" ? 4e-4 : 1e-5;
 }
@@ -135,7 +135,7 @@ inline double error_of_the_rate(std::string_view law, double rate_Hz) {
 
 // Returns the largest difference of the force with factors a and b (LawEntry::with_factors) from a times its elastic
 // part and b times its hysteretic part, as a share of the peak force. Only hwang-wu is not exact: its exponentials
-// depend on the work of the whole force. Its error grows with their rates, so they get the values below.
+// depend on the work of the whole force. Its error grows with the rates a9 and a10, so tests use the small rates below.
 inline double error_of_factors(std::string_view id) {
   return id == "hwang-wu" ? 5e-3 : 1e-12;
 }

@@ -164,12 +164,12 @@ test('records become tests of the proposed devices and are read as before', () =
   assert.deepEqual(reading(lot), reading(RECORDS));
   assert.ok(readToml(lot).every(({ path, keys }) => path !== 'device' || !keys.has('test')), 'TOML allows no key `test` beside [[device.test]]');
   const tests = testsIn(readToml(lot));
-  // A temperature that the lot file states stays a key. One that only the file's name proposes is a comment until a
-  // person confirms it.
+  // A temperature that the lot file states stays a key. A temperature that only the name of the record proposes is a
+  // comment until a person confirms it.
   assert.deepEqual(tests.map((one) => [one.name, one.table.keys.get('temperature-C')?.value, proposalsOf(one, ['temperature-C'])]), [['P1_T20C', undefined, { 'temperature-C': 20 }], ['P1_T-20C', -19.5, { aged: true }], ['P2_T20C', undefined, { 'temperature-C': 20 }]]);
   assert.match(withKey(lot, tests[0].number, 'temperature-C', 21), /P1_T20C\.csv'\ntemperature-C = 21\n/);
-  // The second record's serial number differs from that of its new device. It is kept as a comment, and the rest of the
-  // file stays as it was.
+  // The serial number of the second record differs from that of its new device. The number of the record is kept as a
+  // comment, and the rest of the file stays as it was.
   const [device] = deviceTables(readToml(lot));
   assert.deepEqual([readToml(lot)[device].keys.get('serial').value, readToml(lot)[device].keys.get('rubber-thickness-mm').value, lot.includes("# serial = 'S9'")], ['S1', 208, true]);
   assert.ok(lot.startsWith("title = 'T'\n\n[calibrate]\nruns = 3\n") && lot.includes('# test-date = ""'));

@@ -217,7 +217,7 @@ const tests = {
   'the values of a file as they were read, with its loop': async () => {
     const page = await open();
     await page.drop(records.map((one) => join(example, one)));
-    // The values of the first devices are shown. Those of the others are shown on demand.
+    // The page shows values of the first three devices. It shows those of another device if the user presses a button.
     const shown = () => page.evaluate("document.querySelectorAll('.reading-row').length");
     equal(await shown(), 3, 'devices with values');
     await page.press('values-4');
@@ -252,7 +252,7 @@ const tests = {
     equal(await page.focused(), 'device-2-columns-force', 'the field of the column');
     await page.press('values-2');
     expect((await page.text('#device-2')).includes('2\u202fguesses'), 'guesses are counted beside hidden values: ' + (await page.text('#device-2')));
-    // The force of this file has the wrong sign, so the program refuses it until the user reverses the sign.
+    // The force of this file has the wrong sign, so isolaw refuses it until the user reverses the sign.
     const [head, ...lines] = readFileSync(join(example, records[0]), 'utf8').trimEnd().split('\n');
     const reversed = lines.map((line) => line.split(',').map((cell, column) => (column === 2 ? -Number(cell) : cell)).join(','));
     writeFileSync(join(work, 'reversed.csv'), [head, ...reversed].join('\n') + '\n');
@@ -356,7 +356,7 @@ const tests = {
     expect(/8.tests lack/.test(await page.text('#read-band')), 'what is missing: ' + (await page.text('#read-band')));
     expect(/was aged/.test(await page.text('#view-records')), 'the name says aged');
 
-    // A person takes the proposed values, states the rest and moves a test to its device.
+    // The user takes the proposed values, states the rest and moves a test to its device.
     await page.press('take-proposed');
     await page.idle();
     equal(await page.evaluate("document.getElementById('take-proposed')"), null, 'all are taken');
@@ -393,7 +393,7 @@ const tests = {
     await page.idle();
     equal([await page.focused(), (await shown())['P1_T40C_0.5Hz_2000kN.csv'].temperature], [id('P1_T40C_0.5Hz_2000kN') + '-rest-h', '41'], 'after an edit');
 
-    // The user states further keys and leaves out a test. The program itself judges the values.
+    // The user states further keys and leaves out a test. The page leaves it to isolaw to judge the values.
     await page.press(id('fast') + '-more');
     await set(page, id('fast') + '-temperature-of', 'core');
     expect((await lotText(page)).includes("temperature-of = 'core'"), 'a further key');
@@ -403,7 +403,7 @@ const tests = {
     await page.idle();
     equal([await band(page), Object.keys(await shown()).length], ['3\u202fdevices read', 7], 'without this test');
 
-    // More files join the table. If the user turns the switch off, every test must become a device of its own.
+    // More files join the table. If the user switches the table off, every test must become a device of its own.
     copyFileSync(join(conditions, 'P2-40C.csv'), join(folder, 'P2_T40C.csv'));
     await page.drop([join(folder, 'P2_T40C.csv')], [300, 20]);
     const more = (await shown())['P2_T40C.csv'];
@@ -648,7 +648,7 @@ const tests = {
   'identify, export, save, drop back, continue': async () => {
     let page = await open();
     await page.drop([example]);
-    // Notes every state of the table of laws while they are searched.
+    // Notes every state of the table of laws while their parameters are searched.
     await page.evaluate(`window.seen = []; new MutationObserver(() => {
       const rows = [...document.querySelectorAll('#fits tr')];
       if (rows.length > 0) window.seen.push({ top: document.getElementById('fits').getBoundingClientRect().top, rows: rows.map((row) => [...row.children].map((cell) => cell.innerText)) });
@@ -915,8 +915,8 @@ const tests = {
     await page.write('250000');
     await page.click('#lot-size');
     await page.write('28');
-    // The size of the lot adds a table to the lot file, above the devices. The form for the size of the lot thereby
-    // moves the button that the test clicks next.
+    // The size that the user has typed adds a table to the lot file, above the devices. This moves the button that the
+    // test clicks next.
     await page.click('[id^=reread-]');
     await page.click('[id^=reread-]');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 0, 'opened and closed');
@@ -930,7 +930,7 @@ const tests = {
     for (const line of ["title = 'Bridge 7'", 'rubber-thickness-mm = 150', 'rubber-area-mm2 = 250000', 'lot-size = 28', 'K_eff = 0.62', 'damping = 19.5']) expect(lot.includes(line), line + ' in ' + lot);
     equal(await page.text('#title'), 'Bridge 7', 'the title');
     equal(await page.evaluate("document.querySelectorAll('.form-row').length"), 1, 'the click after an edit opens the form');
-    // <details> that the user opened must stay open after an edit, and one click must close the form.
+    // A part of the form that the user has unfolded must stay unfolded after an edit. One click must close the form.
     await page.evaluate("[...document.querySelectorAll('.form-row details')].at(-1).open = true");
     const factor = await fieldOf(page, 0, 'force-factor');
     await page.click('#' + factor);
@@ -964,8 +964,8 @@ const tests = {
     await page.key('Tab');
     await page.idle();
     equal(await page.text('#title'), 'A long name that goes on while all is computed', 'nothing typed is lost');
-    // A field accepts a decimal comma. It must not read '0x10' as a number, because that is not a number for the
-    // program.
+    // A field accepts a decimal comma. It must not read '0x10' as a number, because isolaw does not read it as one
+    // either.
     await set(page, 'design-damping', '0x10');
     await set(page, 'design-K_eff', '0,7');
     expect((await lotText(page)).includes("design = { K_eff = 0.7, damping = '0x10' }"), await lotText(page));

@@ -1,5 +1,5 @@
-// Runs the native program in place of the page's engine. In the page, stand_in/engine.js sends its calls to this module
-// over the DevTools protocol.
+// Runs the native program in place of the page's engine. In the page, stand_in/engine.js sends the calls of the engine
+// to this module over the DevTools protocol.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -32,7 +32,7 @@ namespace {
 using namespace isolaw;
 using Values = std::vector<double>;
 
-constexpr double absurd = 1e6;  // batches are not compared above this objective: the force multiplies rounding errors
+constexpr double absurd = 1e6;  // no comparison of batches above this objective: such forces multiply rounding errors
 
 constexpr std::array boxes{fit::BoxKind::published, fit::BoxKind::scaled};
 constexpr std::array integrations{laws::Integration::converged, laws::Integration::paper};

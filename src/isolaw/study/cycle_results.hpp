@@ -7,7 +7,7 @@
 
 namespace isolaw::study {
 
-// A cycle, and the device whose rubber thickness turns its amplitude into a shear strain.
+// A cycle and its device, whose rubber thickness turns the cycle's amplitude into a shear strain.
 struct CycleOf {
   data::Cycle const& cycle;
   DeviceResult const& device;

@@ -20,7 +20,8 @@ BoundRow const* row_of(ConditionsResult const& conditions, rules::Quantity quant
   return row == conditions.bounds.end() ? nullptr : &*row;
 }
 
-// The effects that are not covered in one of these factors, each named once.
+// Names of the effects (such as ageing) that no test and no stated value covers in at least one of the factors, each
+// name once.
 std::vector<std::string> not_covered(BoundRow const& K_eff, BoundRow const& energy) {
   std::vector<std::string> effects;
   for (auto const* combined : {&K_eff.max, &K_eff.min, &energy.max, &energy.min})

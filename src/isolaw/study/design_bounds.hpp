@@ -14,9 +14,9 @@
 namespace isolaw::study {
 
 struct DesignBound {
-  double C_K = 1.0, C_E = 1.0;                            // factors on K_eff and energy at reference
-  conditions::Status status = conditions::Status::shown;  // the weaker status of the two factors
-  double share_shown = 1.0;                               // share from tests: the smaller Combined::share_shown
+  double C_K = 1.0, C_E = 1.0;                            // K_eff and energy at the bound / at reference
+  conditions::Status status = conditions::Status::shown;  // the weaker of the statuses of C_K and C_E
+  double share_shown = 1.0;                               // the smaller Combined::share_shown of K_eff and energy
   conditions::BoundLaw law;
 };
 
@@ -42,7 +42,8 @@ struct LawBounds {
 // where there are none, those of the best run on the typical device.
 std::vector<LawBounds> law_bounds(Summary const& summary);
 
-// Says what a bound does to K_eff and energy and to the parts of the force. `which` is "upper" or "lower".
+// Says by which factors a bound law changes K_eff, energy and the elastic and hysteretic parts of the force. `which` is
+// "upper" or "lower".
 Finding about_bound(std::string_view which, DesignBound const& bound);
 
 }  // namespace isolaw::study

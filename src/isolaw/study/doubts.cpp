@@ -19,7 +19,8 @@ Finding prediction_of(Summary const& summary, LawResult const& law) {
     Finding finding{.kind = FindingKind::prediction_larger_swings,
                     .law = law.id,
                     .numbers = {{"predicted", *law.larger_swings_objective}}};
-    constexpr double visible = 0.9;  // the least error is stated only if it is below this share of the largest
+    // Equally good fits have a range of errors. It is stated if its lower end is below this share of its upper end.
+    constexpr double visible = 0.9;
     if (*law.larger_swings_least < visible * *law.larger_swings_objective)
       finding.numbers.push_back({"least", *law.larger_swings_least});
     return finding;
@@ -53,7 +54,7 @@ Doubts doubts(Summary const& summary, std::string_view law_id, std::optional<std
     if (!left_out.devices.empty()) result.findings.push_back(std::move(left_out));
   }
   for (auto& warning : warnings(summary, {.law = law_id, .device = device})) {
-    // A refused device has no part in the law, and devices_not_in_lot_law names it already.
+    // The law was not fitted to a refused device, and the finding devices_not_in_lot_law names this device already.
     if (warning.kind != FindingKind::device_refused) result.findings.push_back(std::move(warning));
   }
   if (auto const advice = recommendation(summary)) {

@@ -14,7 +14,7 @@
 namespace isolaw::study {
 
 struct Draws {
-  std::vector<ParameterFit> const* parameters = nullptr;  // names and units of the columns; points into the summary
+  std::vector<ParameterFit> const* parameters = nullptr;  // names and units; points into the summary
   std::vector<std::vector<double>> values;                // [device][parameter], in the law's order
   lot::Population const* population = nullptr;
   std::size_t rejected = 0, pulled_back = 0;  // draws thrown away, and devices moved into the limits (lot::Sample)
@@ -33,7 +33,7 @@ void require_draws(int count);  // throws Error about --count unless it is a num
 // with `where`, if the law is not in this campaign or has no population.
 Draws draw_devices(campaign::Contents const& contents, Summary const& summary, std::string_view law, std::size_t count,
                    std::uint64_t seed, std::string_view where);
-std::vector<std::string> warnings(Draws const& draws);   // says so if limits or too few devices shape the sample
+std::vector<std::string> warnings(Draws const& draws);   // given if limits or too few tested devices restrict the draws
 std::vector<std::string> sentences(Draws const& draws);  // what was drawn, and the warnings
 
 }  // namespace isolaw::study

@@ -36,17 +36,17 @@ struct LawVerdict {
 };
 
 struct Findings {
-  std::optional<Recommendation> recommendation;  // the program's answer; empty for an inspection
-  std::vector<Finding> headline;                 // the choice between accuracy and robustness
+  std::optional<Recommendation> recommendation;  // the law that isolaw recommends; empty for an inspection
+  std::vector<Finding> headline;                 // whether to choose an accurate or a robust law
   std::vector<LawVerdict> verdicts;  // the front from accurate to robust, then dominated, inadequate, unranked laws
   std::vector<Finding> warnings;     // most serious first
-  std::vector<Finding> converged;    // from the analyses, by converged_findings()
+  std::vector<Finding> converged;    // what the analyses found, from converged_findings()
   std::string beta_note;             // why no law has a beta; "" if one has
 };
 
 Findings findings(Summary const& summary);
-// Whether a warning is shown beside the answer: not if it is about a law that is not recommended, and not if it repeats
-// a doubt that the answer states.
+// Whether a warning is shown beside the recommendation `answer`: not if it is about a law that is not recommended, and
+// not if it repeats a doubt that the recommendation states.
 bool concerns_answer(Summary const& summary, Recommendation const& answer, Finding const& warning);
 // Delta_n: a parameter's largest relative difference from the lot's mean. Empty if fixed or undefined.
 std::optional<double> largest_difference(LawResult const& law, std::size_t parameter);
@@ -57,7 +57,7 @@ std::optional<double> largest_displacement(Summary const& summary, LawResult con
 // Groups of two or more devices with the same record. All but one of them are copies (DeviceResult::copy_of).
 std::vector<std::vector<DeviceResult const*>> devices_of_one_record(Summary const& summary);
 std::vector<std::vector<DeviceResult const*>> devices_of_one_compression(Summary const& summary);
-// Indices of the laws by rising mean objective; laws without one come last, in their order.
+// Indices of the laws by rising mean objective. Laws without an objective come last, in the order of the summary.
 std::vector<std::size_t> by_objective(Summary const& summary);
 std::vector<std::string> device_names(Summary const& summary);
 // Returns nullptr if the law was not tried on the device.
@@ -65,7 +65,7 @@ DeviceFit const* fit_of(LawResult const& law, std::string_view device);
 // A law's parameters as they are listed for the first device on which the law was identified; empty if there is none.
 std::vector<ParameterFit> const& parameters_of(LawResult const& law);
 // The index of a parameter in the vectors of a population, which is not its index in the law. Returns nullopt for a
-// parameter that is fixed, tied to another, or redundant if the population uses the form without it.
+// parameter that is fixed or tied to another, and for a redundant parameter that the population leaves out.
 std::optional<std::size_t> place_of(lot::Population const& population, std::string_view parameter);
 
 }  // namespace isolaw::study

@@ -25,9 +25,9 @@ struct FrontPoint {
   bool is_unbeaten = false, is_adequate = true;
 };
 
-// One point for each law that has both numbers, in the order of the summary.
+// One point for each law that has an x and a y in this view, in the order of the summary.
 std::vector<FrontPoint> front_points(Summary const& summary, FrontView view);
-// Ids of the laws on the front that are no worse than the point in both numbers and better in one.
+// Ids of the laws on the front that are no worse than the point in both x and y and better in one of them.
 std::vector<std::string> dominating(std::vector<FrontPoint> const& points, FrontPoint const& point);
 
 }  // namespace isolaw::study

@@ -30,8 +30,8 @@ std::vector<Level> levels_of(DeviceResult const& device);
 // amplitude, for which the earliest of them is taken.
 std::vector<data::Cycle> skeleton_of(DeviceResult const& device);
 
-// K_eff of a counted cycle divided by K_eff of the first counted cycle of its block, and of the record. nullopt if one
-// of the two cycles has hardly any stiffness; both are nullopt for a cycle that does not count.
+// K_eff of a counted cycle divided by that of the first counted cycle, of its block (in_block) or of the record
+// (in_test). nullopt if one of the two cycles has hardly any stiffness, or if the cycle does not count.
 struct Decay {
   std::optional<double> in_block, in_test;
 };

@@ -23,7 +23,7 @@ data::Block const* counting_block(DeviceResult const& device) {
 // The motion before the counted cycles of a block. Larger cycles and more cycles make rubber softer.
 struct Earlier {
   double largest_mm = 0.0;  // the largest amplitude
-  double cycles = 0.0;      // number of whole cycles that are, within the tolerance, as large as the block
+  double cycles = 0.0;      // number of whole cycles at least as large as the block, within the tolerance
 };
 
 Earlier before(data::Properties const& properties, data::Block const& block, double tolerance_percent) {
@@ -47,7 +47,7 @@ std::string set_text(rules::RuleSet const& rules, std::string const& clause) {
   return clause.empty() ? "the rule set " + rules.id : fmt::format("the rule set {}, {}", rules.id, clause);
 }
 
-// Returns the first tolerance that is known, in the order that conditions_differ() states in the header.
+// Returns the first tolerance that is known, in the order of the list above conditions_differ() in the header.
 Tolerance tolerance(rules::RuleSet const& rules, std::optional<double> own, std::optional<double> from_design,
                     std::optional<double> lot, double otherwise) {
   if (own) return {*own, set_text(rules, rules.same_condition.clause)};

@@ -164,7 +164,8 @@ Judged rising(ByNumber const& laws, Numbers const& numbers, Compared quantity) {
 
 constexpr Compared of_accuracy = &PublishedNumbers::objective, of_beta = &PublishedNumbers::beta;
 
-// If the runs of every law end at one objective, their scatter is only rounding, and the statement is not judged.
+// If all runs of each law reach the same objective, the scatter of the runs is only rounding. The statement that law 3
+// scatters least is then not judged.
 Judged law_3_scatters_least(ByNumber const& laws) {
   auto const ends_at_one_place = [](Named const& law) {
     auto const& numbers = law.numbers;

@@ -36,7 +36,7 @@ struct PublishedStatement {
 
 struct Published {
   std::string source, verdict;
-  std::vector<PublishedLaw> laws;  // by number, including those that the campaign lacks
+  std::vector<PublishedLaw> laws;  // in the study's order; also laws that the campaign lacks
   std::vector<PublishedStatement> statements;
 };
 

@@ -18,7 +18,7 @@ using analysis::SteadyCycle;
 // The displacements and velocities of the lot's tests that decide in which cycles a law is tried.
 struct Tested {
   double disp_mm = 0.0;          // the largest displacement
-  std::vector<double> vel_mm_s;  // for each test the largest velocity in its largest swing; empty without time
+  std::vector<double> vel_mm_s;  // the largest velocity in the largest swing of each test that has time
   double asked_mm = 0.0;         // the displacement of the design, at least disp_mm; if none is stated, twice disp_mm
 };
 

@@ -200,7 +200,8 @@ std::vector<Finding> doubts_about(Summary const& summary, Standing const& standi
     doubts.push_back(held.finding(law.id));
     doubts.back().kind = FindingKind::weak_bounds;
   }
-  // If the law predicted something, the parameters that the tests leave undetermined have already proved harmless.
+  // Undetermined parameters are a doubt only if no prediction by the law was compared with tests. Such a comparison
+  // shows directly how well the law does with them.
   if (!law.prediction_grade && !standing.predicts)
     if (auto const share = share_open(law); share && *share > open_share)
       add(FindingKind::weak_open, {{"share", *share}});
@@ -282,7 +283,7 @@ std::vector<Finding> what_would_decide(Summary const& summary, bool predicts, bo
   return steps;
 }
 
-// Why no law is recommended; empty if one is.
+// The reasons why no law is recommended; empty if a law is recommended.
 std::vector<Finding> why_none(Summary const& summary, std::vector<Standing> const& standings) {
   Names failing, partial, running_away, tied;
   for (auto const& s : standings) {

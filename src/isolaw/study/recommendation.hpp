@@ -25,9 +25,8 @@ struct Standing {
   // `new_device`: on devices to which it was not fitted. `predicts`: on larger swings, or on blocks of larger
   // amplitude, to which it was not fitted.
   std::optional<double> fits, new_device, predicts;
-  // The error that decides which law is taken: the mean of `predicts` and of the error on devices. The latter is
-  // `new_device` if it is known and there are three devices or more, else `fits`. If only one of the two is known, it
-  // is that one.
+  // The error that decides which law is taken: the mean of `predicts` and of the error on devices, or whichever of them
+  // is known. The error on devices is `new_device` if it is known and there are three devices or more, else `fits`.
   std::optional<double> error;
   std::size_t parameters = 0;        // parameters that were searched
   std::optional<Finding> reason;     // why the law is ruled out
@@ -38,18 +37,18 @@ struct Standing {
 // is the range of their values, not a confidence interval.
 struct LawSpread {
   std::size_t count = 0;
-  double disp_mm = 0.0, tested_mm = 0.0;  // where the values hold, and the largest displacement of the tests
+  double disp_mm = 0.0, tested_mm = 0.0;  // amplitude of these cycles; largest displacement of the tests
   double K_low_kN_per_mm = 0.0, K_high_kN_per_mm = 0.0, energy_low_kN_mm = 0.0, energy_high_kN_mm = 0.0;
 };
 
 struct Recommendation {
-  std::optional<std::size_t> law;            // index into Summary::laws; empty: none can be recommended
-  Confidence confidence = Confidence::weak;  // weak if there is a doubt about the law, even if it ties with others
-  std::vector<Standing> standings;           // every law: the law taken, tied laws, others by error, those ruled out
-  std::vector<Finding> answer;               // recommends this law and says how well it does, or recommends none
+  std::optional<std::size_t> law;            // index into Summary::laws; empty: no law can be recommended
+  Confidence confidence = Confidence::weak;  // weak: there is a doubt about the law, which may also tie with others
+  std::vector<Standing> standings;           // all laws in this order: taken, tied, others by error, ruled out
+  std::vector<Finding> answer;               // recommends `law` and says how well it does, or recommends no law
   std::vector<Finding> reasons;
   std::vector<Finding> improvements;  // tests that would make the choice surer; empty if there are none
-  std::optional<LawSpread> spread;    // empty with fewer than two laws
+  std::optional<LawSpread> spread;    // empty if fewer than two laws that are not ruled out can be compared
   // Up to which displacement tests support the law, and how far laws differ beyond it.
   std::vector<Finding> range_findings;
   std::optional<double> valid_mm;   // largest displacement at which the law was shown to hold
@@ -63,19 +62,19 @@ bool compares_laws(Summary const& summary);
 // directory of the campaign.
 std::string export_command(Summary const& summary, Recommendation const& advice, std::string_view campaign);
 Finding finding_of(LawSpread const& spread);
-// The program's answer. An inspection has none.
+// isolaw's recommendation; nullopt for an inspection, which fits no laws.
 std::optional<Recommendation> recommendation(Summary const& summary);
 
-inline constexpr double tie_share = 0.10;     // laws tie with the least error if theirs is at most this share larger
+inline constexpr double tie_share = 0.10;     // a law ties if its error is at most this share above the least error
 inline constexpr double usable_error = 0.30;  // no law is recommended if the least error is larger
-// Beyond these limits the choice is weak. Errors of stiffness, energy and damping are means over the devices of the
-// magnitudes of DeviceFit::K_eff_error_percent, energy_error_percent and damping_error_percent.
+// Beyond any of these limits the confidence in the law is weak. Errors of stiffness, energy and damping are means over
+// the devices of the magnitudes of DeviceFit::K_eff_error_percent, energy_error_percent and damping_error_percent.
 inline constexpr double doubtful_error = 0.20;
 inline constexpr double doubtful_times = 2.0;  // error on larger swings or other blocks / error of the fit
 inline constexpr double doubtful_stiffness_percent = 15.0, doubtful_energy_percent = 30.0;
 inline constexpr double small_damping_percent = 5.0, doubtful_damping_points = 2.0;
 inline constexpr double low_stiffness_ratio = 0.5, low_damping_ratio = 0.4, high_ratio = 1.5;
 inline constexpr double found_share = 0.5;  // least share of the law's runs that end near the least objective
-inline constexpr double open_share = 0.5;   // largest share of undetermined parameters, if the law predicted nothing
+inline constexpr double open_share = 0.5;   // largest share of undetermined parameters, if no prediction was tested
 
 }  // namespace isolaw::study

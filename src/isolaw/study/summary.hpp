@@ -57,7 +57,7 @@ struct ParameterFit {
   bool free = true;  // false: fixed by default or by the user; then mean = best = the value, std = 0
   double lower = 0.0, upper = 0.0;
   Statistic value;
-  std::optional<double> percent_of_lot;      // difference of the mean from the mean over the devices
+  std::optional<double> percent_of_lot;      // difference of this device's mean from the mean of all devices
   fit::AtBound at_bound = fit::AtBound::no;  // whether the best run ended at a bound of the box
   std::string tied_to;                       // the parameter whose value this one takes; "" for none
   std::string paper_name;                    // its name in the tables of Cucuzza et al. 2025, if different; else ""
@@ -89,7 +89,7 @@ struct DeviceFit {
   double runs_apart = 0.0;        // relative difference between the objectives of the best and the worst usable run
   std::string success_reference;  // where the least objective of `success_share` comes from
   std::optional<double> optimum;  // least objective that the analyses found
-  std::optional<double> rise;     // by how much the objective rises, from its least value, to the ends of an open range
+  std::optional<double> rise;     // rise of the objective from its least value to open_lower and open_upper
   std::vector<std::string> trade_offs;  // sentences on parameters that compensate each other
   std::optional<double> interval_level;
   std::size_t interval_samples = 0, interval_block = 0;
@@ -100,11 +100,11 @@ struct DeviceFit {
   std::optional<double> left_out_objective;  // objective with parameters fitted to all other devices
   // Objective on the large swings of the test with parameters fitted to its small swings. Several fits to the small
   // swings may be equally good; these are the largest and the least objective among them. Infinite if a force is not
-  // finite; empty if the test has no such small and large swings.
+  // finite; empty if the swings of the test cannot be divided into small and large ones.
   std::optional<double> larger_swings_objective, larger_swings_least;
   std::vector<double> larger_swings_force_kN;  // the force of a fit to the small swings, at the record's samples
-  // Objectives of the law's form as springs around a circle (fit/as_springs.hpp) on the device's tests: with parameters
-  // fitted to these springs, and with the law's own parameters.
+  // Objectives on the device's tests if springs around a circle follow the law (fit/as_springs.hpp): with parameters
+  // fitted to these springs, and with the parameters of the law alone.
   std::optional<double> springs_objective, springs_given_objective;
   std::vector<BlockScore> blocks;
   std::optional<EnergyFall> energy_fall;       // empty if the device does not lose energy steadily
@@ -157,10 +157,10 @@ struct LawResult {
   std::optional<double> objective_converged, beta_converged;
   std::string beta_converged_note;            // why beta_converged is empty
   std::vector<std::string> left_out_of_beta;  // parameters that most tests leave undetermined or at a bound
-  bool reduced = false;  // true: beta_converged belongs to the form without the redundant parameter
+  bool reduced = false;  // true: beta_converged is computed with the redundant parameter held fixed
   bool on_front_converged = false;
   std::optional<LotLaw> lot;
-  std::optional<double> loo_objective, loo_worst;  // mean and largest objective over the devices left out
+  std::optional<double> loo_objective, loo_worst;  // mean and largest left_out_objective of the devices
   std::string loo_worst_device;
   bool on_front_loo = false;  // on the front of objective_converged against loo_objective
   // The first two are means of the members of the same names in DeviceFit, over the devices that have them. The third
@@ -176,11 +176,11 @@ struct LawResult {
       worst_predicted;  // mean objective on the fitted and on the predicted blocks, and the largest on a predicted one
   std::optional<PredictionGrade> prediction_grade;  // empty if no blocks are predicted
   bool in_programs = false;  // an analysis program has this law and can take its parameter values
-  std::string reduced_form;  // the `--set` that fits the form without the redundant parameter; "" if there is none
+  std::string reduced_form;  // the option `--set` that fixes the redundant parameter in a fit; "" if there is none
   std::vector<std::string> notes;  // how isolaw reads the law where its source is ambiguous
   std::vector<DeviceFit> devices;
 
-  // The fits that statistics over devices use: all but those to copies of records.
+  // The fits that statistics over devices use: all except fits to copies of records.
   auto counting() const { return devices | std::views::filter(&DeviceFit::counts); }
   bool prediction_holds() const { return !prediction_grade || *prediction_grade <= PredictionGrade::fair; }
   bool prediction_unusable() const { return prediction_grade == PredictionGrade::unusable; }
@@ -200,7 +200,7 @@ struct DeviceResult {
   // on the large ones. Empty if the tests have no such swings.
   std::vector<bool> in_large_swings;
   data::Properties properties;                      // properties of the raw record
-  std::optional<data::Properties> uncorrected;      // the same without the corrections that the user asked for, if any
+  std::optional<data::Properties> uncorrected;      // properties before the user's corrections; empty if there are none
   data::VerticalTest vertical_test;                 // holds the reason if the test gives no stiffness
   std::optional<data::VerticalStiffness> vertical;  // vertical stiffness from the raw compression test
   std::vector<Finding> notes;                       // remarks from the error budget, besides the record's warnings
@@ -212,7 +212,7 @@ struct DeviceResult {
 
 struct OutlyingDevice {
   std::string device, property, unit;
-  std::string law;  // the law, if the property is a law's misfit; empty if it is the device's own
+  std::string law;  // the law whose error `property` is; empty if `property` was measured on the device
   double value = 0.0, median = 0.0, score = 0.0, percent = 0.0;
 };
 
@@ -235,7 +235,7 @@ struct Summary {
   std::optional<Finding> without_corrections;  // the verdict without the corrections that the user asked for, if any
   std::optional<Finding> not_compared;         // devices whose measured values were not compared to find outliers
   std::vector<OutlyingDevice> outliers;
-  std::optional<ConditionsResult> conditions;  // if the lot file has a table [conditions]
+  std::optional<ConditionsResult> conditions;  // empty if the lot file has no table [conditions]
   std::string no_conditions;                   // why the tests of this table cannot be compared; else empty
   std::size_t analyses = 0, expected_analyses = 0;
   std::size_t runs = 0, expected_runs = 0;  // stored runs, and runs of the complete campaign
@@ -249,8 +249,8 @@ struct Summary {
 
 // True if a test under other conditions was refused, or if the tests could not be compared at all.
 bool conditions_refused(Summary const& summary);
-// True if a device or the lot does not keep a limit of a verified rule set, either the one of the acceptance or the one
-// of the table [conditions].
+// True if a device or the lot does not keep a limit of a verified rule set: the rule set of the acceptance, or that of
+// the table [conditions] in the lot file.
 bool acceptance_failed(Summary const& summary);
 // Assesses the devices and the lot. Throws Error if the lot is smaller than the number of devices.
 void add_acceptance(Summary& summary, rules::RuleSet const& rules, rules::Design const& design,

@@ -26,8 +26,8 @@ void add_once(std::vector<std::string>& names, std::string const& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-// A device's two sides and the lot's mean share the name of the property, such as "K_eff". A limit on the change over
-// cycles or loads keeps its own name.
+// The name under which an assessment is listed. The two sides of a device and the mean of the lot are listed under the
+// property, such as "K_eff". A limit on how a property changes over cycles or loads is listed under its own name.
 std::string property_of(rules::Assessment const& a) {
   bool const plain = a.subject == rules::Subject::device || a.subject == rules::Subject::lot;
   return a.property && plain ? std::string(name(*a.property)) : printable(a.quantity);
@@ -287,7 +287,8 @@ OverallVerdict overall_verdict(Summary const& summary) {
                            ? fmt::format("{}: no verdict, the limits of this set are not verified", title)
                            : "no verdict: no rule set";
     if (acceptance.has_rules()) overall.mark = "LIMITS NOT VERIFIED";
-    // The rule set of the table [conditions] may be verified even so, but its limits alone are too few for a pass.
+    // The table [conditions] may name another rule set, which is verified. The lot may fail its limits, but cannot pass
+    // on them alone, because they are too few.
     OverallVerdict of_conditions;
     add_dependence(of_conditions, summary);
     if (!of_conditions.failing.empty()) {

@@ -46,9 +46,9 @@ struct DeviceRemark {
   std::string device, remark;
 };
 
-// The verdict on the whole lot. FAIL: a device or the lot does not keep a limit of a verified set. INCOMPLETE: nothing
-// fails, but a requirement or device was not assessed. PASS: everything passes. The word is empty without a verified
-// set, or if the set limits nothing in these tests.
+// The verdict on the whole lot. FAIL: a device or the lot does not keep a limit of a verified rule set. INCOMPLETE:
+// nothing fails, but a requirement or device was not assessed. PASS: everything passes. The word is empty without a
+// verified rule set, and if no limit of the rule set applies to these tests.
 struct OverallVerdict {
   std::string word;  // "PASS", "FAIL", "INCOMPLETE", or empty
   // True for a PASS that would be another verdict without the corrections that the user asked for. Reports show it as

@@ -11,7 +11,7 @@
 
 namespace isolaw::study {
 
-// A warning is due if 20 times finer integration steps change the objective by more than this (not relative to it).
+// isolaw warns if 20 times finer integration steps change the objective by more than this (an absolute difference).
 inline constexpr double large_integration_shift = 1e-3;
 // The part of a campaign to report on: one law or all, on one device or all.
 struct Scope {

@@ -16,8 +16,8 @@
 namespace isolaw::wording {
 namespace {
 
-// If the finding's word `name` is `word`, `text` is printed in place of {name}. A word for which there is no phrase is
-// printed as it is.
+// A finding has words, each with a name and a value. If its word `name` has the value `word`, `text` is printed in
+// place of {name}. Without a phrase for the value, the value itself is printed.
 struct Phrase {
   std::string_view name, word, text;
 };

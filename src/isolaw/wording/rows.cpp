@@ -15,13 +15,14 @@ constexpr Row campaign(FindingKind kind, std::string_view key, std::string_view 
                        std::string_view text) {
   return {kind, key, topic, severity, action, grouping, appearance, subject, text};
 }
-// A row for a piece of an answer. It is printed only where code asks for this kind of finding.
+// A row for a finding that is part of an answer, such as the recommended law. It is printed only where code asks for
+// this kind of finding.
 constexpr Row answer(FindingKind kind, std::string_view key, std::string_view topic, std::string_view text,
                      unsigned grouping = each_alone) {
   return {kind, key, topic, Severity::note, "", grouping, anywhere, Subject::none, text};
 }
-// A row for a doubt about the law that the answer names. Exports and other outputs that take this law from the campaign
-// repeat the doubt.
+// A row for a doubt about the recommended law. Exports and other outputs that take this law from the campaign repeat
+// the doubt.
 constexpr Row answer_doubt(FindingKind kind, std::string_view key, std::string_view text) {
   return {kind,
           key,

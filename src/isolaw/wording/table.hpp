@@ -1,5 +1,5 @@
-// The table of everything the program says besides numbers. It has a row for each kind of finding. Findings become
-// sentences only here. Modelled on ccache's table of statistics and simdjson's table of errors.
+// The table of everything that isolaw says besides numbers. It has a row for each kind of finding. Findings become
+// sentences only here. Its models are ccache's table of statistics and simdjson's table of errors.
 #pragma once
 
 #include <span>
@@ -19,7 +19,8 @@ enum class Severity {
 };
 std::string_view name(Severity severity);
 
-// Findings of one kind share a sentence if they agree in the fields named here; with each_alone they share none.
+// Findings of one kind share a sentence if they agree in the fields named here. With each_alone, each finding has a
+// sentence of its own.
 enum Grouping : unsigned { one_sentence = 0, by_law = 1, by_device = 2, by_words = 4, each_alone = 8 };
 
 // The places where a kind of finding may appear. JSON holds every kind. In a row, `anywhere` means that the kind
@@ -42,7 +43,7 @@ using Group = std::span<Finding const>;
 struct Row {
   FindingKind kind;
   std::string_view key;    // "kind" in JSON and in stores
-  std::string_view topic;  // "topic" in JSON; several kinds may have the same topic
+  std::string_view topic;  // "topic" in JSON, such as "record", which several kinds share
   Severity severity;
   std::string_view action;  // tells the reader what to do
   unsigned grouping;
@@ -73,7 +74,7 @@ std::vector<std::vector<Finding>> grouped(std::vector<Finding> const& findings, 
 std::vector<std::string> sentences(std::vector<Finding> const& findings, unsigned place = in_report,
                                    UnitSystem const& units = record_units);
 
-// The same sentences as lines of a terminal: "warning: ...", or "note: ..." if the finding is only a note. `opening`
+// The texts of sentences() as lines of a terminal: "warning: ...", or "note: ..." if the finding is a note. `opening`
 // stands before each sentence.
 std::vector<std::string> lines(std::vector<Finding> const& findings, unsigned place = in_report,
                                UnitSystem const& units = record_units, std::string_view opening = {});

@@ -37,7 +37,7 @@ std::string range(Group group, std::string_view name, Print print) {
   std::string const low = print(least), high = print(largest);
   return low == high ? low : low + " to " + high;
 }
-// The same range, with `digits` significant digits.
+// range() with numbers that are printed with `digits` significant digits.
 std::string range(Group group, std::string_view name, int digits = 3);
 
 // Joins the texts that say_one makes for the findings: "sample 151 on device-01, sample 421 on device-02 and 3 more".

@@ -1,5 +1,5 @@
-// Shared by all tests of the page's engine, which run under Node. Their arguments are the page and the native program:
-// PAGE ISOLAW.
+// All tests of the page's engine use this module. They run under Node, and their arguments are the page and the native
+// program: PAGE ISOLAW.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
