@@ -141,7 +141,8 @@ TEST(BuildingIntegrate, energy_and_order) {
   }
 }
 
-// The program splits the equations into modes. Newmark's method on the whole matrices must give the same motion.
+// isolaw splits the equations of motion into modes. Newmark's method applied to the unsplit matrices must give the same
+// motion.
 TEST(BuildingIntegrate, modes_are_the_whole_equations) {
   auto frame = three_floors();
   frame.floors[0].below.centre = {900.0, -400.0};
@@ -243,9 +244,9 @@ TEST(BuildingIntegrate, springs_of_laws_without_a_slope_at_rest) {
     }
 }
 
-// If a law has a slope at rest, the springs of its bearing are those of laws::Springs. This law has none, so the force
-// of each spring is linear until the spring first moves by more than 1e-6 mm. From then on the forces must be those of
-// laws::Springs.
+// If a law has a finite slope at rest, a bearing of springs uses laws::Springs as it is. The slope of power-masing at
+// rest is infinite, so the force of each spring is linear until the spring first moves by more than 1e-6 mm. From then
+// on the forces must be those of laws::Springs.
 TEST(BuildingIntegrate, springs_at_rest_have_the_law_beyond_rest) {
   Values const values{87.86, 0.371, 46.69, 9.1, 62.65, 0.2578};
   auto const bearing = make_bearing("power-masing", values, Coupling::springs);

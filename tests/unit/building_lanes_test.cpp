@@ -136,9 +136,9 @@ TEST(BuildingLanes, stable_below_stiff_floors) {
   }
 }
 
-// Each law of the catalogue in turn carries a building on two bearings. Its parameters lie near the middle of a box
-// that is scaled to one device. The bearings use the law's two-dimensional form, or a set of springs if the law has
-// none. Explicit and implicit integration must agree and keep the balance of energy.
+// Each law of the catalogue in turn carries a building on two bearings. The law's parameters lie near the middle of a
+// search box that is scaled to one device. The bearings use the law's two-dimensional form, or a set of springs if the
+// law has none. Explicit and implicit integration must agree and keep the balance of energy.
 TEST(BuildingLanes, every_law_carries_a_building) {
   Model const model(Structure(three_floors()), {.bearings = {{-3000.0, 0.0}, {3000.0, 0.0}}});
   auto const motion = shaking(0.01, 6.0, 0.12);

@@ -1,5 +1,5 @@
-// A made-up study of a building. The tests of a study's answers and the tests of the files and pages that show them
-// share it.
+// Makes an invented study of a building, which several tests share: those of the study's answers and those of the files
+// and pages that show the answers.
 #pragma once
 
 #include <cmath>

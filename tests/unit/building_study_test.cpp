@@ -101,8 +101,8 @@ TEST_F(BuildingFileTest, what_is_wrong_is_said_once_with_its_line) {
   EXPECT_TRUE(contains(nan, "motion-1-y.csv:21") && contains(nan, "no number")) << nan;
 }
 
-// Values passed by the caller replace keys of the file and are checked like them. A mapping (of Python) is read like a
-// file, but its messages name no lines.
+// Values that the caller passes replace those of the file and are checked in the same way. A Python mapping is read
+// like a file, but error messages about it name no lines.
 TEST_F(BuildingFileTest, what_is_given_is_laid_over_and_a_mapping_is_a_file) {
   Motion const motion{.name = "m", .step_s = 0.01, .x_mm_s2 = {0.0, 1.0}, .y_mm_s2 = {}};
   auto const read_with = [&](isolaw::Values settings, Motion const& shaken) {
@@ -152,7 +152,7 @@ TEST(BuildingFile, takes_the_design_conditions_in_place_of_a_factor) {
   auto const settings = read().settings;
   EXPECT_FALSE(settings.lower);
   EXPECT_EQ(settings.upper, whole(1.1));
-  // A store of runs keeps the word "conditions" and must give the same setting when it is read.
+  // A store of runs writes this setting as the word "conditions". Reading the word must give an empty `lower` again.
   for (auto const& key : settings_table()) {
     if (key.key != "lower") continue;
     FileTables from{.building = settings}, to;
@@ -196,7 +196,7 @@ TEST(BuildingStudy, bound_laws_take_the_place_of_a_factor) {
   study.file.settings.lower.reset();
   study.laws[0].lower = factors;
   Devices const devices(study.laws[0], study.file, study.file.motions[0]);
-  study.file.settings.lower = factors;  // as the file may state them itself
+  study.file.settings.lower = factors;  // the file may also state these factors
   EXPECT_EQ(Devices(study.laws[0], study.file, study.file.motions[0]).parameters_of({.kind = CaseKind::lower}),
             devices.parameters_of({.kind = CaseKind::lower}));
   auto const nominal = devices.parameters_of({}), lower = devices.parameters_of({.kind = CaseKind::lower}),
@@ -263,8 +263,8 @@ TEST(BuildingStudy, under_motions_along_x_a_law_is_itself) {
     ASSERT_LT(std::abs(run.history.base[i][1]), 1e-6);
   }
   EXPECT_GT(run.value(Measure::isolator), 10.0);
-  // The law `online` of this test starts at zero displacement. The bearing of the study starts its law only after it
-  // has left rest, so the forces differ slightly.
+  // The law `online` of this test starts at zero displacement. The bearing of the study starts its law only after the
+  // first small displacement, so the forces differ slightly.
   EXPECT_LT(off, 1e-3 * most);
   auto const csv = history_csv(run, study.file.motions[0]);
   EXPECT_EQ(
@@ -491,8 +491,8 @@ TEST_F(BuildingRuns, bounds_of_one_law_are_held_to_the_others) {
       << answers.about_bounds;
   EXPECT_EQ(wording::sentence(answers.about_bounds[2]),
             "The choice of the law matters more than the scatter of the lot.");
-  // The answer names the factors on the nominal properties whose bounds would cover 95 % of the draws. The draws hardly
-  // scatter, so these factors lie within one step of the search around 1 and are no basis for design.
+  // The answer says which factors on the nominal properties would give bounds that cover 95 % of the draws. The draws
+  // hardly scatter, so these factors differ from 1 by at most 2 %, the step of the search, and are no basis for design.
   EXPECT_EQ(answers.about_bounds[1].word("factors"), "near");
   EXPECT_TRUE(contains(answers.about_bounds[1], "; factors within 2 % of 1, the step of the search, would cover 95 %."))
       << answers.about_bounds;
@@ -522,7 +522,8 @@ TEST(BuildingAnswers, factors_are_said_where_they_mean_something) {
   EXPECT_EQ(text_of(covering_factors(c)), "no factors up to 0.60 and 1.40 would cover 95 %");
 }
 
-// Both bound analyses give less displacement than the nominal building, so no factors can help, and the answer says so.
+// Both bound analyses give less displacement than the nominal building, so no factors can make the bounds cover the
+// draws. The answer must say so.
 TEST_F(BuildingRuns, bounds_on_one_side_of_the_nominal_building_are_told) {
   auto const study = usual_study(0.001, 40);
   RunStore store(file_, properties_of(study), false);
@@ -632,7 +633,8 @@ TEST(BuildingAnswers, a_nominal_building_alone_is_judged_too) {
   EXPECT_EQ(answer_of_nominal(study, {runs}).laws[0].limit_checks[0].broken_by, "nominal failed");
 }
 
-// The force of a law of unequal sides depends on the direction, which springs around a circle cannot follow.
+// The force of this law differs between positive and negative displacements. Springs around a circle cannot follow
+// this.
 TEST(BuildingStudy, a_law_of_unequal_sides_acts_once_along_each_axis_and_is_told) {
   auto study = usual_study(0.0, 3);
   auto const& vaiana = laws::find_law("vaiana");
@@ -706,8 +708,8 @@ TEST_F(BuildingRuns, of_springs_are_told_one_by_one_and_can_be_interrupted) {
   std::size_t told = 0, asked = 0;
   {
     RunStore store(file_, properties_of(study), false);
-    // The program asks several times during each run whether to stop. The fourth question after the third run comes
-    // within the fourth run.
+    // isolaw asks several times during each run whether to stop. The fourth question after the third run comes within
+    // the fourth run.
     EXPECT_FALSE(run_all(study, store, 1,
                          {.progress = [&](RunProgress const& p) { told = p.done; },
                           .part = {},
@@ -764,7 +766,7 @@ TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
   EXPECT_EQ(at_100(responses(7, 101.0, 90.0, 0)).limit_kept, LimitKept::no);
   EXPECT_EQ(at_100(responses(7, 101.0, 90.0, 0)).broken_by, "nominal");
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).limit_kept, LimitKept::no);
-  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).broken_by, "bounds");  // although every draw keeps it
+  EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).broken_by, "bounds");  // although every draw keeps the limit
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0)).share_kept, 1.0);
   EXPECT_EQ(at_100(responses(7, std::nan(""), 90.0, 0)).broken_by, "nominal failed");
   // If one of the two bound analyses gave no numbers, this must not be hidden by the numbers of the other.
@@ -775,14 +777,15 @@ TEST(BuildingAnswers, a_limit_is_judged_by_nominal_building_bounds_and_draws) {
   auto const nominal = check_limit("bearing_mm", "isolator_mm", 100.0, alone);
   EXPECT_TRUE(nominal.limit_kept == LimitKept::yes && !nominal.bound && !nominal.p95);
   EXPECT_EQ(at_100(responses(7, 80.0, 101.0, 0), false).limit_kept, LimitKept::no);
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 50), false).limit_kept, LimitKept::yes);  // no bearing is drawn
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).limit_kept, LimitKept::open);         // 96 % of 100, 90 to 99 %
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 50), false).limit_kept, LimitKept::yes);  // no draws are judged
+  // 96 of 100 draws keep the limit. The true share may then be 90 to 99 %, so it is open whether it reaches 95 %.
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).limit_kept, LimitKept::open);
   EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 4)).draws_wanted, draws_that_tell(96, 100));
   EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 6)).limit_kept, LimitKept::no);
   EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 6)).broken_by, "draws");
-  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 0, 1.3)).limit_kept,
-            LimitKept::yes);  // the mean, which this test leaves at 80
-  EXPECT_EQ(at_100(responses(6, 80.0, 90.0, 0, 1.3)).limit_kept, LimitKept::no);  // the largest of six, 104
+  // With seven motions the mean counts, which this test leaves at 80. With six the largest response counts, here 104.
+  EXPECT_EQ(at_100(responses(7, 80.0, 90.0, 0, 1.3)).limit_kept, LimitKept::yes);
+  EXPECT_EQ(at_100(responses(6, 80.0, 90.0, 0, 1.3)).limit_kept, LimitKept::no);
   auto collapsed = responses(7, 80.0, 90.0, 0);
   for (std::size_t i = 0; i < 6; ++i) collapsed.mean[places.first_draw + i] = std::nan("");
   EXPECT_EQ(at_100(collapsed).limit_kept, LimitKept::no);
@@ -1001,8 +1004,9 @@ TEST_F(BuildingRuns, with_other_numbers_than_were_computed_are_found_out) {
   EXPECT_TRUE(contains(refusal_of([&] { answer(study, store); }), "has other numbers than when it was computed"));
 }
 
-// Effective stiffness and damping of every law are compared with those of the third of three cycles, which are computed
-// as for a record with ten times as many samples. If a law depends on velocity, faster cycles have another damping.
+// For every law, effective() is compared with the stiffness and damping of the third of three cycles. Their force is
+// computed as for a record, at ten times as many points as effective() uses. If a law depends on velocity, faster
+// cycles must have another damping.
 TEST(BuildingAnswers, effective_properties_of_every_law_are_those_of_its_cycle_at_that_speed) {
   constexpr std::size_t steps = 2000, cycles = 3;
   constexpr double amplitude = 80.0;
@@ -1154,12 +1158,13 @@ TEST_F(BuildingRuns, miss_what_shorter_steps_would_find) {
   EXPECT_EQ(isolator_mm(checked.step_s), checked.isolator_mm);
   double const error = std::abs(checked.isolator_mm.value() - isolator_mm(checked.step_s / 16.0));
   EXPECT_GT(error, 1e-3);
-  // isolaw estimates the error from a run with half the step, whose own error would be a quarter for second order.
-  // Because the law yields within steps, the order is not quite two, so the tolerance is wide.
+  // isolaw estimates the error from a run with half the step. If the error fell with the square of the step, that run's
+  // own error would be a quarter. Because the law yields within steps, it falls more slowly, so the tolerance is wide.
   EXPECT_NEAR(checked.missed_mm.value(), error, 0.5 * error);
 }
 
-// Factors of the search have two decimals. Each must be the double nearest to them, so that files show 0.82 as 0.82.
+// The search for factors tries numbers with two decimals. Each must be the double nearest to its decimal value, so that
+// files show 0.82 as 0.82.
 TEST(BuildingAnswers, factors_of_the_grid_are_their_two_decimals) {
   EXPECT_EQ(grid_factor(11), 0.82);
   for (std::uint32_t i = 0; i <= 2 * grid_half; ++i)

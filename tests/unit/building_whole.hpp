@@ -1,4 +1,5 @@
-// Assembles the equations of a building as whole matrices, without the code by which the program does so.
+// Assembles the equations of motion of a building as full matrices. No code of isolaw's own integration is used, so
+// that tests can compare the two.
 #pragma once
 
 #include <Eigen/Core>

@@ -37,7 +37,8 @@ class LotFileTest : public testing::Folder {
     }
     return "";
   }
-  // Returns the messages about a lot file with one device and these lines in [calibrate]. The first of them is line 3.
+  // Returns the messages about a lot file with one device and with `lines` in its table [calibrate]. The first of these
+  // lines is line 3 of the file.
   std::string calibrate(std::string_view lines) const {
     return complaints(
         fmt::format("title = \"lot\"\n[calibrate]\n{}\n[[device]]\nname = \"A\"\nfile = \"a.csv\"\n", lines));

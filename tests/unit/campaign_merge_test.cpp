@@ -127,7 +127,7 @@ std::uint64_t counted_by_system(std::string const& file, std::string const& key)
 }
 
 TEST_F(MergeTest, OfAThousandPartsIsLinearInRowsAndFlatInMemory) {
-  // The largest number of parts, and the number of runs of each search that one part computes.
+  // `most` is the largest number of parts, and `each` is the number of runs of each search that one part computes.
   constexpr int most = 1000, each = 5;
   struct Cost {
     std::uint64_t bytes = 0;

@@ -34,7 +34,7 @@ using testing::record_text;
 
 class CampaignTest : public testing::Folder {
  protected:
-  // Returns a lot of two devices of different stiffness. Their records have time.
+  // Returns a lot of two devices of different stiffness. Their records have a time column.
   Lot lot(std::string_view laws = "bilinear,bouc-wen,jankowski") const {
     Lot lot_of_two;
     lot_of_two.settings.analysis = false;  // other tests cover the analyses
@@ -443,9 +443,9 @@ TEST_F(CampaignTest, ACompleteCampaignRunsNothingAgain) {
 
 // --- integration in finer steps ---
 
-// With a dozen samples per cycle, one integration step per sample is far too long for hwang-wu in a corner of the box.
-// A search with such steps ends there at an objective that only the step error makes so low. isolaw must then search
-// again in finer steps, until still finer ones hardly change the objective.
+// With a dozen samples per cycle, one integration step per sample is far too long for hwang-wu in a corner of its
+// search box. A search with such long steps ends in this corner, where only the step error makes the objective so low.
+// isolaw must then search again in finer steps, until still finer ones hardly change the objective.
 TEST_F(CampaignTest, AnOptimumThatLivesFromTheStepIsFittedAgainInFinerOnes) {
   Lot coarse;
   coarse.settings.laws = {"hwang-wu", "bilinear"};
@@ -504,8 +504,8 @@ TEST_F(CampaignTest, AllParametersFixedIsEvaluatedAsTheyAre) {
   }
 }
 
-// The box of one law makes an exponential overflow. Runs of this law must fail and the runs of the others must not
-// change.
+// The search box of one law is set so that an exponential overflows. Runs of this law must fail and the runs of the
+// others must not change.
 TEST_F(CampaignTest, ARunWithoutAnyFiniteForceIsRecordedAsSuch) {
   auto const expected = by_name(done(lot("bilinear"), 1, "plain.sqlite"));
   std::vector<fit::Override> searched{fit::parse_override("vaiana.beta1+=1:2"),
@@ -537,8 +537,8 @@ TEST_F(CampaignTest, AStoreThatIsNotThereIsRefused) {
   EXPECT_THROW(run(contents, folder / "absent.sqlite", {.jobs = 1, .progress = {}, .interrupted = {}}), Error);
 }
 
-// If `calibrate` continues a campaign, its result says what the terminal would print about this: here the device that
-// was added and the rule set that the new call no longer names.
+// If `calibrate` continues a stored campaign, its result states the changes that the command line would print: here the
+// added device, and that the new call no longer names the rule set.
 TEST_F(CampaignTest, OfADirectoryIsSaidWhatItContinues) {
   auto const record = [&](std::string name, double stiffness) {
     auto const file = write(name + ".csv", record_text(stiffness));

@@ -86,8 +86,8 @@ TEST(EverySetting, HasADefaultThatItMayHaveAndHelpWhereItIsAnOption) {
   }
 }
 
-// isolaw continues a campaign only if the stored pairs equal those of the new settings, so the pairs must contain every
-// setting that can change a number.
+// isolaw continues a campaign only if its stored pairs of key and value equal those of the new settings. The pairs must
+// therefore contain every setting that can change a number.
 TEST(EverySetting, IsStoredReadBackAndComparedByItsKey) {
   for (auto const& setting : setting_table()) {
     SCOPED_TRACE(setting.key);
@@ -190,7 +190,7 @@ TEST(Settings, RunsAreThoseTheMethodNeeds) {
   given.runs = 7;
   for (auto* s : {&best, &genetic, &given}) s->complete();
   EXPECT_EQ(best.runs, 2);
-  EXPECT_FALSE(best.clean.weights);  // chosen for each record
+  EXPECT_FALSE(best.clean.weights);  // empty: isolaw chooses a weighting for each record
   EXPECT_EQ(genetic.clean.weights, data::Weighting::time);
   EXPECT_EQ(genetic.runs, 20);  // as in the published study
   EXPECT_EQ(given.runs, 7);

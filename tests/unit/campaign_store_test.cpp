@@ -328,8 +328,8 @@ TEST_F(StoreTest, ARunAddedTwiceIsRefusedWholly) {
   expect_same(Store::read(file()).runs, expected);
 }
 
-// A run that breaks the rules of the store is an error of the program. The store rejects this run and keeps all earlier
-// ones.
+// A run that breaks the rules of the store is a programming error in isolaw. The store rejects this run and keeps all
+// earlier runs.
 TEST_F(StoreTest, WhatAReaderWouldRefuseIsNotWritten) {
   auto store = Store::create(file(), full());
   store.add(runs()[0]);
@@ -481,7 +481,7 @@ TEST_F(StoreTest, AStoreWithoutASettingStandsForWhatItsRowSays) {
 }
 
 // Every store of schema 12 has the settings listed here. A setting that is added later must state the value that is
-// assumed for stores without it (Setting::without).
+// assumed for stores without it (Setting::value_if_absent).
 TEST(Schema, HasTheseSettingsInEveryStore) {
   std::set<std::string> keys;
   for (auto const& setting : setting_table())

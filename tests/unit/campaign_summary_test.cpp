@@ -314,8 +314,8 @@ TEST(Summary, RefusedDevicesAndLawsAreThereWithTheirReason) {
 }
 
 // The four laws have these values of the robustness index beta and of the mean objective: bilinear (0.1, 0.30),
-// jankowski (0.2, 0.20), bouc-wen (0.3, 0.25) and vaiana (0.4, 0.10). Jankowski is better than bouc-wen in both, so
-// bouc-wen alone must not be on the front.
+// jankowski (0.2, 0.20), bouc-wen (0.3, 0.25) and vaiana (0.4, 0.10). Jankowski is better than bouc-wen in both
+// numbers. Bouc-wen must therefore be the only law that is not on the Pareto front.
 TEST(Summary, TheFrontIsThatOfSmallBetaAndSmallObjective) {
   Contents c;
   c.settings.laws = {"vaiana", "bouc-wen", "bilinear", "jankowski"};

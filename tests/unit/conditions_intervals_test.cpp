@@ -1,4 +1,5 @@
-// Tests the intervals of a factor by simulation, and softening on a measured bearing.
+// Tests by simulation how often the confidence intervals of a property factor contain the true value, and compares the
+// softening of a measured bearing with an independent program.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -64,7 +65,7 @@ TEST(Interval, contains_its_value_in_19_lots_of_20) {
 }
 
 // The expected numbers come from an independent program, which cut the same record at its downward zero crossings.
-// Seven cycles do not determine where the softening ends, so the exponent is far below 1.
+// Seven cycles do not determine where the softening ends, so the fitted exponent of K_eff is far below 1.
 TEST(Softening, of_a_measured_bearing) {
   auto const file = std::filesystem::path(ISOLAW_DATA_DIR) / "hdrb-gallardo-device/cyclic-24-49-98pct.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";

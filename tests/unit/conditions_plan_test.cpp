@@ -1,5 +1,5 @@
-// Tests which tests are missing and how values are converted to reference conditions. The numbers are those of the
-// devices of `isolaw example --conditions`, which an independent program computed from closed forms.
+// Tests the plan of missing laboratory tests and the conversion of values to reference conditions. The values belong to
+// the devices of `isolaw example --conditions`; an independent program computed them from closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,7 +147,8 @@ TEST(Plan, begins_with_devices_that_have_tests_of_the_effect) {
   auto const listed = [&](int devices) { return texts(plan(ends, candidates, devices, at_20_C, 3)); };
   EXPECT_EQ(listed(1), Texts{"C temperature"});
   EXPECT_EQ(listed(3), (Texts{"C temperature", "D temperature", "B temperature"}));
-  // The fourth device, A, has no reference test and needs one first. The fifth is a new device, which needs one too.
+  // The fourth device, A, has no reference test and needs one first. The fifth is a new device, which needs a reference
+  // test too.
   EXPECT_EQ(listed(5), (Texts{"C temperature", "D temperature", "B temperature", "A reference", "A temperature",
                               "new 1 reference", "new 1 temperature"}));
   auto const tests = plan(ends, candidates, 4, at_20_C, 3);
@@ -161,8 +162,8 @@ TEST(Plan, begins_with_devices_that_have_tests_of_the_effect) {
   EXPECT_EQ(texts(plan(std::vector{cold({"B", "C"})}, candidates, 2, at_20_C, 3)), Texts());
 }
 
-// A was tested at the end of the range and lacks only its reference test. A plan has at most one reference test for
-// each device, even if several ends need it.
+// Device A was tested at the end of the design range and lacks only its reference test. A plan has at most one
+// reference test for each device, even if several effects need it.
 TEST(Plan, adds_reference_tests_once) {
   auto end = cold();
   end.without_reference = {"A"};
@@ -187,8 +188,8 @@ TEST(Plan, tests_no_aged_device_as_if_it_were_not) {
   EXPECT_EQ(aged(101.0, 80.0), Texts{"B ageing"});
 }
 
-// How much a new device softens is shown only by its first test. How much of this comes back after a rest is shown by
-// devices whose first test was made when they were new.
+// How much a new device softens is shown only by its first test. How much of the lost stiffness comes back after a rest
+// is shown by devices whose first test was made when they were new.
 TEST(Plan, takes_new_devices_for_scragging) {
   std::vector<Candidate> const candidates{{.device = "A", .has_reference = true, .was_new = true},
                                           {.device = "B", .has_reference = true}};
@@ -204,7 +205,8 @@ TEST(Plan, takes_new_devices_for_scragging) {
   EXPECT_EQ(texts(plan(ends, {}, 1, at_20_C, 3)), (Texts{"new 1 reference", "new 1 temperature"}));
 }
 
-// After the planned tests, as many devices as the user asked for must show the end of the design range.
+// The plan asks for two devices tested at the end of the design range. With the results of the planned tests, the
+// factor there must count as shown by two devices.
 TEST(Plan, makes_the_end_shown) {
   auto const ln = [](std::string const& device, double temperature_C) {
     return Sample{.device = device, .condition = with_temperature(temperature_C), .ln = -0.006 * temperature_C};

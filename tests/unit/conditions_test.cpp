@@ -216,7 +216,7 @@ TEST(Dependence, of_the_example_on_rate_and_ageing) {
   DesignConditions design{.ageing = AskedAgeing{.test = {.days = 14.0, .at_C = 70.0}}};
   for (std::size_t i = 0; i < 2; ++i) {
     auto const slow = judge_dependence(limit, true, rate(both[i]), {.ends = {0.35, 0.65}});
-    ASSERT_EQ(slow.size(), 1u);  // 0.5 Hz is the reference
+    ASSERT_EQ(slow.size(), 1u);  // 0.5 Hz is the reference and not judged
     EXPECT_EQ(slow[0].device, "P4");
     EXPECT_EQ(*slow[0].at, 0.1);
     expect_near(slow[0].ratio->lambda(), of_rate[i]);
@@ -227,7 +227,8 @@ TEST(Dependence, of_the_example_on_rate_and_ageing) {
     expect_near(aged[0].ratio->lambda(), of_ageing[i]);
     EXPECT_EQ(aged[0].verdict, rules::Verdict::pass);
   }
-  // The ageing test stands for 8.3 years. A design of 8 years is therefore shown by it, one of 10 years extrapolated.
+  // The ageing test stands for 8.3 years. It therefore covers a design life of 8 years. For 10 years the ageing would
+  // have to be extrapolated, so there is no verdict.
   design.ageing->test_stands_for_years = stands_for_years(design.ageing->test, 20.0, 90.0);
   design.ageing->years = 8.0;
   EXPECT_EQ(judge_dependence(limit_of_20(Effect::ageing), true, ageing(), design)[0].verdict, rules::Verdict::pass);
@@ -272,7 +273,7 @@ TEST(Dependence, keeps_both_ends_and_each_device_to_its_own_tests) {
   EXPECT_EQ(verdict(1.2 + 1e-9), rules::Verdict::fail);
   EXPECT_EQ(verdict(0.8 - 1e-9), rules::Verdict::fail);
   // B was tested at -20 C, where its ratio is 1.44, and not at 0 C. Its ratio at 0 C is interpolated on the line
-  // between -20 C and the reference, which gives the root of 1.44. C has only a reference test, and D has none.
+  // between -20 C and the reference, which gives the square root of 1.44. C has only a reference test, and D has none.
   std::vector<Sample> const own{relative("A", 20, 1.0), relative("B", 20, 2.0), relative("C", 20, 1.0)},
       others{relative("A", 0, 1.1), relative("B", -20, 2.88), relative("D", 0, 5.0)};
   auto const results = judge_dependence(at_0, true, Response(Effect::temperature, own, others, reference, {}), {});
@@ -334,7 +335,8 @@ TEST(Ageing, stands_for_years_of_service) {
   expect_near(stands_for_years({.days = 41.3230, .at_C = 80.0}, 20.0, 90.0), 60.0, 1e-6);
 }
 
-// The exponents are those of a least-squares fit of the closed form's factors through the reference.
+// The expected exponents come from a least-squares fit to factors of the closed form. The fitted curve passes through
+// the reference.
 TEST(Curves, follow_the_tested_levels) {
   expect_near(10.0 * exponent(temperature()).value(), -0.067696479, 1e-7);
   expect_near(exponent(rate()).value(), 0.047058671, 1e-7);
@@ -558,7 +560,8 @@ TEST(Response, goes_along_the_line_of_each_device) {
   EXPECT_EQ(beyond.devices, 1);
   EXPECT_NEAR(beyond.ln, 0.4 + 0.3 * 5.0 / 20.0, 1e-12);
   // The test of A at 0 C checks the straight line from -20 to 20 C: the line gives 0.2 there, but 0.1 was measured.
-  // Only levels with tests of one device on both sides can be checked like this, so the reference cannot.
+  // Such a check needs a device that was tested at this level and on both sides of it. The reference level has no test
+  // above it.
   EXPECT_NEAR(response.line_error().value(), 0.1, 1e-12);
 }
 
@@ -572,8 +575,9 @@ TEST(Response, of_a_range_keeps_the_end_that_is_known) {
   EXPECT_NEAR(max.lambda(), 1.0, 1e-12);
 }
 
-// Tests under nearly equal conditions form one level. Tests of ageing cannot be sorted so that such tests are
-// neighbours: here the tests of A and C belong together, and B's test stands between them.
+// Tests under nearly equal conditions form one level. Tests of ageing differ in days and in temperature, so no order
+// puts all tests that agree next to each other: here the tests of A and C belong together, and B's test stands between
+// them.
 TEST(Response, joins_the_tests_that_agree) {
   auto const aged = [](std::string device, double days, double at_C, double value) {
     auto condition = condition_of({});

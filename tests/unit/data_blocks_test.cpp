@@ -154,8 +154,8 @@ TEST(Blocks, TheCycleInWhichTheForceGoesAfterAPeakDoesNotCount) {
   EXPECT_EQ(properties.reported->K_eff_kN_per_mm, sound.find(1, 2)->K_eff_kN_per_mm);
 }
 
-// A logger writes 0 where it has no value. These samples must not count as a rough signal, because the energy would
-// then be too small.
+// A logger writes 0 where it has no value. The zeros must be reported as spikes, and no energy must be reported: with
+// the zeros it would be too small.
 TEST(Blocks, OneValueInPlaceOfMissingOnesIsNoRoughSignal) {
   auto motion = Motion().sine(100.0, 0.5, 4).end().loop();
   for (std::size_t i = 30; i < motion.force_kN.size(); i += 40) motion.force_kN[i] = 0.0;
@@ -207,7 +207,7 @@ TEST(Blocks, AForceThatComesBackIsLostForItsDeadCyclesOnly) {
 }
 
 // The block in which the device fails also has a fault of the signal. The failure must still be reported, because the
-// stages after it have no force either.
+// force is missing in the stages after this block too.
 TEST(Blocks, AFailureStaysBesideASignalFault) {
   auto motion = in_stages({20.0, 40.0, 60.0});
   for (std::size_t i = 1000; i < motion.force_kN.size(); ++i) motion.force_kN[i] *= 0.02;
@@ -241,8 +241,8 @@ TEST(Blocks, AForceThatFollowsTheLoadIsNotLost) {
   EXPECT_TRUE(cyclic_properties(record_of_motion(motion, load)).failure) << "of a load channel that is noise";
 }
 
-// The first stage has too few samples per cycle, for which the whole record would be refused. If this stage is left out
-// because of a fault, the record has enough.
+// The first stage has so few samples per cycle that the whole record is refused. If this stage also has a fault, it is
+// left out, and the record must then be accepted.
 TEST(Blocks, ARefusalDoesNotOutliveTheFaultyBlockFromWhichItCame) {
   auto const motion = Motion().sine(50.0, 10.0, 30).sine(100.0, 0.5, 3).end().loop();
   auto record = record_of_motion(motion);
@@ -321,7 +321,7 @@ TEST(Cuts, AOneSidedTestInStagesIsCutWhereItComesBack) {
     EXPECT_EQ(counted_per_block(motion.cut()), (std::vector<int>{3, 3, 3, 5}));
     ASSERT_TRUE(properties.reported);
     EXPECT_EQ(properties.reported->block, 4);
-    // The loop goes from one turn to the next: its area is that of the exponential loop of Motion::loop() in steady
+    // The loop goes from one reversal to the next. Its area is that of the exponential loop of Motion::loop() in steady
     // motion over 40 mm, 2 Q (40 - tanh(40 alpha / 2) / (alpha / 2)).
     double const K = 0.5, Q = 30.0, alpha = 0.08;
     double const area = 2.0 * Q * (40.0 - std::tanh(20.0 * alpha) * 2.0 / alpha);

@@ -34,8 +34,9 @@ namespace {
 // little noise. K_eff is 0.7 kN/mm.
 struct Bearing {
   int cycles = 4;
-  double rate_Hz = 200.0, first_stiffness = 2.9, frequency_Hz = 0.5, start = 0.0;  // start: in samples of the motion
-  std::function<double(double)> late_s = [](double) { return 0.0; };               // delay of the force at a time
+  // The record begins `start` samples after the motion.
+  double rate_Hz = 200.0, first_stiffness = 2.9, frequency_Hz = 0.5, start = 0.0;
+  std::function<double(double)> late_s = [](double) { return 0.0; };  // delay of the force at time t
   double noise = 1.0;
 };
 
@@ -157,9 +158,9 @@ TEST(ChannelChanges, a_delay_that_grows_is_said_for_its_cycles) {
   auto const* found = find(budget, FindingKind::lag_grows);
   ASSERT_NE(found, nullptr) << all_of(budget);
   EXPECT_NEAR(found->number("first_ms"), 0.0, 4.0);
-  EXPECT_NEAR(found->number("last_ms"), 25.0, 3.0);  // mean of the delays at the turns, 6.5 and 7.5 s
+  EXPECT_NEAR(found->number("last_ms"), 25.0, 3.0);  // mean of the delays at the reversals at 6.5 and 7.5 s
   EXPECT_NEAR(found->number("reported_ms"), 15.0, 4.0);
-  EXPECT_NEAR(found->number("damping_points"), -2.4, 0.7);  // 100 pi f dt
+  EXPECT_NEAR(found->number("damping_points"), -2.4, 0.7);  // -100 pi f times the delay of 15 ms
   EXPECT_EQ(find(budget, FindingKind::force_late), nullptr);
   auto const constant = budget_of(record_of({.late_s = [](double) { return 0.02; }}));
   EXPECT_EQ(find(constant, FindingKind::lag_grows), nullptr) << all_of(constant);
@@ -372,7 +373,7 @@ TEST(ChannelChanges, none_is_reported_of_the_laws) {
 
 struct PutFault {
   FindingKind kind;
-  int least_percent;  // of the records in which it is found
+  int least_percent;  // the fault must be found in so many records, in %
   // Puts the fault into a record. Returns its time in s or its frequency in Hz, if the warning must say this.
   std::function<std::optional<double>(Recording&, Plan const&, Drawn&)> put;
 };

@@ -112,7 +112,7 @@ TEST(Clean, ThinsAfterAveragingOverWhatIsDropped) {
   ASSERT_EQ(record.size(), 601u);
   auto const averaged = moving_average(raw.disp_mm, 5);
   auto const force = moving_average(raw.force_kN, 5);
-  auto const velocity = central_difference(raw.time_s, averaged);  // velocity comes before samples are dropped
+  auto const velocity = central_difference(raw.time_s, averaged);  // velocities are computed before samples are dropped
   for (std::size_t i = 0; i < record.size(); ++i) {
     EXPECT_EQ(record.time_s[i], raw.time_s[5 * i]);
     EXPECT_EQ(record.disp_mm[i], averaged[5 * i]);
@@ -187,8 +187,8 @@ TEST(Clean, CentresOnTheReportedCycleOnlyWhenAsked) {
       << text_of(record.cleaning.front());
 }
 
-// A block of two cycles at 50 mm and one of two at 100 mm, with 1000 samples a cycle. Only the second cycle at 100 mm
-// is scored, which means that it counts in the objective.
+// The record has a block of two cycles at 50 mm and a block of two cycles at 100 mm, with 1000 samples a cycle. Only
+// the second cycle at 100 mm is scored, which means that it counts in the objective.
 TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
   TestRecord raw;
   for (int i = 0; i <= 4000; ++i) {
@@ -208,7 +208,7 @@ TEST(Clean, KeepsTheChosenPartThroughSmoothingAndThinning) {
     ASSERT_EQ(record.size(), 4000 / step + 1);
     ASSERT_EQ(record.scored.size(), record.size()) << "smooth " << options.smooth << ", step " << step;
     for (std::size_t i = 0; i < record.size(); ++i) {
-      if (i * step == 3000) continue;  // the boundary of the scored part lies at this sample, to rounding
+      if (i * step == 3000) continue;  // this sample lies on the boundary; rounding decides
       EXPECT_EQ(record.is_scored(i), i * step > 3000) << "smooth " << options.smooth << ", sample " << i * step;
     }
   }

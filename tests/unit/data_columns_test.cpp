@@ -176,7 +176,7 @@ TEST(ScaleHints, AreFoundInNames) {
   EXPECT_EQ(force("Forza media [kN]"), "media");
   EXPECT_EQ(force("Kraft (doppelt) [kN]"), "doppelt");
   EXPECT_EQ(disp("Double amplitude displacement [mm]"), "double");
-  EXPECT_EQ(disp("Mean displacement [mm]"), "");  // of several sensors, which is what is wanted
+  EXPECT_EQ(disp("Mean displacement [mm]"), "");  // the mean of several sensors is accepted
   for (auto const* plain : {"Force [kN]", "Force 1 [kN]", "Fx [kN]", "F / kN", "Force x2 [kN]",
                             "Shear force (Cell 3) [kN]", "Force of bearing 2 [kN]", "Force at 12:30:00 [kN]"})
     EXPECT_EQ(force(plain), "") << plain;
@@ -256,11 +256,11 @@ TEST_F(ColumnsTest, RowsWithMissingValues) {
   told.missing = MissingValues::interpolated;
   auto const filled = read(text, told);
   EXPECT_EQ(filled.disp_mm, (std::vector<double>{2, 3, 4, 5}));
-  EXPECT_EQ(filled.force_kN, (std::vector<double>{4, 6, 10, 3}));  // by time, not by row
+  EXPECT_EQ(filled.force_kN, (std::vector<double>{4, 6, 10, 3}));  // interpolated over time, not over rows
   EXPECT_TRUE(says(filled.recognised, "2 of 5 rows lack a value, at most 1 in a row: 1 left out, 1 filled"));
 }
 
-// Rows that are left out keep their time.
+// The time of a row that is left out must pass all the same, so later samples keep their times.
 TEST_F(ColumnsTest, RowsWithMissingValuesTakeTime) {
   ReadOptions told;
   told.dt_s = 0.5;

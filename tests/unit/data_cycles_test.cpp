@@ -185,8 +185,8 @@ TEST(Segment, ABlockMayStartTheOtherWay) {
 }
 
 TEST(Segment, TheStrengthOfABlockThatStartsTheOtherWay) {
-  // The second block starts the other way. The force at its first crossing still belongs to the first block's loop, so
-  // the height of the loop there must not enter the strength.
+  // The second block starts in the opposite direction. When its displacement first crosses zero, the force still
+  // belongs to the first block's loop, so this crossing must not count in the strength of the second block.
   auto const properties = Motion().sine(100.0, 0.5, 3).sine(-150.0, 0.5, 3).end().loop(0.6, 25.0).properties();
   for (int const number : {1, 2, 3}) EXPECT_NEAR(properties.find(2, number)->Q_d_kN, 25.0, 0.1) << number;
 }
@@ -215,7 +215,7 @@ TEST(Segment, ASmallLastingChangeOfFrequencyIsABlock) {
       EXPECT_NEAR(*properties.blocks[0].frequency_Hz, 0.5, 0.005);
       EXPECT_NEAR(*properties.blocks[1].frequency_Hz, frequency, 0.005);
     }
-  // No new block may start at a single cycle of another frequency, where periods scatter over about 10 %, or by noise.
+  // A single cycle of another frequency, periods that scatter over about 10 %, and noise must not start a new block.
   auto const odd = Motion().sine(150.0, 0.5, 3).sine(150.0, 0.45, 1).sine(150.0, 0.5, 3).end();
   EXPECT_EQ(counted_per_block(odd.cut()), Counts{7});
   Motion uneven;
@@ -347,8 +347,8 @@ TEST(Segment, ADriftingMiddleStaysCyclic) {
   EXPECT_GE(counted_per_block(cut).at(0), 8);
 }
 
-// Responses of oscillators with periods of 0.5 to 3 s to noise that swells and fades. They are as irregular as
-// responses to earthquakes.
+// The records are responses of oscillators, with periods of 0.5 to 3 s, to noise that swells and fades. Such responses
+// are as irregular as those to earthquakes.
 TEST(Segment, ResponsesToIrregularMotionAreNotCyclic) {
   int cyclic = 0;
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -595,7 +595,8 @@ TEST(HalfCycles, OfASinglePushAreTwo) {
     EXPECT_NEAR(*cycle->period_s, 10.0, 1e-9);
   }
   EXPECT_NEAR(counted[0]->K_eff_kN_per_mm, motion.force_kN[500] / 50.0, 1e-9);
-  // The way back counts as a half cycle only if it reaches the start. If the record ends earlier, its end is no turn.
+  // The way back counts as a half cycle only if it reaches the start. If the record ends earlier, its end does not
+  // count as a turning point.
   EXPECT_EQ(counted_per_block(cut_with_halves(Motion().ramp(0.0, 50.0, 5.0).ramp(50.0, 20.0, 3.0).end(20.0))),
             Counts{1});
 }

@@ -77,7 +77,7 @@ TEST(ErrorBudget, FewSamples) {
   EXPECT_TRUE(find(budget, "samples per cycle")->exceeds);
 }
 
-// The corner of a triangle of 80 samples may lie 2.5 % of the amplitude beyond the largest sample.
+// In a triangular motion with 80 samples a cycle, the corner may lie 2.5 % of the amplitude beyond the largest sample.
 TEST(ErrorBudget, FewSamplesOfATriangle) {
   Motion motion;
   motion.dt_s = 0.025;
@@ -243,7 +243,7 @@ TEST(ErrorBudget, OffsetsDriftAndClosure) {
   EXPECT_TRUE(says(budget_of(drifting).warnings, "force drifts"));
   EXPECT_FALSE(says(budget_of(plain()).warnings, "drifts"));
 
-  auto open = Motion().sine(100.0, 0.5, 0.99);  // stops at -6.3 mm; farther from zero the cycle would be partial
+  auto open = Motion().sine(100.0, 0.5, 0.99);  // stops at -6.3 mm, near enough to zero for a full cycle
   open.end(-4.0).loop();
   EXPECT_TRUE(says(budget_of(open).warnings, "ends -4 mm from where it starts, 2 % of the whole travel"));
 }

@@ -56,7 +56,7 @@ std::string values_of_width(int width, std::vector<double> const& values, int de
   return text + "\n";
 }
 
-// Twelve values, some of which touch the one before, as a format of fixed width allows.
+// Twelve values. When written with a fixed width, some of them follow the one before without a blank.
 std::vector<double> const twelve{1.5, -1234.567, -2345.678, 3.0, 4.25, -5.0, 6.0, 7.0, 8.0, -9.5, 10.0, -11.0};
 
 TEST(GroundMotion, files_of_esm_state_their_step_and_unit) {
@@ -177,7 +177,8 @@ TEST(GroundMotion, columns_are_read_by_the_units_of_their_header) {
   EXPECT_TRUE(contains(complaint(one, keys), "try: step of the keys")) << complaint(one);
 }
 
-// A file without a header is refused until its unit is stated, and its step unless its first column is time.
+// A file without a header is refused until the user states its unit. The user must also state the step of time, unless
+// the first column is time.
 TEST(GroundMotion, rows_without_a_header_are_read_as_the_user_states) {
   std::string one, two, with_two_channels;
   for (int i = 0; i < 20; ++i) {

@@ -56,7 +56,8 @@ TEST_P(Matlab, VectorsByTheirNames) {
   EXPECT_TRUE(says(record.recognised, "4 samples, elements 1 to 4"));
 }
 
-// The times are 2024-05-02 09:00:00 and steps of half a second. A datenum is a spreadsheet's day number plus 693960.
+// The times start at 2024-05-02 09:00:00 and go on in steps of half a second. A datenum is a spreadsheet's day number
+// plus 693960.
 TEST_P(Matlab, DatenumIsReadAsSeconds) {
   double const start = 45414.0 + 693960.0 + 9.0 / 24.0;
   auto const record = read(mat_of([&](MatWriter& w) {
@@ -270,7 +271,8 @@ TEST_F(Mat4, DamagedFilesEndInAMessage) {
   }
 }
 
-// Two-byte integers of a big-endian machine. The header is type 1030, rows, columns, no imaginary part, length of name.
+// The file holds two-byte integers of a big-endian machine. Its header has the type 1030, the numbers of rows and
+// columns, 0 for no imaginary part, and the length of the name.
 TEST_F(Mat4, IntegersOfABigEndianMachine) {
   auto const big = [](std::uint32_t value) {
     std::string bytes;

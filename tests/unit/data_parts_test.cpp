@@ -212,14 +212,14 @@ TEST_F(Parts, DigitsAreGroupedAsTheUserSays) {
       "234\xE2\x80\xAF"
       "567,5\n",
       ' ');
-  // The option also works for a displacement history (a file with one column).
+  // A mark of thousands also works for a displacement history (a file with one column).
   ReadOptions one;
   one.dt_s = 0.1;
   one.thousands = ',';
   EXPECT_EQ(read_motion(write("Displacement [mm]\n1,000.5\n2,000.25\n-1,500\n"), one).disp_mm,
             (std::vector{1000.5, 2000.25, -1500.0}));
-  // The option names the comma as the mark of thousands. Here every number with a comma may be a decimal number too,
-  // and isolaw reads it as one.
+  // The user has stated that the comma marks thousands. But every number with a comma in this file could also be a
+  // decimal number, and isolaw reads it as a decimal number.
   EXPECT_EQ(read_with("1;1,234\n2;2,345\n3;3,456\n", ','), (std::vector{1.234, 2.345, 3.456}));
 }
 

@@ -86,7 +86,7 @@ TEST(Cycles, CutBetweenSamplesAreInterpolated) {
     history.add(x, 3.0 * x - 1.0);
   }
   auto const properties = history.properties();
-  ASSERT_EQ(properties.counted().size(), 2u);  // the first sample, -0.5 mm, is too far from zero to start one
+  ASSERT_EQ(properties.counted().size(), 2u);  // no cycle starts at the first sample: -0.5 mm is too far from zero
   EXPECT_NEAR(nth(properties, 0).first, 0.5, 1e-12);
   EXPECT_NEAR(nth(properties, 0).last, 10.5, 1e-12);
   EXPECT_NEAR(nth(properties, 1).last, 20.5, 1e-12);
@@ -164,7 +164,7 @@ TEST(Cycles, NoiseAndHoldsAboutZeroCutNothing) {
   ASSERT_EQ(properties.counted().size(), 3u);
   EXPECT_EQ(nth(properties, 0).first, 0.0);
   EXPECT_NEAR(nth(properties, 0).last, 500.0, 50.0);
-  // Each cycle has 200 samples of motion. The noisy holds beside it may add to them.
+  // Each cycle has 200 samples of motion. Samples of the noisy holds before and after it may be added to them.
   EXPECT_NEAR(*properties.samples_per_cycle, 250.0, 60.0);
 }
 
@@ -223,7 +223,7 @@ TEST(Cycles, HistoriesThatAreNoTestsDoNotCrash) {
   for (auto const* cycle : properties.complete()) EXPECT_LT(cycle->first, cycle->last);
 }
 
-// A record that gives energy back and has few samples must be reported as giving energy back.
+// This record has two faults: its loops give energy back, and it has few samples. The message must name the energy.
 TEST(Properties, EnergyGivenBackIsSaidBeforeFewSamples) {
   auto const properties = ellipse(12, 3, 100.0, 70.0, -0.3).properties();
   EXPECT_TRUE(properties.refusal_is_of_fault);
@@ -302,7 +302,8 @@ TEST(Properties, AnElasticSpringHasNoIdealisation) {
   EXPECT_FALSE(cycle.period_s || cycle.v_max_mm_s || cycle.N_mean_kN);
 }
 
-// Returns a record with time at 0.5 Hz and with a vertical load of 1000 kN that swings by 30 kN twice a cycle.
+// Returns a record of cycles at 0.5 Hz, with a time column and with a vertical load of 1000 kN that swings by 30 kN
+// twice a cycle.
 TestRecord timed(double (*wave)(double), int samples_per_cycle = 200, double frequency = 0.5) {
   TestRecord record;
   for (int i = 0; i <= 4 * samples_per_cycle; ++i) {

@@ -253,7 +253,7 @@ TEST_F(Refuse, Overloads) {
           rest);
   EXPECT_NE(refusal(loop_with({{10, "-9999"}, {11, "-9999"}})).find("FILE:13: -9999 kN"), std::string::npos);
   EXPECT_NE(refusal(loop_with({{10, "999.9"}})).find("FILE:12: 999.9 kN"), std::string::npos);
-  // The largest of the other forces is 78 kN. More than 50 times this is an overload.
+  // The largest of the other forces is 78 kN. A force of more than 50 times this value is an overload.
   EXPECT_NE(refusal(loop_with({{10, "4321"}})).find("FILE:12: 4321 kN"), std::string::npos);
 }
 
@@ -268,7 +268,7 @@ TEST_F(Refuse, ManyOverloadsAreCounted) {
 TEST_F(Refuse, LegitimateValuesAreNoOverloads) {
   EXPECT_EQ(refusal(loop_with({{10, "999"}}, {.amplitude_mm = 1000.0})), "");  // the other forces reach 776 kN
   EXPECT_EQ(refusal(loop_with({{10, "9999"}}, {.amplitude_mm = 12000.0})), "");
-  // 700 kN is nine times the largest of the other forces. Only more than 50 times would make it an overload.
+  // 700 kN is nine times the largest of the other forces. Only a force of more than 50 times that value is an overload.
   EXPECT_EQ(refusal(loop_with({{10, "700"}})), "");
   std::string held = "Disp [mm];Force [kN]\n";  // a long hold before the test
   for (int i = 0; i < 20000; ++i) held += "0.001;0.01\n";

@@ -42,8 +42,8 @@ std::string text_of(std::vector<SignalFault> const& faults) {
   return text;
 }
 
-// Returns how many samples of a cycle clipping changes on one side. `depth` is the share of the amplitude that it cuts
-// off.
+// Returns how many samples per cycle are changed if clipping cuts off one side of the signal. `depth` is the share of
+// the amplitude that is cut off.
 double samples_beyond(Plan const& plan, double depth) {
   return plan.samples * (plan.waveform == Waveform::triangle ? depth / 2.0 : std::acos(1.0 - depth) / std::numbers::pi);
 }
@@ -194,8 +194,8 @@ TEST(Signals, displacement_clipped_before_its_noise_is_found) {
   EXPECT_GE(100 * (rate.drawn - rate.missed), 95 * rate.drawn) << rate.missed << " of " << rate.drawn;
 }
 
-// The force of these devices hardly rises after yielding, and they go through any motion. Their constant force is true
-// and must not be reported.
+// The force of these devices hardly rises after yielding. Their motion has a random waveform. The constant force is
+// real and must not be reported as a fault.
 TEST(Signals, a_device_that_yields_flat_is_left_alone) {
   auto const rate = rate_of(80000, true, [](Plan& plan, Drawn& random) {
     double const way = plan.amplitude_mm * random.on_logs(0.005, 0.5);

@@ -45,8 +45,8 @@ double misfit(std::vector<double> const& weights, std::vector<double> const& mea
 }
 
 // The record has ninety small cycles and then ten cycles with ten times their amplitude. The measured force equals the
-// displacement. One computed force is a fifth too large in the large cycles, from 90 s on, the other in the small ones.
-// The expected misfits come from another program, for samples every 2.5 ms.
+// displacement. One computed force is a fifth too large in the large cycles, from 90 s on. The other computed force is
+// a fifth too large in the small cycles. The expected misfits come from another program, for samples every 2.5 ms.
 TEST(Swings, WeighTheLargeCyclesOfAnIrregularRecord) {
   auto const h = sampled_motion(0.0025, 100.0, [](double t) { return (t <= 90.0 ? 10.0 : 100.0) * unit_sine(t); });
   auto too_large = h.disp_mm, small_too_large = h.disp_mm;
@@ -122,7 +122,8 @@ TEST(Swings, DoNotCountRest) {
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i].half_range_mm, expected[i].half_range_mm, 1e-9);
-    EXPECT_NEAR(found[i].duration, expected[i].duration, 0.02) << i;  // a sample at each end of the hold is at rest
+    // The samples at both ends of the hold count as rest, so durations may differ by two intervals of 0.01 s.
+    EXPECT_NEAR(found[i].duration, expected[i].duration, 0.02) << i;
   }
   auto const weights = sample_weights(held.disp_mm, held.time_s, Weighting::swing);
   EXPECT_EQ(weights[3000], 0.0);  // at 30 s
@@ -225,9 +226,9 @@ TEST(SwingSizes, DoNotTellWithoutTwoLargeAndFourSmallSwings) {
     return swing_sizes(tests, Weighting::time).shows_larger_swings;
   };
   EXPECT_TRUE(told(5.0, 7.0));
-  EXPECT_FALSE(told(5.0, 5.5));    // one swing of 100 mm
-  EXPECT_FALSE(told(2.0, 7.0));    // three swings of 30 mm
-  EXPECT_FALSE(told(0.0, 7.0));    // one amplitude
+  EXPECT_FALSE(told(5.0, 5.5));    // only one swing of 100 mm
+  EXPECT_FALSE(told(2.0, 7.0));    // only three swings of 30 mm
+  EXPECT_FALSE(told(0.0, 7.0));    // all swings have one amplitude
   EXPECT_FALSE(told(98.0, 99.8));  // the large swings hold less than a twentieth of the time
 }
 
@@ -241,8 +242,8 @@ FitRecord five_cycles(double amplitude_mm) {
   return record;
 }
 
-// Swings of up to 0.7 of the largest displacement are small, the others large. The first test has an amplitude of
-// 0.68 and then of 0.72 of that of the second test. Its swings must be small and then large.
+// Swings of up to 0.7 of the largest displacement are small, the others large. The amplitude of the first test is 0.68
+// times that of the second test, so its swings must be small. With 0.72 times that amplitude, its swings must be large.
 TEST(SwingSizes, PartAtSevenTenthsOfTheLargestDisplacement) {
   for (double const amplitude_mm : {68.0, 72.0}) {
     std::array const tests{five_cycles(amplitude_mm), five_cycles(100.0)};

@@ -9,7 +9,8 @@ namespace isolaw::num {
 struct ElementaryArrays {
   static constexpr std::size_t lanes = 32;  // elements per call
 
-  using Function = void (*)(double const* x, double const* p, double* y);  // p: exponents of the two powers
+  // Only power and vector_power use p, the exponents.
+  using Function = void (*)(double const* x, double const* p, double* y);
   // The functions without vector_ in their names are loops over doubles. The others work on the instruction set's
   // vectors.
   Function exp2, exp, log2, power, vector_exp2, vector_exp, vector_log2, vector_power;

@@ -275,7 +275,7 @@ TEST(JointLimits, WhatCrossesThemIsLeft) {
 }
 
 // With a record, the parameter without an override, K2, has an interval scaled from the record: 0.035 to 0.7. Joint
-// limits hold for this interval too. K1 = 0.01 is therefore refused, because it is below every such K2.
+// limits hold for this interval too. K1 = 0.01 is therefore refused, because it is below every K2 of this interval.
 TEST(JointLimits, HoldForTheBoxOfARecordToo) {
   laws::RecordScales const record{
       .disp = 100.0, .force = 70.0, .stiffness = 0.7, .strength = 20.0, .velocity = 300.0, .work = 1e4};
@@ -307,8 +307,8 @@ struct Published {
   double lower, upper;
 };
 
-// The bounds of Table 4 of the paper, typed by hand. The table lacks bounds for alpha of bouc-wen and a1 of hwang-wu;
-// theirs are from docs/source.md.
+// These are the bounds of Table 4 of Cucuzza et al. 2025, typed by hand. The table lacks bounds for alpha of bouc-wen
+// and a1 of hwang-wu; theirs are from docs/source.md.
 std::map<std::string, std::vector<Published>> const table_4{
     {"bilinear", {{"K1", 1, 1.9}, {"K2", 0.35, 0.95}, {"xy", 30, 80}}},
     {"jankowski",
@@ -668,7 +668,7 @@ TEST(Scales, OfARecordWithoutTimeHaveNoVelocity) {
 // Expects that the record gives every rate-independent law a box that can be searched.
 void expect_usable(data::FitRecord const& record, std::string const& what) {
   for (auto const& law : laws::catalogue()) {
-    if (!law.info.traits.rate_independent) continue;  // these records have no time
+    if (!law.info.traits.rate_independent) continue;  // the other laws need velocities, and these records have no time
     auto const id = law.info.id;
     auto const s = scales_of(record, law.info);
     for (double const value : {s.disp, s.force, s.stiffness, s.strength, s.work}) {

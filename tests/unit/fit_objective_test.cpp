@@ -48,8 +48,8 @@ data::FitRecord sine(int samples_per_cycle = 60) {
   return record;
 }
 
-// For the paper's laws, parameters whose force on sine() is finite and about as large as the record's. For other laws,
-// the middle of the box.
+// Returns parameters of a law. For the laws of the paper, their force on sine() is finite and about as large as the
+// record's. For other laws, they are the middle of the search box.
 Values plausible(laws::LawEntry const& law) {
   if (law.info.id == "bilinear") return {1.5, 0.5, 30.0};
   if (law.info.id == "jankowski") return {3e5, 4e6, 5e6, 4e4, 5e3, 1.2e6, 4.0, 15.0, 5e4, 7e4, 0.4};

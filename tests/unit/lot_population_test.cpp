@@ -302,8 +302,8 @@ TEST(PopulationSample, DoesNotDependOnTheCount) {
   EXPECT_NE(few.values, sample(population, 5, num::Stream(4), limits).values);
 }
 
-// Two variances are equal. A tiny correlation turns the axes by 90 degrees to the one side or the other, depending on
-// its sign. The draws must not turn with the axes.
+// Both parameters have the same variance. A tiny correlation then decides by its sign which of two perpendicular
+// directions is the principal axis of the covariance. The draws must not jump when this axis changes.
 TEST(PopulationSample, DoesNotJumpWhereVariancesCoincide) {
   auto population = estimate_population(two, with(ellipse(3, 3)));
   expect_near(population.covariance, about_the_diagonal(8.0, 8.0), 1e-12);

@@ -13,8 +13,8 @@ namespace isolaw::data::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-// Displacements and forces at fixed intervals of time. Each piece leaves out its last point, where the next piece
-// begins.
+// Holds displacements and forces at fixed intervals of time. Pieces such as a hold, a ramp or a sine are added one
+// after another. Each leaves out its last point, because the next piece begins there.
 struct Motion {
   double dt_s = 0.01;
   std::vector<double> time_s;
@@ -56,7 +56,7 @@ struct Motion {
     return *this;
   }
 
-  // Sets the force to an exponential loop after Vaiana: K x + Q z with dz/d|x| = alpha (sgn(dx) - z).
+  // Sets the force to an exponential loop of Vaiana's law: K x + Q z with dz/d|x| = alpha (sgn(dx) - z).
   Motion& loop(double K = 0.5, double Q = 30.0, double alpha = 0.08) {
     force_kN.clear();
     double z = 0.0, before = disp_mm.front();

@@ -26,7 +26,8 @@ using Arrays = ElementaryArrays;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t samples = 1 << 18, samples_of_bits = 1 << 20;
 
-// Applies a scalar function to each element of an array, one at a time, as other files of the project call it.
+// Applies a scalar function to each element of an array, one at a time, as other files of the project call scalar
+// functions.
 template <double (*function)(double, double)>
 void one_by_one(double const* x, double const* p, double* y) {
   for (std::size_t i = 0; i < Arrays::lanes; ++i) y[i] = function(x[i], p[i]);
@@ -99,7 +100,8 @@ long double ulp_of(long double exact) {
   return std::ldexp(1.0L, std::max(exponent, -1021) - 53);
 }
 
-// Arguments with their exact results. Computing these takes most of the time, so all functions share them.
+// Holds arguments with their exact results. The exact results take most of the test's time, so they are computed once
+// for all variants of a function.
 template <class Exact>
 struct Checked {
   std::vector<double> x;

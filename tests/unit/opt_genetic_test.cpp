@@ -210,7 +210,7 @@ TEST(Genetic, StagnationInTheLastGenerationIsNoEarlyStop) {
   EXPECT_EQ(minimise_genetic(flat(1.0), num::Stream(1), {.generations = 22}).outcome, Outcome::stagnated);
 }
 
-// Returns an objective that falls by 1 % of its start in each generation, whatever the points are.
+// Returns an objective that falls by 1 % of its first value in each generation, whatever the points are.
 FunctionProblem steadily_falling(int& calls) {
   return {2, [&calls](Point) { return 1.0 - 0.01 * (calls++ / 10); }};
 }
@@ -249,9 +249,9 @@ TEST(Genetic, AnInterruptionBeforeTheFirstGenerationFindsNothing) {
 
 // --- problems with known optima ---
 
-// Each tolerance was chosen from searches with 60 random streams. It is two to three times the excess over the minimum
-// within which nine out of ten of these searches end. At the paper's mutation rate of 1 % a search hardly ever finds a
-// better value of a gene than the best of its 100 initial values, so sphere() in six dimensions ends near 1e-3.
+// For each tolerance, searches were made with 60 random streams, and nine of ten ended within a certain excess over the
+// minimum. The tolerance is two to three times this excess. At the paper's mutation rate of 1 % a search hardly ever
+// finds a better value of a gene than the best of its 100 initial values, so sphere() in six dimensions ends near 1e-3.
 // Curved valleys and functions with many local minima need the wide search.
 struct KnownOptimum {
   char const* name;

@@ -40,7 +40,7 @@ TEST(NonDominated, ValuesThatAreNotFiniteNeitherWinNorDominate) {
 }
 
 // The second computation sorts the points by a, then by b. A point is on the front if its b is below the b of every
-// point that comes before it. A point equal to one on the front is on it too.
+// point that comes before it. A point equal to a point of the front is on the front too.
 TEST(NonDominated, AgreesWithASweepOnRandomPoints) {
   num::Draws draws(num::Stream(1), 0, 0);
   for (int repetition = 0; repetition < 50; ++repetition) {

@@ -162,7 +162,7 @@ TEST(Replays, refuse_the_material_that_turns_into_no_number) {
   EXPECT_EQ(realisation.fidelity, Fidelity::exact_in_limit);
   EXPECT_EQ(realisation.forms[0].nominal.id, "material_bouc_wen");
 
-  // At the travel of the test this material still works, but at 1.5 times that travel it would fail.
+  // With this alpha, HystereticAsym still works at the travel of the test, but at 1.5 times that travel it would fail.
   auto const beyond = realise(subject_of("vaiana", vaiana_parameters(0.0, 0.0, 90.0)));
   ASSERT_FALSE(beyond.refused.empty());
   EXPECT_NE(beyond.refused[0].find("1.5 times as far"), std::string::npos) << beyond.refused[0];
@@ -304,8 +304,8 @@ TEST(Sheets, give_the_loops_of_history_integral) {
   EXPECT_NE(other.find("High Damping Rubber Isolator**: not available"), std::string::npos);
 }
 
-// The program also computes the path from zero to the first sample and the turning points between samples. These points
-// do not count in the root mean square.
+// isolaw also computes forces on the path from zero to the first sample and at turning points between samples. These
+// points do not count in the root mean square.
 TEST(Refits, root_mean_square_counts_each_sample_once) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   History const history{.device = "D",
@@ -318,7 +318,7 @@ TEST(Refits, root_mean_square_counts_each_sample_once) {
   double const rms_kN = std::sqrt((4.0 + 1.0 + 0.0) / 3.0);
   EXPECT_NEAR(deviation(history, force, history.law_kN).rms, 100.0 * rms_kN / 12.0, 1e-12);
   EXPECT_NEAR(deviation(history, force, history.measured_kN).rms, 100.0 * rms_kN / 10.0, 1e-12);
-  // The largest deviation is taken over all points that the program computes.
+  // The largest deviation is taken over all points at which isolaw computes forces.
   EXPECT_NEAR(deviation(history, force, history.law_kN).largest, 100.0 * 3.0 / 12.0, 1e-12);
 }
 

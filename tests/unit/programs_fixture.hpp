@@ -59,8 +59,8 @@ inline Subject subject_of(std::string_view law, std::vector<double> parameters, 
 inline std::vector<double> const bilinear_parameters{2.5, 0.4, 18.0};
 inline std::vector<double> const menegotto_pinto_parameters{2.5, 40.0, 0.15, 4.0, 0.925, 0.15};
 inline std::vector<double> const bouc_wen_parameters{0.2, 2.0, 1.3, 0.045, 1.2, 0.02};
-// Kb, f0, alpha, beta1 and beta2, each for loading and unloading, in N and m. The last six parameters, gamma1 to
-// gamma3, are zero, which leaves out the sigmoid of the law.
+// Returns Kb, f0, alpha, beta1 and beta2, each for loading and unloading, in N and m. The last six parameters, gamma1
+// to gamma3, are zero, which leaves out the sigmoid of the law.
 inline std::vector<double> vaiana_parameters(double beta1 = 0.0, double beta2 = 0.0, double alpha = 60.0) {
   return {6e5, 6e5, 25e3, 25e3, alpha, alpha, beta1, beta1, beta2, beta2, 0, 0, 0, 0, 0, 0};
 }

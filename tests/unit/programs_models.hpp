@@ -17,7 +17,8 @@ inline data::GroundMotion shaking(double amplitude_mm_s2, double step_s = 0.01, 
 
 inline constexpr double carried_kN = 588.4;  // load on one isolator, which gives a period near two seconds
 
-// Returns isolators at the corners of a rectangle. The two isolators at the larger y carry more by the share `heavier`.
+// Returns isolators at the corners of a rectangle. The two isolators at the larger y carry a load that is larger by the
+// share `heavier`.
 inline Model four(double amplitude_mm_s2, double heavier = 0.0) {
   Model model;
   model.layout = "made here";

@@ -13,7 +13,7 @@
 namespace isolaw::programs_test {
 namespace {
 
-// The columns of a file of results, each under its name in the header without the unit.
+// Holds the columns of a file of results. The key of a column is its name in the header, without the unit.
 using Table = std::map<std::string, std::vector<double>>;
 
 Table table_of(std::string const& csv) {
@@ -285,8 +285,9 @@ TEST_F(ModelInOpenSees, draws_are_analyses_of_their_own) {
   EXPECT_TRUE(contains(read("printed"), "\nlargest ")) << read("printed");
 }
 
-// Draws have the parameters of the law along one direction. Where the campaign has fitted springs, the file must not
-// ask for such a fit.
+// A law without a two-dimensional form becomes a set of springs. The campaign may have fitted parameters to such
+// springs, but draws always have parameters of the law in one direction. The exported file must say this and not ask
+// for a fit of springs that is there already.
 TEST(OpenSeesPyModel, of_draws_does_not_ask_for_springs_that_are_fitted) {
   std::vector<double> const parameters{60.0, 0.6, 10.0, 0.0, 20.0, 0.05};
   auto subject = subject_of("power-masing", parameters);
@@ -294,7 +295,7 @@ TEST(OpenSeesPyModel, of_draws_does_not_ask_for_springs_that_are_fitted) {
   model.motions.push_back(shaking(450.0));
   subject.model = model;
   auto realisation = realise(subject);
-  // The file's text as one line, without the # at the start of comment lines.
+  // Returns the file's text as one line, without the # at the start of comment lines.
   auto const text = [&] {
     std::istringstream words(openseespy_model(subject, realisation, unit_systems[0]));
     std::string all;

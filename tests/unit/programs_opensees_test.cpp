@@ -81,7 +81,7 @@ TEST_F(OpenSees, arguments_are_refused_where_the_program_refuses_them) {
   }
 }
 
-// The displacement of a mass on the bearing and the force of the bearing at each step of Newmark's rule.
+// Holds the displacement of a mass on the bearing and the force of the bearing at each step of Newmark's rule.
 struct Response {
   std::vector<double> disp, force;
 };
@@ -157,8 +157,8 @@ TEST_F(InTime, elements_give_the_force_of_the_replay) {
   }
 }
 
-// If a material of OpenSees stands for a law, isolaw states how far the device may travel with it. Up to there OpenSees
-// must give finite forces.
+// If isolaw exports a law as a material of OpenSees, it states how far the device may travel. Up to this travel
+// OpenSees must give finite forces.
 TEST_F(OpenSees, travel_that_is_claimed_is_stood) {
   for (double const beta1 : {0.0, 50.0, 800.0, 6000.0, -50.0, -800.0})
     for (double const alpha : {40.0, 60.0, 140.0}) {

@@ -1,5 +1,5 @@
-// Tests what an export says of the response of a building with a re-fit: a rigid mass on a bearing with the law and
-// with another law in its place.
+// If an export replaces a law by another law that was fitted to it, isolaw compares the response of a rigid mass on a
+// bearing with either law. These tests check what the export says about this comparison.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ TEST(Responses, without_a_motion_reach_the_tested_displacement_under_the_artific
   }
 }
 
-// Under a sudden ground acceleration a the displacement of a spring k with the mass m has the peak 2 m a/k, and the
-// force the peak 2 m a, whatever k is.
+// If the ground acceleration jumps from 0 to a and stays there, a mass m on a spring k moves by at most 2 m a/k. The
+// largest force is 2 m a, whatever k is.
 TEST(Responses, of_springs_are_those_of_the_closed_form) {
   auto subject = subject_of("bilinear", spring(1.0));
   constexpr double acceleration = 500.0;

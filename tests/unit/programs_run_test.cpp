@@ -48,9 +48,9 @@ TEST_F(Folder, headers_are_the_laws) {
       masing.push_back(law.info.traits.masing);
     }
   }
-  // At each point the program first tries displacements and velocities on both sides, which must change no state. Then
-  // it computes the point in the material and in a copy. Last it loads the committed state into another material and
-  // makes trials with that material at rest. The next point is computed in the other material.
+  // At each point the compiled program first tries displacements and velocities on both sides, which must change no
+  // state. Then it computes the point in the material and in a copy. Last it loads the committed state into another
+  // material and makes trials with that material at rest. The next point is computed in the other material.
   std::string motion;
   for (std::size_t i = 0; i < history.disp_mm.size(); ++i)
     motion += fmt::format("  {{{}, {}}},\n", history.disp_mm[i] / 1e3, history.vel_mm_s[i] / 1e3);
@@ -331,7 +331,7 @@ node = fix = pattern = sp = constraints = numberer = system = algorithm = integr
 )text";
 
 TEST_F(Folder, python_scripts_check_themselves) {
-  // isolaw itself does not need this interpreter; `./isolaw.sh test` installs it.
+  // isolaw itself does not need python3; `./isolaw.sh test` installs it.
   if (!has("python3")) GTEST_SKIP() << "no python3 (isolaw.sh installs it): the script cannot be run";
   write("openseespy/__init__.py", "");
   write("openseespy/opensees.py", python_stub);
@@ -485,7 +485,7 @@ TEST_F(Folder, files_of_one_name_that_differ_are_refused) {
 }
 
 TEST_F(Folder, tcl_scripts_check_themselves) {
-  // isolaw itself does not need this interpreter; `./isolaw.sh test` installs it.
+  // isolaw itself does not need tclsh; `./isolaw.sh test` installs it.
   if (!has("tclsh")) GTEST_SKIP() << "no tclsh (isolaw.sh installs tcl): the script cannot be run";
   write("stub.tcl", tcl_stub);
   auto const check = [&](Subject const& subject, UnitSystem const& units, bool good) {

@@ -130,8 +130,8 @@ TEST(StepsNeeded, AreTheFewestThatKeepTheEnergy) {
 }
 
 // Two rigid-plastic springs of strength Q, at right angles, follow a circle of radius A. Both act with Q, so their
-// joint force reaches sqrt(2) Q. In a turn each spring dissipates 4 Q A; one bearing whose force Q follows the motion
-// dissipates 2 pi Q A.
+// joint force reaches sqrt(2) Q. In one round of the circle each spring dissipates 4 Q A; one bearing whose force Q
+// follows the motion dissipates 2 pi Q A.
 TEST(TwoSpringsForOne, OfAPlasticLawAreThoseOfItsClosedForm) {
   auto const found = two_springs(subject_of("bilinear", {2000.0, 1e-9, 0.02}));
   ASSERT_TRUE(found);

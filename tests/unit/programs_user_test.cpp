@@ -115,7 +115,8 @@ TEST_F(Folder, checks_in_cpp_find_every_changed_parameter) {
       }
       ASSERT_GE(of_law.size(), all[k].subject.parameters.size());
       file.replace(file.find("int main()"), 10, fmt::format("int check_{}()", k));
-      // A check of the element defines functions of Abaqus, here one for each law.
+      // The check of each element defines stand-ins for two functions of Abaqus. All checks are compiled together, so
+      // the number of the law is added to the names of these functions.
       for (std::string const function : {"xit, XIT", "stdb_abqerr, STDB_ABQERR"})
         for (auto at = file.find(function); at != std::string::npos; at = file.find(function, at + function.size()))
           file.insert(file.find(',', at), fmt::format("_{}", k));
@@ -222,9 +223,9 @@ TEST_F(OpenSeesMaterial, refuses_a_step_without_a_finite_tangent) {
   EXPECT_EQ(read("printed"), "");
 }
 
-// From its start at zero, the force of power-masing and others grows with a power of the displacement below 1, so the
-// slope there has no bound, and the exported file must warn of this, although their tangents are limited. The first
-// slope of jankowski is negative with these parameters, but bounded.
+// From its start at zero, the force of power-masing and some other laws grows as |x|^g with g < 1, so the slope at zero
+// has no bound. The exported file must warn of this, although it limits its tangents. The first slope of jankowski is
+// negative with these parameters, but bounded.
 TEST_F(OpenSeesMaterial, warns_of_a_first_motion_without_a_bounded_slope) {
   for (auto const& [id, steep] : {std::pair("power-scragging", true),
                                   {"power-masing", true},
@@ -518,9 +519,9 @@ int main() {
   EXPECT_EQ(read("printed"), "1 1 1 1 1 1 ");
 }
 
-// In a free vibration each turning point lies within the previous ones. The number of variables that the file asks for
-// must hold all that the law remembers of any motion. Where a user states fewer, the element must stop with a message
-// that says what to raise.
+// In a free vibration each turning point lies within the previous ones. The state variables that the exported file asks
+// for must be enough for all that the law remembers of any motion. If a user states fewer, the element must stop with a
+// message that says which number to raise.
 TEST_F(AbaqusElement, remembers_any_free_vibration_and_stops_where_there_are_too_few_variables) {
   for (std::string_view const id : {"ramberg-osgood", "kikuchi-aiken"}) {
     auto const& law = laws::find_law(id);

@@ -415,7 +415,7 @@ TEST(Figures, ALawThatRunsAwayLeavesTheOthersTheirScale) {
 
 // --- drawings by gnuplot ---
 
-// Names that a script, a shell, gnuplot's markup or a file system could misread.
+// These are names that a script, a shell, gnuplot's markup or a file system could misread.
 std::vector<std::string> const hostile{"it's `touch drawn_by_a_name`; set output", "a/b\\c\n\"d\"  #e",
                                        "</text><script>alert(1)</script> _^@&~{}"};
 

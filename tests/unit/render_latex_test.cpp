@@ -44,7 +44,7 @@ bool is_row(std::string const& line) {
   return line.ends_with("\\\\") || line.ends_with("\\\\*");
 }
 
-// Every { must be closed and every $ paired. Escaped ones do not count.
+// Every { must be closed and every $ paired. Characters after a backslash do not count.
 void expect_balanced(std::string const& text) {
   int depth = 0, dollars = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -374,7 +374,8 @@ TEST(Stability, ComparesCyclesWithOneAnother) {
   tested.cycles[9] = cycle(10, 0.749);
   tested.cycles[0] = cycle(1, 1.26);
   for (auto const& line : lines()) EXPECT_EQ(line.verdict, Verdict::fail) << line.formula;
-  // A property that grows fails a limit on its change, but not one on its loss.
+  // A property that grows by more than a limit fails if the limit is on its change, but not if the limit is on its
+  // loss.
   tested.cycles[9] = cycle(10, 1.3);
   tested.cycles[0] = cycle(1, 0.5);
   EXPECT_NEAR(*lines()[1].value, 30.0, 1e-9);

@@ -76,7 +76,8 @@ TEST(BuiltInRules, NtcIsTable_11_9_IV) {
   EXPECT_EQ(set.mean_analysis->within_percent, 20);
 }
 
-// The columns ageing, temperature and test frequency have 20 % in the rows K_e and xi_e, and nothing in the row K_v.
+// Table 11.9.IV of NTC 2018 limits the effects of ageing, temperature and test frequency to 20 % for K_e and xi_e. It
+// sets no limit for K_v.
 TEST(BuiltInRules, NtcLimitsTheDependenceOnAgeingTemperatureAndFrequency) {
   auto const set = find_rule_set("ntc-2018");
   std::set<std::pair<std::string_view, std::string_view>> limited;

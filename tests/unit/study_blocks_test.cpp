@@ -1,5 +1,5 @@
-// Tests on which block of a record the verdict rests. It must not rest on a faulty block or on one in which the device
-// has lost its force.
+// Tests which block of a record decides the verdict on a device. A faulty block, or one in which the device has lost
+// its force, must not decide it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

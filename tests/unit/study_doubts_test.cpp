@@ -257,8 +257,8 @@ TEST(Doubts, OfDegradationAreOfTheLawAlone) {
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "--fit-cycles"));
 }
 
-// A user who takes a law from the campaign must get the doubts of the recommendation about it, and learn that no law is
-// recommended.
+// A user who takes a law from the campaign must see the doubts that the recommendation states about this law, and learn
+// that no law is recommended.
 TEST(Doubts, RepeatThoseOfTheAnswer) {
   auto summary = fixture::lot();
   EXPECT_FALSE(contains(doubts_of(summary, "bilinear", "D1"), "the design asks for"));

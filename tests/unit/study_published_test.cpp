@@ -78,7 +78,7 @@ TEST(Published, ItsOwnNumbersAreFoundAgain) {
   auto const comparison = published(campaign_of_table());
   ASSERT_TRUE(comparison);
   ASSERT_EQ(comparison->laws.size(), 6u);
-  // The mean objective and the beta of each law of the printed table, computed without this program.
+  // The mean objective and the beta of each law of the printed table, computed without isolaw.
   std::map<int, std::pair<double, double>> const expected{{1, {0.137, 0.1421}}, {2, {0.079, 0.3030}},
                                                           {3, {0.088, 0.2164}}, {4, {0.089, 0.2171}},
                                                           {5, {0.085, 0.2590}}, {6, {0.117, 0.3341}}};

@@ -1,5 +1,6 @@
-// Tests the range test, which tries each law in the cycles of a building. These may be larger and faster than the
-// cycles of the tests. A law whose force is implausible there is refused; a law that passes is called sane.
+// Tests the range test, which tries each law in cycles as large and as fast as those of a building. Such cycles may go
+// beyond those of the laboratory tests. A law whose force is implausible in them is refused; a law that passes is
+// called sane.
 #include "isolaw/study/range_test.hpp"
 
 #include <gtest/gtest.h>

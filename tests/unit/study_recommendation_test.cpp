@@ -295,8 +295,8 @@ TEST(Recommendation, TakesBlocksOfLargerAmplitudeForLargerSwings) {
   EXPECT_NEAR(*recommendation(summary)->standings.front().error, 0.04, 1e-12);
 }
 
-// The range must be that of the five laws of least error that are not ruled out. Law 1 is ruled out here, and law 6 has
-// the largest error.
+// The recommendation states the range of stiffness and energy over several laws. These must be the five laws of least
+// error that are not ruled out. Law 1 is ruled out here, and law 6 has the largest error.
 TEST(Recommendation, SaysHowFarTheBestLawsDisagree) {
   std::vector<Law> laws;
   for (int i = 0; i < 7; ++i) laws.push_back({"law" + std::to_string(i), {0.03 + 0.01 * i}});

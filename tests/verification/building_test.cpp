@@ -112,7 +112,8 @@ Model rigid_mass(double mass_Mg) {
   return {Structure({.base = {.mass_Mg = mass_Mg, .gyration_mm = 1000.0}, .floors = {}}), {.bearings = {{0.0, 0.0}}}};
 }
 
-// Chopra, Dynamics of Structures, 4th edition, examples 5.3, 5.5 and 5.6: units kip, in, s, printed to four decimals.
+// The expected values are those of examples 5.3, 5.5 and 5.6 in Chopra, Dynamics of Structures, 4th edition. They are
+// in kip, in and s and printed to four decimals.
 TEST(Building, chopra_average_acceleration) {
   double const mass = 0.2533, k = 10.0, c = 2.0 * 0.05 * std::sqrt(k * mass);
   Motion motion{.name = "half sine", .step_s = 0.1, .x_mm_s2 = {}};

@@ -76,8 +76,8 @@ TEST(ClosedForm, MenegottoPintoBranches) {
 // Without the exponential and sigmoid terms the force approaches the limit curves kb x +- f0 as exp(-alpha travel).
 // Then K_eff = kb + f0 tanh(alpha D) / D, and the energy is 4 f0 [D - tanh(alpha D) / alpha]. With kb 0.6 kN/mm, f0 25
 // kN, alpha 0.08 / mm and D 150 mm they are 0.766667 kN/mm and 13750.00 kN mm, rounded to the last printed digit. The
-// first loop does not close by 2 f0 exp(-2 alpha D) = 2e-9 kN. With samples h apart the trapezoidal rule errs by 2 f0
-// alpha h^2 / 6 = 1e-3 kN mm in all.
+// first loop stays open by 2 f0 exp(-2 alpha D) = 2e-9 kN. With samples h apart the trapezoidal rule errs by 2 f0 alpha
+// h^2 / 6 = 1e-3 kN mm in all.
 TEST(ClosedForm, VaianaLoop) {
   double const kb = 0.6, f0 = 25.0, alpha = 0.08, D = 150.0;
   constexpr int steps = 8000;
@@ -172,7 +172,7 @@ TEST(ClosedForm, BoucWenWithExponentOne) {
 
 // With gamma far above beta, unloading from saturation starts at the small slope A (1 + kappa), where kappa = (beta -
 // gamma) / (beta + gamma) is near -1. z therefore leaves saturation slowly, and an error made at the start is
-// multiplied by up to 1 / (1 + kappa). The tolerance contains this factor. The search box that the program makes from a
+// multiplied by up to 1 / (1 + kappa). The tolerance contains this factor. The search box that isolaw makes from a
 // record's sizes allows gamma = 1200 beta.
 TEST(ClosedForm, BoucWenThatHardlyUnloads) {
   for (double const ratio : {5.0, 20.0, 200.0, 1000.0}) {

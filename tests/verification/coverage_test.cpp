@@ -1,8 +1,8 @@
 // Tests the coverage of the 95 % confidence intervals. The forces of a law with known parameters make a record, and
-// adding noise to it gives a hundred records. For all parameters that the program calls determined, the test counts how
-// many intervals hold the true value. The share must lie between 90 and 99 %, for two laws with correlated noise
-// between 86 and 99 %; docs/analysis.md has the shares found. With fewer than a hundred records these bounds are wider
-// by one standard error of the share.
+// adding noise to it gives a hundred records. For all parameters that isolaw calls determined, the test counts how many
+// intervals hold the true value. The share must lie between 90 and 99 %, for two laws with correlated noise between 86
+// and 99 %; docs/analysis.md has the shares found. With fewer than a hundred records these bounds are wider by one
+// standard error of the share.
 #include <gtest/gtest.h>
 
 #include <algorithm>

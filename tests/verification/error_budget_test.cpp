@@ -62,8 +62,8 @@ Cycle measured(Loop const& loop, int samples, double late_s = 0.0, double start 
     disp.push_back(D * std::sin(phase));
     force.push_back(loop(phase - 2.0 * pi * f * late_s));
   }
-  // The program reports no cycle that returns energy. The test wants the properties of such a cycle too, because a
-  // force channel that is late can make a slim loop return energy.
+  // isolaw reports no cycle that returns energy. The test wants the properties of such a cycle too, because a force
+  // channel that is late can make a slim loop return energy.
   return *cyclic_properties(CycleView{disp, force, time, {}}).find(1, 3);
 }
 
@@ -85,8 +85,8 @@ TEST_P(Sampling, MissesThePeakBetweenSamples) {
 }
 
 // A bilinear loop has corners between samples, which cost about as much energy as the curvature of an ellipse does. An
-// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. Neither
-// loses twice the share of its energy that an ellipse loses.
+// exponential loop bends within two lengths 1 / alpha = 12.5 mm after a reversal, where samples are dense. Both lose
+// less than twice the share of energy that an ellipse loses.
 TEST_P(Sampling, OfABilinearLoop) {
   int const N = GetParam();
   auto const cycle = measured(bilinear(), N);
@@ -103,9 +103,9 @@ TEST_P(Sampling, OfAnExponentialLoop) {
   EXPECT_LT(std::abs(100.0 * (1.0 - cycle.energy_kN_mm / exact)), 2.0 * energy_loss_percent(N));
 }
 
-// A rigid-plastic device in a triangle: its loop has four corners, two of them at the peaks. Whether a sample lies on a
-// peak or the peak lies halfway between two samples, the loop loses the share 2 / N of its area. In the second case the
-// peak is missed by the same share.
+// A rigid-plastic device under a triangular motion has a loop with four corners, two of them at the peaks. Whether a
+// sample lies on a peak or the peak lies halfway between two samples, the loop loses the share 2 / N of its area. In
+// the second case the peak is missed by the same share.
 TEST_P(Sampling, OfATriangleLosesItsCorners) {
   int const N = GetParam();
   for (double const start : {0.0, 0.5}) {

@@ -36,7 +36,7 @@ double later(Beyond& flow, double u, double travel) {
 constexpr double exponents[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.1, 1.25, 1.5, 2.0, 2.5, 3.0};
 
 // Bouc-Wen's kappa = (beta - gamma) / (beta + gamma) is -0.5 to 0.5 in the published box, and -0.998 to 0.998 in the
-// box that the program makes from a record's sizes.
+// box that isolaw makes from a record's sizes.
 constexpr double kappas[] = {-0.99, -0.9, -0.75, -0.5, 0.0, 1.0, 3.0};
 
 // Only abe uses the flow beyond saturation, |u| > 1. For abe kappa is 1, and n is at most 1 in any search box.
@@ -136,8 +136,8 @@ TEST(SaturatingFlow, FollowsTheEquationFromBelowSaturation) {
   }
 }
 
-// Only for abe may u start below -1, where saturating_flow.hpp uses a table if |u| exceeds 3. The tolerance is relative
-// to the rate at u = -50, 1 + 50^n.
+// abe is the only law for which u may start below -1. If |u| exceeds 3, saturating_flow.hpp uses a table. The tolerance
+// is relative to the rate at u = -50, 1 + 50^n.
 TEST(SaturatingFlow, FollowsTheEquationFromFarBelowToo) {
   auto places = rising_places;
   places.insert(places.begin(), {-50.0, -20.0, -7.0, -2.0});

@@ -112,7 +112,7 @@ TEST(Ozdemir, TheTermOfAlloysIsElastic) {
 }
 
 // For other programs, `export` writes an ozdemir law as a bouc-wen law. This bouc-wen law must give the same forces. An
-// ozdemir law with the term of alloys has no such form.
+// ozdemir law with the term for superelastic alloys cannot be written as a bouc-wen law.
 TEST(Ozdemir, IsBoucWen) {
   auto const x = through(corners, 7);
   auto const path = laws::make_path(x, {});

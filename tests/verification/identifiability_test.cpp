@@ -1,5 +1,5 @@
-// The program decides which parameters a record determines. The right answer is known in four cases: a redundant
-// parameter, a parameter without effect, a true value outside the box, and a record that determines everything.
+// isolaw decides which parameters a record determines. The right answer is known in four cases: a redundant parameter,
+// a parameter without effect, a true value outside the box, and a record that determines everything.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,9 +162,9 @@ double force_change(fit::LawOnRecord const& model, std::vector<double> const& fr
 }
 
 // A sentence on a trade-off says by how many percent its parameters may change together, and how little the force then
-// changes. If they change so, the force must change by little more than the sentence says, even if some parameters are
-// negative. The sentence leaves out parameters that take little part in the trade-off. Their absence may add a tenth of
-// the change that the first parameter causes alone.
+// changes. If the parameters change together like this, the force must change by little more than the sentence says,
+// even if some parameters are negative. The sentence leaves out parameters that take little part in the trade-off.
+// Their absence may add a tenth of the change that the first parameter causes alone.
 TEST(Identifiability, ATradeOffHoldsForParametersOfEitherSign) {
   struct Case {
     std::string law;

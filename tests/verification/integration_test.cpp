@@ -2,7 +2,7 @@
 // of a measured bearing. The objective may differ by at most 1e-4 from the objective with 20 times finer steps, at
 // random parameter sets of the box and at the best set that a search finds. The `paper` integration must be one
 // classical Runge-Kutta step per sample, which this file computes from the printed equations. No expected value comes
-// from an earlier run of the program.
+// from an earlier run of isolaw.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>  // for mkdtemp
@@ -34,8 +34,8 @@ constexpr double rare = 0.05;  // permitted share of infinite objectives among r
 
 using Values = std::vector<double>;
 
-// Computes the objective of Eq. (27) without the library: forces in kN, trapezoidal rule, standard deviation with
-// divisor n.
+// Computes the objective of Eq. (27) without isolaw's library, by the trapezoidal rule. Forces are in kN, and the
+// standard deviation has the divisor n.
 double objective(data::FitRecord const& record, Values const& computed) {
   auto const& measured = record.force_kN;
   double mean = 0.0, square = 0.0, integral = 0.0;

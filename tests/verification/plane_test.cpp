@@ -211,8 +211,8 @@ TEST(PlaneLaws, bouc_wen_of_any_sharpness_follows_its_differential_form) {
     }
 }
 
-// Bouc-Wen with the absolute value of each component, as some programs have it, is not isotropic: its forces change if
-// motion and axes are turned. docs/bidirectional.md quotes these numbers.
+// Some programs write Bouc-Wen's equation with the absolute value of each component. This form is not isotropic: its
+// forces change if motion and axes are turned. docs/bidirectional.md quotes these numbers.
 TEST(PlaneLaws, the_form_in_components_turns_with_the_axes) {
   constexpr int samples = 10000;
   auto const force = [&](double angle, double beta, bool in_components) {

@@ -171,7 +171,7 @@ struct Recovered {
   Vector true_mean, drawn_mean, mean;
   Matrix true_covariance, drawn_covariance;
   // S is the covariance of the estimates, C is the mean covariance of the errors of the fits, and `covariance` is the
-  // population's as estimated from the tests.
+  // covariance of the population as estimated from the tests.
   Matrix covariance, S, C;
   Population population;
 };
@@ -263,7 +263,7 @@ TEST_P(PopulationRecovery, GivesMeanAndCovarianceBack) {
 // with n m degrees of freedom. C itself is about a tenth too large, because the kernel estimates the density of the
 // residuals at zero, f(0), too low by half the square of its relative width, and C varies as 1/f(0)^2. For any t, the
 // largest eigenvalue of C^-1 S exceeds (1 + root(n / m) + t / root(m))^2 with probability exp(-t^2 / 2) at most
-// (Davidson and Szarek 2001, Theorem II.13). The program takes the part of an eigenvalue above 1 for scatter between
+// (Davidson and Szarek 2001, Theorem II.13). isolaw takes the part of an eigenvalue above 1 for scatter between
 // devices, so this limits the scatter that it may find.
 TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
   auto const& lot = lots[GetParam()];
@@ -282,7 +282,7 @@ TEST_P(PopulationRecovery, OfEqualDevicesFindsNoMoreThanTheErrorsOfTheFits) {
 }
 
 // With ten times the noise the errors of the fits are as large as the scatter between devices or larger. The covariance
-// of the estimates is then the sum of the population's and of the errors'.
+// of the estimates is then the sum of two covariances, that of the population and that of the errors.
 TEST_P(PopulationRecovery, AccountsForErrorsAsLargeAsTheScatter) {
   auto const& lot = lots[GetParam()];
   auto const found = recover(lot, 0.025, 0.10);

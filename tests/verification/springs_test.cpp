@@ -45,7 +45,7 @@ Walked walked(Springs springs, std::vector<Vector<double>> const& path, std::siz
 TEST(Springs, strength_depends_on_the_angle_by_so_much) {
   struct Expected {
     int springs;
-    double anisotropy;  // strongest over weakest direction less 1, in percent
+    double anisotropy;  // by how many percent the strongest direction exceeds the weakest
   };
   for (auto const& e : {Expected{8, 1.96}, Expected{16, 0.48}, Expected{32, 0.12}}) {
     double least = std::numeric_limits<double>::infinity(), most = 0.0;

@@ -1,6 +1,6 @@
-// Twin experiments: a law makes a record from random parameters of its automatic box and is fitted to that record.
-// Every search must reproduce the record, with an objective below 1e-9. Parameters that the program calls determined
-// must equal the true ones within 0.1 %. The others may differ if the forces are the same.
+// Twin experiments: a law makes a record from random parameters in the search box that isolaw chooses for it and is
+// fitted to that record. Every search must reproduce the record, with an objective below 1e-9. Parameters that isolaw
+// calls determined must equal the true ones within 0.1 %. The others may differ if the forces are the same.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -123,8 +123,8 @@ class UniaxialMaterial : public Material {
   virtual UniaxialMaterial* getCopy(SectionForceDeformation*) { return getCopy(); }
 };
 
-// The words after the name of a command. If `python` is set, OPS_GetString() refuses a number, as OpenSees does when it
-// is called from Python.
+// `words` holds the words after the name of a command. If `python` is set, OPS_GetString() refuses a number, as
+// OpenSees does when it is called from Python.
 inline std::vector<std::string> words;
 inline std::size_t next_word = 0;
 inline bool python = false;
