@@ -16,7 +16,7 @@ inline constexpr Result<PublishedLaw> published_law_results[]{
     {"number", "", "law of the study", "number of the law in the study, 1 to 6", get<&PublishedLaw::number>},
     {"law", "", "law", "id of the law; `abe` and `abe-y0` are two readings of law 5", get<&PublishedLaw::law>},
     {"compared", "", "",
-     "true: the campaign has this law, and `published.statements` are judged by it; of two readings of a law only the closer one is compared",
+     "true: the campaign has this law, and `published.statements` are judged by it; if it has both readings of law 5, only `abe-y0` is compared",
      get<&PublishedLaw::compared>},
     {"objective", "-", "OF", "objective in this campaign, mean over the devices",
      of_side<&PublishedLaw::computed, &PublishedNumbers::objective>},
