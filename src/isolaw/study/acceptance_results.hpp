@@ -71,7 +71,7 @@ inline constexpr Result<rules::LotQuantity> quantity_results[]{
     {"deviation_of_mean_percent", "%", "deviation of the mean", "deviation of `mean` from the design value",
      get<&rules::LotQuantity::mean_deviation_percent>},
     {"worst_deviation_percent", "%", "worst deviation",
-     "deviation from the design value of the device that is farthest from it",
+     "deviation of a device from the design value: that of the device farthest from it",
      get<&rules::LotQuantity::worst_deviation_percent>},
     {"worst_device", "", "worst device", "the device that is farthest from the design value; empty if there is none",
      get<&rules::LotQuantity::worst_device>},

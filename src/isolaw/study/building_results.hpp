@@ -33,7 +33,7 @@ inline constexpr Result<building::Distribution> distribution_results[]{
      "how uncertain the median of the draws is, because the lot is known from few tests: a standard deviation of ln(median)",
      get<&building::Distribution::uncertain_std_ln>},
     {"histogram", "", "",
-     "histogram of the draws that have finite numbers: `from`, where its first bin begins; `width` of a bin; `counts`, the number of draws in each bin. Null if no draw has",
+     "histogram of the draws that have finite numbers: `from`, where its first bin begins; `width` of a bin; `counts`, the number of draws in each bin. Null if no draw has finite numbers",
      nested<building::Distribution>},
     {"by_motion", "", "", "for each motion: the response of the nominal building and the fractiles of the draws",
      nested<building::Distribution>},
