@@ -87,7 +87,7 @@ std::string table(std::filesystem::path const& campaign, std::string_view device
     auto const itself = refused(subject, "cpp", reasons) ? "refused" : "exact";
     text += fmt::format("| `{}` | {} | {} | {} |\n", law.id, script, sheet, itself);
   }
-  return reasons.empty() ? text : fmt::format("{}\nThe reasons of refusals:\n\n{}", text, reasons);
+  return reasons.empty() ? text : fmt::format("{}\nThe reasons for refusals:\n\n{}", text, reasons);
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ TEST_F(Analysis, a_law_that_cannot_predict_is_refused_unless_asked_for_anyway) {
   // OpenSees has no hwang-wu, so the export fits the nearest material, which is also far off at 100 mm.
   auto const script = isolaw(commands[0] + Words{"--anyway"});
   EXPECT_TRUE(contains(script.err, "taken because of --anyway, although uniaxialMaterial BoucWen"));
-  EXPECT_TRUE(contains(script.err, ", the nearest there is, is far off: largest "));
+  EXPECT_TRUE(contains(script.err, ", the closest material of the program, is far off the law: largest "));
   EXPECT_TRUE(contains(script.out, "# Far off: "));
   EXPECT_TRUE(contains(isolaw(commands[3] + Words{"--anyway"}).out, "FAR OFF, "));
   auto const form = Json::parse(isolaw(commands[5] + Words{"--anyway"}).out);

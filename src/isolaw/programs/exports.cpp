@@ -26,16 +26,16 @@ Realisation realised(Subject const& subject, Remarks& remarks) {
                  .allowed = "a law that the program's materials can give",
                  .advice = std::string(the_law_itself)});
   if (auto const& form = realisation.forms.front(); far_off(form.from_law))
-    remarks.objections.push_back(
-        fmt::format("{}, the nearest there is, is far off: {}", form.nominal.title, deviation_text(form.from_law)));
+    remarks.objections.push_back(fmt::format("{}, the closest material of the program, is far off the law: {}",
+                                             form.nominal.title, deviation_text(form.from_law)));
   else if (far_off(form.other_cycles))
-    remarks.objections.push_back(
-        fmt::format("{}, the nearest there is, is more than {:.0f} % off away from the tests: {}", form.nominal.title,
-                    other_cycle_far_off_percent, text(form.other_cycles)));
+    remarks.objections.push_back(fmt::format(
+        "{}, the closest material of the program, is more than {:.0f} % off the law in cycles that were not tested: {}",
+        form.nominal.title, other_cycle_far_off_percent, text(form.other_cycles)));
   else if (realisation.fidelity == Fidelity::refitted)
-    remarks.cautions.push_back(fmt::format(
-        "{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
-        needs_warning(form.other_cycles) ? "; at other amplitudes: " + text(form.other_cycles) : std::string()));
+    remarks.cautions.push_back(
+        fmt::format("{} replaces the law, off by: {}{}", form.nominal.title, deviation_text(form.from_law),
+                    needs_warning(form.other_cycles) ? "; " + text(form.other_cycles) : std::string()));
   remarks.add(realisation.response, subject);
   return realisation;
 }
@@ -45,7 +45,7 @@ Realisation realised_model(Subject const& subject, Remarks& remarks) {
   auto const worst = add_draws(realisation, subject);
   if (far_off(worst) && !far_off(realisation.forms.front().from_law))
     remarks.objections.push_back(
-        fmt::format("of the draws, the worst is far off its own law: {}", deviation_text(worst)));
+        fmt::format("the worst of the draws is far off its own law: {}", deviation_text(worst)));
   return realisation;
 }
 

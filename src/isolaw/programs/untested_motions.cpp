@@ -72,7 +72,10 @@ Fall steepest_fall(Cycle const& cycle, double beyond_mm) {
 }
 
 std::string share_text(double share) {
-  return share == 0.25 ? "a quarter" : share == 0.5 ? "half" : share == 0.75 ? "three quarters" : "the whole";
+  return share == 0.25   ? "at a quarter of the tested amplitude"
+         : share == 0.5  ? "at half of it"
+         : share == 0.75 ? "at three quarters of it"
+                         : "at the full amplitude";
 }
 
 }  // namespace
@@ -103,8 +106,8 @@ std::string text(std::vector<OtherCycle> const& cycles) {
   };
   for (auto const& c : cycles)
     parts.push_back(fmt::format("{}{}: energy {}, peak {}", share_text(c.amplitude_share),
-                                c.rate_share == 1.0 ? "" : " at half the rate", number(c.energy), number(c.peak)));
-  return "of the tested amplitude, " + joined(parts, "; ");
+                                c.rate_share == 1.0 ? "" : " and half the rate", number(c.energy), number(c.peak)));
+  return joined(parts, "; ");
 }
 
 bool needs_warning(std::vector<OtherCycle> const& cycles) {

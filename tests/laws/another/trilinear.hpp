@@ -74,7 +74,7 @@ struct Trilinear {
     return p;
   }
 
-  // `isolaw export` copies the lines up to [end] to C++ files, in a struct of this name (programs/header_parts.cpp).
+  // `isolaw export` copies the lines up to [end] to C++ files, in the struct named below (programs/header_parts.cpp):
   // [export struct Trilinear]
   template <class N>
   struct State {
