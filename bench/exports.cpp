@@ -79,7 +79,7 @@ std::string table(std::filesystem::path const& campaign, std::string_view device
   auto const summary = study::build_summary(contents);
   std::string reasons;
   std::string text =
-      "| law | script for OpenSees | rms, % | K_eff, % | energy, % | displacement, % | shear, % | sheet: displacement and shear, % | the law itself |\n"
+      "| law | script for OpenSees | rms of the force, % | K_eff, % | energy, % | displacement, % | shear, % | sheet: displacement and shear, % | export of the law itself |\n"
       "|---|---|---:|---:|---:|---:|---:|---|---|\n";
   for (auto const& law : summary.laws) {
     auto const subject = programs::make_subject(contents, summary, law.id, device);

@@ -1,5 +1,5 @@
-// Gives inspect and calibrate records with impossible signals, such as clipping. tests/warts has most of the files and
-// states what inspect must say of each.
+// Runs `isolaw inspect` and `isolaw calibrate` on records with impossible signals, such as clipped ones.
+// tests/warts has most of the files and states what inspect must say of each.
 #include <filesystem>
 
 #include "cli/loops.hpp"

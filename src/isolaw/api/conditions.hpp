@@ -1,5 +1,5 @@
-// The tests that a study of conditions compares. They come from a lot file, from the same tables in a program, or from
-// a campaign.
+// The tests that a study of conditions compares. They come from a lot file, from a caller that passes the tables of a
+// lot file as values, or from a campaign.
 #pragma once
 
 #include <filesystem>

@@ -106,7 +106,7 @@ void add_figures(CLI::App& c, std::string& figures) {
       Heading::running,
       c.add_option(
           "--figures", figures,
-          "which figures for print to write, with data and gnuplot scripts: lot (default), all (also those of every device), or none"));
+          "which figures to write for printing, with data and gnuplot scripts: lot (default), all (also those of every device), or none"));
 }
 
 void add_jobs(CLI::App& c, std::optional<int>& jobs) {
@@ -307,7 +307,7 @@ void add_parts(Commands& commands) {
       ->required();
   c.add_option(
        "--to", a.to,
-       "program that runs the parts: " + joined(part_script_kinds) +
+       "program that runs the parts of the campaign: " + joined(part_script_kinds) +
            " (this --to does not limit the time that is read from records; for that, use the key `to` of a lot file)")
       ->required();
   c.add_option("--campaign", a.campaign,
@@ -392,7 +392,7 @@ void add_simulate(Commands& commands) {
     under(heading, command.add_option(name, value, help));
   };
   add(Heading::search, "--refinement", a.refinement,
-      "integration steps per sample (default 1; with --from the campaign's)");
+      "integration steps per sample (default 1, or with --from the number of the campaign)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
       "compute the force in two directions: coupled, from the law's own form for two directions, refused if it has none; springs, from springs around a circle, each of which follows the law (default: one direction only)");
   add(Heading::plane, "--second-disp", a.second_disp,
@@ -424,7 +424,7 @@ void add_building(Commands& commands) {
   c.add_option("--report-units", a.report_units,
                fmt::format("units that reports show: {} (default: the units of the campaign's reports)", unit_ids()));
   c.add_option("--figures", a.figures,
-               "which figures for print to write, with data and gnuplot scripts: lot (default), or none");
+               "which figures to write for printing, with data and gnuplot scripts: lot (default), or none");
   c.add_flag(
       "--nominal", a.nominal,
       "compute only the nominal building, in which the lot's median parameters replace random ones: whether it keeps the limits, and its response to every motion over time as CSV");

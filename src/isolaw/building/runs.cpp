@@ -166,7 +166,7 @@ std::string hash_of(RunStore::Row const& run) {
       .substr(0, 16);
 }
 
-// Returns the same kind of hash for a text that RunStore::save_text() stores.
+// Returns the hash that is stored with a text of RunStore::save_text(), to show later whether the text was changed.
 std::string hash_of_kept(std::size_t law, std::size_t place, std::string_view text) {
   return sha256(fmt::format("{};{};{}", law, place, text));
 }

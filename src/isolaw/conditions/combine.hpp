@@ -29,7 +29,7 @@ struct Combination {
 struct Combined {
   double factor = 1.0;
   std::optional<Interval> interval = {};
-  double se = 0.0, df = 0.0;      // standard error and degrees of freedom of ln factor, from factors that tests show
+  double se = 0.0, df = 0.0;      // standard error and degrees of freedom of ln(factor); only tested factors contribute
   Status status = Status::shown;  // the weakest status among the combined factors
   double share_shown = 0.0;       // share of the sum of |ln lambda| that comes from factors shown or interpolated
   std::vector<Effect> assumed = {}, not_covered = {}, without_interval = {};

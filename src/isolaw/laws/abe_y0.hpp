@@ -64,8 +64,9 @@ struct AbeY0 {
   // [export struct AbeY0]
   template <class N>
   struct State {
-    N u = N(0.0);     // the hysteretic force F2 / its yield force Y0
-    N time = N(0.0);  // the t at which the curve u(t) of Constants::flow has the value u (positive along the motion)
+    N u = N(0.0);  // the hysteretic force F2 / its yield force Y0
+    // The t at which the curve u(t) of Constants::flow has the value of `u`, which here is positive along the motion.
+    N time = N(0.0);
     abe_parts::Softened<N> softened;
     template <class Each>
     void members(Each& each) {

@@ -25,7 +25,7 @@ enum class TestRole {
   combined,       // the block differs in two conditions or more, so it shows no single effect
   other_strain,   // the block has another strain than the reference
   cycle_missing,  // the block has no cycle with the number of the reference cycle
-  other_history,  // no reference test of the device has a cycle with the same history
+  other_history,  // no reference test of the device has a cycle with the history of this block's cycle
   unpaired,       // the device has no reference test; the effect is taken from devices that have one
   other_device,   // the device has another compound or size than [conditions] names
   scaled,         // the specimen is scaled; the effect is taken from devices of full size

@@ -25,7 +25,8 @@ struct Doubts {
 
 // The doubts about the law on one device or, if `device` is empty, about the lot's law.
 Doubts doubts(Summary const& summary, std::string_view law, std::optional<std::string_view> device);
-// "law bouc-wen, device 'a'" or "law bouc-wen, the lot": names a law's parameters in messages.
+// Returns "law bouc-wen, device 'a'" or "law bouc-wen, the lot". Messages begin so, to say which law they are about and
+// whether it was fitted to one device or to the lot.
 std::string law_and_device_text(std::string_view law, std::optional<std::string_view> device);
 // Throws Error if there is an objection and `anyway` is false. `where` begins the message, such as a text from
 // law_and_device_text().

@@ -292,7 +292,7 @@ inline constexpr Result<DeviceFit> fit_results[]{
      "how much less energy the device dissipates in the last counted cycle of a block than in the third, in the block where it loses most",
      get<measured_energy_fall>},
     {"energy_fall_percent", "%", "energy lost, law",
-     "how much less energy the law dissipates in the last counted cycle of that block than in the third",
+     "how much less energy the law dissipates in the last counted cycle than in the third, in the block of `measured_energy_fall_percent`",
      get<energy_fall_of_law>},
 };
 
