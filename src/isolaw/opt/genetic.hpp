@@ -1,7 +1,7 @@
 // The genetic algorithm of Cucuzza et al. 2025 (section 4.1, Table 3): real-coded, with roulette wheel, double-point
-// crossover and uniform mutation. The paper leaves some choices open. Here the roulette wheel favours small values, every
-// pair crosses over, and parents and children together compete for survival; docs/method.md gives the reasons. The
-// initial population is the first generation, so that 50 generations of 100 points take 5,000 evaluations.
+// crossover and uniform mutation. The paper leaves some choices open. Here the roulette wheel favours small values,
+// every pair crosses over, and parents and children together compete for survival; docs/method.md gives the reasons.
+// The initial population is the first generation, so that 50 generations of 100 points take 5,000 evaluations.
 #pragma once
 
 #include <cstddef>
