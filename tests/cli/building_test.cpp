@@ -334,7 +334,7 @@ TEST_F(BuildingParts, that_start_over_replace_no_part_and_nothing_whole_by_less)
   refused({"merge", "O", "P1", "P2", "P3", "P4", "P5", "X"}, {"X/building.sqlite: run ", "--part K/N --fresh"});
   // The study is complete and answered, so merge without parts repeats the answer.
   auto const answered = isolaw({"merge", "O"});
-  expect_message(answered, 0, {"0 runs copied", "were answered: O/building.html"});
+  expect_message(answered, 0, {"0 runs copied", "all runs and answers are there: O/building.html"});
   EXPECT_EQ(answered.out, json_text(json, "verdict") + "\n");
   EXPECT_TRUE(isolaw({"merge", "O", "--json"}).out == json + "\n");
   // A command that was killed may leave an empty store. A merge must refuse it, and merge --fresh must replace it

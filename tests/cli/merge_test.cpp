@@ -149,7 +149,8 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
     words[1] = "E" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(examine("1/2"), 0, {"part 1 of 2 of the devices is analysed", "isolaw merge OUT PARTS..."});
+  expect_message(examine("1/2"), 0,
+                 {"part 1 of 2 of the analyses of the devices is finished", "isolaw merge OUT PARTS..."});
   EXPECT_FALSE(exists("E1/summary.json"));
   ASSERT_EQ(examine("2/2").code, 0);
   ASSERT_EQ(examine("2/2").code, 0);  // the same command again has nothing left to compute
@@ -163,7 +164,7 @@ TEST_F(Merge, takes_what_others_have_examined_of_devices) {
     words[1] = "L" + share.substr(0, 1);
     return isolaw(words);
   };
-  expect_message(fit("1/2"), 0, {"part 1 of 2 of the devices and of the lot's laws is analysed"});
+  expect_message(fit("1/2"), 0, {"part 1 of 2 of the analyses of the devices and of the lot's laws is finished"});
   EXPECT_FALSE(exists("L1/summary.json"));
   ASSERT_EQ(fit("2/2").code, 0);
   auto const rows = [&](char const* table) {
@@ -216,7 +217,7 @@ TEST_F(Merge, of_a_part_that_was_killed_and_not_continued_names_its_runs) {
          "DELETE FROM run_parameter WHERE (device, law, number) = (SELECT device, law, number FROM run LIMIT 1);"
          "DELETE FROM run WHERE (device, law, number) = (SELECT device, law, number FROM run LIMIT 1)");
   expect_message(isolaw(merge(all())), 1, {"not complete: 1 run is missing", "of part 4/7 (1 run)"});
-  expect_message(isolaw(part(4)), 0, {"continuing: ", "all of its share"});
+  expect_message(isolaw(part(4)), 0, {"continuing: ", " is finished: "});
   expect_message(isolaw(merge({4})), 1, {"1 run copied", "there already"});
   expect_as_one_machine();
 }
@@ -289,7 +290,7 @@ TEST_F(Merge, that_starts_over_replaces_no_part_and_nothing_whole_by_less) {
           {"O/campaign.sqlite: has every run, and is left as it is: of what was to replace it ", "of part 7/7 ("});
   fs::copy(path("P2"), path("X"));
   change(path("X/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
-  refused(isolaw(merge(all(), {"X", "--fresh"})), {"X/campaign.sqlite: run ", "is another one than"});
+  refused(isolaw(merge(all(), {"X", "--fresh"})), {"X/campaign.sqlite: run ", "differs from the one"});
   EXPECT_EQ(isolaw({"merge", "P1"}).code, 2);
   // merge --fresh may replace a complete store if all parts are given. It may always replace an empty or damaged store.
   expect_message(isolaw(merge(all(), {"--fresh"})), 1, {"24 runs copied to O/campaign.sqlite"});
@@ -352,7 +353,7 @@ TEST_F(Merge, finds_out_a_part_that_was_cut_off_or_changed) {
   change(path("T/campaign.sqlite"), "UPDATE run SET evaluations = evaluations + 1");
   auto const rows = all_rows(path("O/campaign.sqlite"));
   expect_refused(isolaw({"merge", "O", "P1", "T"}),
-                 {"T/campaign.sqlite: run ", "is another one than that which is there already", "isolaw check"});
+                 {"T/campaign.sqlite: run ", "differs from the one that is there already", "isolaw check"});
   change(path("T/campaign.sqlite"), "UPDATE run SET number = 99; UPDATE run_parameter SET number = 99");
   expect_refused(isolaw({"merge", "O", "T"}), {"T/campaign.sqlite", "damaged", "run 99 of "});
   for (auto const& row : rows) EXPECT_TRUE(std::ranges::binary_search(all_rows(path("O/campaign.sqlite")), row));

@@ -321,8 +321,8 @@ TEST(Cuts, AOneSidedTestInStagesIsCutWhereItComesBack) {
     EXPECT_EQ(counted_per_block(motion.cut()), (std::vector<int>{3, 3, 3, 5}));
     ASSERT_TRUE(properties.reported);
     EXPECT_EQ(properties.reported->block, 4);
-    // The loop goes from one reversal to the next. Its area is that of the exponential loop of Motion::loop() in steady
-    // motion over 40 mm, 2 Q (40 - tanh(40 alpha / 2) / (alpha / 2)).
+    // The reported cycle goes from one reversal to the other, 40 mm away, and back. In steady motion the exponential loop
+    // of Motion::loop() then has the area 2 Q (40 - tanh(40 alpha / 2) / (alpha / 2)).
     double const K = 0.5, Q = 30.0, alpha = 0.08;
     double const area = 2.0 * Q * (40.0 - std::tanh(20.0 * alpha) * 2.0 / alpha);
     EXPECT_NEAR(properties.reported->energy_kN_mm, area, 0.005 * area);

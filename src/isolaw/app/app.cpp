@@ -392,7 +392,7 @@ void add_simulate(Commands& commands) {
     under(heading, command.add_option(name, value, help));
   };
   add(Heading::search, "--refinement", a.refinement,
-      "integration steps per sample (default 1, or with --from the number of the campaign)");
+      "integration steps per sample (default 1; if --from is given, as many as the campaign used)");
   add(Heading::plane, "--bidirectional", a.bidirectional,
       "compute the force in two directions: coupled, from the law's own form for two directions, refused if it has none; springs, from springs around a circle, each of which follows the law (default: one direction only)");
   add(Heading::plane, "--second-disp", a.second_disp,

@@ -387,8 +387,8 @@ int building(BuildingArguments const& a, std::vector<std::string> const& command
     return exit_with_refusals;
   }
   if (part) {
-    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
-        part->number, part->total, counted(studied.runs, "run"), shown(file));
+    say("part {} of {} is finished: {} in {}\nonce all parts are finished: isolaw merge OUT PARTS...\n", part->number,
+        part->total, counted(studied.runs, "run"), shown(file));
     return exit_done;
   }
   auto const& answers = *studied.answers;
@@ -456,7 +456,7 @@ void answers_that_are_there(std::filesystem::path const& directory, bool json) {
   auto const file = directory / "building.json";
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(file, unknown)) {
-    say("all runs are there; their answers: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
+    say("all runs are there; to compute the answers: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
         shown(directory));
     return;
   }
@@ -471,7 +471,7 @@ void answers_that_are_there(std::filesystem::path const& directory, bool json) {
                  .allowed = std::string(limits.allowed),
                  .advice = "isolaw building with --out " + directory.string() + ", which makes it again"});
   print(json ? text : printable(verdict->get<std::string>()));
-  say("all runs are there, and were answered: {}; made again by isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
+  say("all runs and answers are there: {}\nto compute the answers again: isolaw building BUILDING.toml --from CAMPAIGN --out {}\n",
       shown(directory / "building.html"), shown(directory));
 }
 

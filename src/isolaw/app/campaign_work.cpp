@@ -86,7 +86,7 @@ int CampaignWork::finish(campaign::Contents& contents, WorkOptions const& how) {
   bool const finished = compute(contents, file, how);
   campaign::Meter::restart();
   if (how.share && !interrupted()) {
-    say("part {} of {} of the {} is analysed, in {}; when every part is: isolaw merge OUT PARTS...\n",
+    say("part {} of {} of the analyses of the {} is finished: {}\nonce all parts are finished: isolaw merge OUT PARTS...\n",
         how.share->number, how.share->total,
         campaign::every_device_examined(contents) ? "devices and of the lot's laws" : "devices", shown(file));
     return exit_done;
@@ -99,7 +99,7 @@ int CampaignWork::finish(campaign::Contents& contents, WorkOptions const& how) {
     return exit_with_refusals;
   }
   if (contents.part) {
-    say("part {} of {}: {}, all of its share, in {}; once every part is there: isolaw merge OUT PARTS...\n",
+    say("part {} of {} is finished: {} in {}\nonce all parts are finished: isolaw merge OUT PARTS...\n",
         contents.part->number, contents.part->total, counted(contents.runs.size(), "run"), shown(file));
     return exit_done;  // also if devices were refused or runs failed: the report of the campaign says so
   }

@@ -581,7 +581,7 @@ class StudyMerge : public campaign::Merge {
       }
       ++merged.already_there;
       if (!same.again(row.law, row.motion, row.place, row.measured).row())
-        refuse(row, "is another one than that which is there already", "one result of a run, whoever computed it");
+        refuse(row, "differs from the one that is there already", "one result of a run, whoever computed it");
     }
     transaction.commit();
   }

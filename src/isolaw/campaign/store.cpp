@@ -123,7 +123,7 @@ Store::CopiedRuns Store::take_runs(std::filesystem::path const& other) {
     ++taken.already_there;
     if (!writer.is_there(run))
       throw Error({.where = other.string(),
-                   .found = fmt::format("run {} of {} on device '{}' is another one than that which is there already",
+                   .found = fmt::format("run {} of {} on device '{}' differs from the one that is there already",
                                         run.number, run.law, campaign_.devices.at(run.device).name),
                    .allowed = "one result of a run, whoever computed it",
                    .advice = "isolaw check on both, and the part that is not sound again"});

@@ -42,13 +42,12 @@ struct FittedRange : study::Range {
 };
 
 // The factors by which a bound differs from the law: `stiffness` multiplies the part of the force that grows with the
-// displacement (K_d), `strength` the hysteretic part (Q_d). If there are no separate factors, both are the factor on
-// the whole force.
+// displacement (K_d), `strength` the hysteretic part (Q_d).
 struct BoundFactors {
   double stiffness = 1.0, strength = 1.0;
   double overall = 1.0;               // factor on the whole force, for programs that cannot scale the parts
   std::optional<double> energy = {};  // factor on the energy at the bound; if empty, this is `overall`
-  bool separate = false;              // true if there are separate factors
+  bool separate = false;              // false: `stiffness` and `strength` are both the factor on the whole force
   // The law's own parameters at the bound, in its order and units. Empty for bounds of the scatter between devices.
   std::vector<double> parameters = {};
 };

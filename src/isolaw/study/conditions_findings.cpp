@@ -259,7 +259,7 @@ Finding not_covered(ConditionsResult const& result, Effect effect, conditions::F
   return finding;
 }
 
-// Names the effects that only one device shows, so that the interval holds for this device alone.
+// A finding that names the effects whose factors come from a single device. Their intervals hold for this device alone.
 void add_intervals_of_one(ConditionsResult const& result, std::vector<Finding>& findings) {
   std::vector<Effect> alone;
   for (auto const& row : result.design)
