@@ -294,8 +294,8 @@ class Clipping {
     // All numbers below are sums over the plateaus. Displacement is in mm and force in kN, both positive towards the
     // plateaus. Way of displacement from a plateau's start to its peak, and from there back to the plateau's end.
     double way = 0.0, returned = 0.0;
-    // Two windows, each `window` mm of displacement wide, lie one after the other before a plateau. The force rises by
-    // `rise` in the window that ends at the plateau and by `rise_before` in the earlier one.
+    // Two windows, each about `window` mm of displacement wide, lie one after the other before a plateau. The force rises
+    // by `rise` in the window that ends at the plateau and by `rise_before` in the earlier one, both scaled to `window`.
     double rise_before = 0.0, rise = 0.0, window = 0.0;
     // Rise of force, and way of displacement, over the step to a plateau's first sample.
     double rise_last = 0.0, last_way = 0.0;
