@@ -77,7 +77,7 @@ class Merge : public InFreshDirectory {
   void compute(std::vector<int> const& numbers) {
     for (int const number : numbers) {
       auto const o = isolaw(part(number));
-      expect_message(o, 0, {fmt::format("part {} of 7: ", number), "isolaw merge OUT PARTS..."});
+      expect_message(o, 0, {fmt::format("part {} of 7 is finished: ", number), "isolaw merge OUT PARTS..."});
       EXPECT_EQ(o.out, "");
     }
   }
@@ -432,7 +432,7 @@ TEST_F(Merge, parts_are_named_as_they_may_be) {
     expect_refused(isolaw(campaign("X", {"--part", text})), {"--part", "K/N, part K of N"});
   EXPECT_FALSE(exists("X"));
   // Where there are more parts than runs, the last parts have nothing to compute and must succeed.
-  expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100: 0 runs"});
+  expect_message(isolaw(campaign("X", {"--part", "100/100"})), 0, {"part 100 of 100 is finished: 0 runs"});
 }
 
 // Preparing a record for a law takes far more memory than the record itself. Only the records of runs in progress may
