@@ -182,7 +182,8 @@ class BuildingParts : public Building {
   }
   void compute(std::vector<int> const& numbers) {
     for (int const number : numbers)
-      expect_message(isolaw(part(number)), 0, {fmt::format("part {} of 5 is finished: ", number), "isolaw merge OUT PARTS..."});
+      expect_message(isolaw(part(number)), 0,
+                     {fmt::format("part {} of 5 is finished: ", number), "isolaw merge OUT PARTS..."});
   }
   void change(fs::path const& store, std::string const& sql) const {
     sqlite3* db = nullptr;
