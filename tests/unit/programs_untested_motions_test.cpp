@@ -30,7 +30,9 @@ TEST(OtherCycles, OfTheLawItselfAndOfTwiceItsForce) {
     EXPECT_NEAR(*c.peak, 100.0, 1e-9);
   }
   EXPECT_TRUE(far_off(twice));
-  EXPECT_NE(text(twice).find("a quarter: energy +100 %, peak +100 %; half: "), std::string::npos) << text(twice);
+  EXPECT_NE(text(twice).find("at a quarter of the tested amplitude: energy +100 %, peak +100 %; at half of it: "),
+            std::string::npos)
+      << text(twice);
 }
 
 // An error above 30 % (here 30.1 %) of the energy or the peak force in one cycle suffices to call a substitute far off.
