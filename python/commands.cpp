@@ -131,6 +131,12 @@ std::vector<std::string> remarks_of(nb::dict const& given) {
   return texts_in_keywords(remarks_on_design(acceptance));
 }
 
+// A damaged store may hold bytes that are no text.
+std::vector<std::string> printables(std::vector<std::string> texts) {
+  for (auto& text : texts) text = printable(text);
+  return texts;
+}
+
 nb::dict checked(std::filesystem::path const& directory) {
   auto const result = [&] {
     nb::gil_scoped_release const released;
@@ -149,13 +155,13 @@ nb::dict checked(std::filesystem::path const& directory) {
     one["analyses"] = campaign->check.analyses;
     one["expected_analyses"] = campaign->check.expected_analyses;
     one["largest_difference"] = campaign->check.largest_difference;
-    one["faults"] = campaign->check.faults;
-    one["differences"] = campaign->check.differences;
-    one["missing"] = campaign->missing;
+    one["faults"] = printables(campaign->check.faults);
+    one["differences"] = printables(campaign->check.differences);
+    one["missing"] = printable(campaign->missing);
     one["compared_files"] = campaign->compared_files;
     one["outdated_files"] = campaign->outdated_files;
     one["other_rules"] = campaign->other_rules;
-    one["made_by"] = campaign->made_by;
+    one["made_by"] = printable(campaign->made_by);
     found["campaign"] = one;
   }
   if (auto const& building = result.building) {
@@ -163,7 +169,7 @@ nb::dict checked(std::filesystem::path const& directory) {
     one["sound"] = building->is_sound();
     one["runs"] = building->runs;
     one["expected_runs"] = building->expected_runs;
-    one["faults"] = building->faults;
+    one["faults"] = printables(building->faults);
     found["building"] = one;
   }
   return found;

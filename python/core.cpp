@@ -133,6 +133,8 @@ Json json_of(nb::handle value) {
     auto const number = Json::parse(text);  // an integer above 64 bits becomes a float; then the text is returned
     return number.is_number_integer() ? number : Json(text);
   }
+  // A number of another type, such as numpy.float32. An array of one number has a length and is none.
+  if (nb::hasattr(value, "__float__") && !nb::hasattr(value, "__len__")) return nb::cast<double>(nb::float_(value));
   if (nb::isinstance<nb::dict>(value)) {
     Json object = Json::object();
     for (auto const& [key, item] : nb::cast<nb::dict>(value)) object[text_of(key)] = json_of(item);
@@ -299,15 +301,18 @@ Result result_array(nb::object const& out, std::size_t size) {
 }
 
 nb::object force_of(std::string const& law_id, nb::object const& parameters, Record const& motion, nb::dict const& how,
-                    int refinement, nb::object const& out) {
+                    int refinement, double dead_band_mm, nb::object const& out) {
   auto const& law = laws::find_law(law_id);
   auto const values = parameters_of(law, parameters);
   auto result = result_array(out, motion.raw.size());
   auto const settings = settings_of(how);
   steps(refinement);
+  if (!(dead_band_mm >= 0.0) || !std::isfinite(dead_band_mm))
+    throw Error({.where = "dead_band_mm", .found = fmt::format("{}", dead_band_mm), .allowed = "mm, 0 or more"});
   nb::gil_scoped_release const released;
-  fit::LawOnMotion const model(law, data::motion_of(motion.raw), settings.integration, settings.turning_points,
-                               refinement);
+  auto path = data::motion_of(motion.raw);
+  path.dead_band_mm = dead_band_mm;
+  fit::LawOnMotion const model(law, path, settings.integration, settings.turning_points, refinement);
   model.force_kN(values, result.values);
   return result.array;
 }
@@ -370,6 +375,17 @@ class Model {
   std::shared_ptr<data::FitRecord const> record_;
   fit::LawOnRecord model_;
 };
+
+// Returns the force of a fitted law under another motion, computed as in its fit, and sentences about this motion.
+nb::tuple force_under(Campaign const& campaign, std::string const& law_id, std::string const& device,
+                      Record const& motion) {
+  auto const fitted = fitted_law(campaign.contents, law_id, device);
+  auto const& law = laws::find_law(law_id);
+  auto path = data::motion_of(motion.raw);
+  path.dead_band_mm = fitted.dead_band_mm;
+  fit::LawOnMotion const model(law, path, fitted.integration, fitted.turning_points, fitted.refinement);
+  return nb::make_tuple(array_of(model.force_kN(fitted.parameters)), cautions(law, fitted, path));
+}
 
 nb::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
   campaign.fit(law, device);
@@ -745,13 +761,13 @@ void raise_error(Error const& thrown) {
   nb::list complaints;
   for (auto const& c : error.complaints()) {
     nb::dict one;
-    one["where"] = c.where;
-    one["found"] = c.found;
-    one["allowed"] = c.allowed;
-    one["advice"] = c.advice;
+    one["where"] = printable(c.where, true);
+    one["found"] = printable(c.found, true);
+    one["allowed"] = printable(c.allowed, true);
+    one["advice"] = printable(c.advice, true);
     complaints.append(one);
   }
-  nb::object exception = error_type(error.what());
+  nb::object exception = error_type(printable(error.what(), true));
   exception.attr("complaints") = complaints;
   PyErr_SetObject(error_type.ptr(), exception.ptr());
 }
@@ -874,7 +890,7 @@ void add_laws(nb::module_& m) {
       nb::arg("law"), nb::arg("record"), nb::arg("how"));
 
   m.def("force", &force_of, nb::arg("law"), nb::arg("parameters").none(), nb::arg("motion"), nb::arg("how"),
-        nb::arg("refinement"), nb::arg("out").none());
+        nb::arg("refinement"), nb::arg("dead_band_mm"), nb::arg("out").none());
 
   nb::class_<Model>(m, "Model", "A law on a record; see isolaw.Model.")
       .def(
@@ -908,6 +924,7 @@ void add_campaigns(nb::module_& m) {
            [](nb::handle_t<Campaign> self, std::string const& law, std::string const& device) {
              return view(nb::cast<Campaign&>(self).fit(law, device).force_kN, self);
            })
+      .def("force_under", &force_under)
       .def("runs", &runs_of)
       .def("parameters",
            [](Campaign const& c, std::string const& law, std::string const& device) {

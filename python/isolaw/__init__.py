@@ -247,11 +247,11 @@ def record(disp_mm, force_kN, time_s=None, load_kN=None, *, name="record"):
 def same_device(records, *, name=None):
     """Makes one Record of several tests of a device, which share the parameters of each law.
 
-    records: Records of the tests; their names must differ. name: the device's name; by default it is made of the tests'
+    records: Records of the tests, or their files; their names must differ. name: the device's name; by default it is made of the tests'
     names. A law starts at rest in each test, and its objective is the mean over the tests. In the arrays of the result
     the tests follow one another. Raises Error if only some of the tests have time, or if two have the same name.
     """
-    return _core.same_device(list(records), name)
+    return _core.same_device([_a_record(one) for one in records], name)
 
 
 def _vertical(test):
@@ -312,20 +312,24 @@ def _by_name(parameters):
 
 
 @_with_keywords(_settings("integration", "turning_points"))
-def force(law, parameters, motion, *, refinement=1, out=None, **how):
+def force(law, parameters, motion, *, refinement=1, dead_band_mm=0.0, out=None, **how):
     """Force of a law under a displacement history, in kN: a float64 array of shape (samples,).
 
     law: an id. parameters: a dict by name, or the values in the law's order; in the law's units.
     motion: a Record, whose force is ignored, or an array of displacements in mm for a law that needs no time.
     integration: "converged", or "paper" (one Runge-Kutta step per sample). turning_points: "sampled" or "interpolated".
-    refinement: integration steps per sample. out: a contiguous float64 array that receives the forces.
+    refinement: integration steps per sample. dead_band_mm: reversals of motion that are smaller have no effect on the
+    law. out: a contiguous float64 array that receives the forces.
 
-    A value is not finite if the law gives no force. Raises Error for an unknown law, for parameters that are
+    A fit uses a dead band and a refinement of its own, so Campaign.force() computes the force of a fitted law. A value is not finite if the law gives no force. Raises Error for an unknown law, for parameters that are
     missing, unknown or outside their physical limits (all in one message), and for a rate-dependent law without time.
     """
-    if not isinstance(motion, Record):
-        motion = _core.record("motion", motion, None, None, None)
-    return _core.force(law, _by_name(parameters), motion, how, refinement, out)
+    return _core.force(law, _by_name(parameters), _a_motion(motion), how, refinement, dead_band_mm, out)
+
+
+def _a_motion(motion):
+    """Makes a motion of displacements, which need no time."""
+    return motion if isinstance(motion, Record) else _core.record("motion", motion, None, None, None)
 
 
 class Model(_Unchanging):
@@ -428,7 +432,7 @@ class Model(_Unchanging):
 
         Mean over time, or with ``weights``, of |measured - computed force|, divided by the standard deviation of the
         measured force; infinity if a force is not finite. Computed by scalar code, like every number of a report.
-        Raises Error as force does.
+        Raises Error as force does, except for conditions between parameters, which an optimiser may leave for a while.
         """
         return self._core.objective(self._whole(parameters))
 
@@ -573,8 +577,16 @@ class Fit:
         """Force in kN of the best run at the samples of the cleaned record, shape (samples,): a read-only view."""
         return self._campaign.force(self._law, self.device)
 
+    def force(self, motion):
+        """Force in kN of the best run under another motion, as Campaign.force() computes it."""
+        return self._campaign._force_under(self._law, self.device, motion)
+
     def plot(self, ax=None):
-        """Draws the measured and the computed loop with Matplotlib. ax: axes to draw into. Returns the axes."""
+        """Draws the measured and the computed loop with Matplotlib. ax: axes to draw into. Returns the axes.
+
+        Raises Error if the law has no fit.
+        """
+        self._campaign.parameters(self._law, self.device)  # raises the Error
         record = self._campaign.fit_record(self.device)
         labelled = [(f"{self.device}, measured", record["force_kN"]), (self._law, self.force_kN)]
         return _show.draw_loop(ax, record["disp_mm"], labelled)
@@ -762,9 +774,20 @@ class Campaign(_Unchanging, _Mapping):
         """The cleaned, thinned record of the fit: a dict of views time_s, disp_mm and force_kN of shape (samples,)."""
         return {name: self._core.fit_channel(device, name) for name in ("time_s", "disp_mm", "force_kN")}
 
-    def force(self, law, device):
-        """Force in kN of the best run at the samples of fit_record(device), shape (samples,): a read-only view."""
-        return self._core.force(law, device)
+    def force(self, law, device, motion=None):
+        """Force in kN of the best run at the samples of fit_record(device), shape (samples,): a read-only view.
+
+        motion: a Record, or displacements in mm for a law that needs no time. The result is then the force under this
+        motion, as ``isolaw simulate --from`` computes it, and device may be "lot". Warns of a motion beyond the tests.
+        """
+        if motion is None:
+            return self._core.force(law, device)
+        return self._force_under(law, device, motion)
+
+    def _force_under(self, law, device, motion):
+        force_kN, cautions = self._core.force_under(law, device, _a_motion(motion))
+        _warn(cautions, frames=4)
+        return force_kN
 
     def parameters(self, law, device):
         """Parameters of the best run on a device, or with device="lot" of the lot's law: a dict in the law's units.
@@ -813,7 +836,7 @@ class Campaign(_Unchanging, _Mapping):
         "opensees", "cpp", "abaqus" or "json"; Error names them all. units: "kN-mm", "N-m" or "kip-in", by default those
         of the reports. name: the name of what the file defines. motions: ground motions, as files, under which a
         re-fitted material is compared with the law; motion_dt and motion_unit state the step in s and the unit of
-        acceleration of motions whose files do not. out: a new file for the text. anyway: exports also a law that is not
+        acceleration of motions whose files do not. out: a file for the text, which is replaced. anyway: exports also a law that is not
         fit for use. rules, design, lot_size and the keywords that begin with alike: as in calibrate; they decide the
         bounds. layout, mass, gyration, axial, ground_motion, scale, draws and others are for the targets that write a
         whole building (docs/export.md); seed is the seed of the draws.

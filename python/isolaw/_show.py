@@ -27,6 +27,9 @@ def axes(ax):
 
 def frame(rows, index=None):
     made = needed("pandas", "to_frame()").DataFrame(rows)
+    for name, values in made.items():  # None among numbers becomes NaN
+        if values.dtype == object and all(value is None or isinstance(value, (int, float)) for value in values):
+            made[name] = values.astype(float)
     return made if index is None else made.set_index(index)
 
 

@@ -117,6 +117,8 @@ def _add(call, tag, law, source, device, bound, units, anyway, dead_band_mm, ref
     for name, value in (("law", law), ("device", device)):
         if not isinstance(value, str):
             raise Error(f"{name}: {value!r}; allowed: a name")
+    if hasattr(source, "keys") and not isinstance(source, _Campaign):
+        source = dict(source)
     if not isinstance(source, (_Campaign, dict)):
         raise Error(f"source: {source!r}; allowed: a campaign, or a dict of parameters by name; try: isolaw.load(directory)")
     if isinstance(source, dict) and device != "lot":

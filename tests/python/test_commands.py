@@ -5,6 +5,8 @@ import io
 import json
 import multiprocessing
 import pickle
+import shutil
+import sqlite3
 import subprocess
 import unittest
 import warnings
@@ -12,7 +14,7 @@ import warnings
 import numpy as np
 
 import isolaw
-from devices import BINARY, InFolder, arrays, files_in, program
+from devices import BINARY, InFolder, arrays, files_in, program, write_csv
 
 
 def again(thing):
@@ -200,7 +202,66 @@ class Pickled(OfALot):
         self.assertEqual(found, [summary_of(record) for record in records])
 
 
+class ForceOfAFit(InFolder):
+    def test_is_that_of_simulate_with_the_dead_band_of_the_fit(self):
+        rng = np.random.default_rng(1)
+        files = []
+        for name, strength in (("a", 20.0), ("b", 24.0)):
+            t, x, f = arrays(strength)
+            files.append(self.path / f"{name}.csv")
+            write_csv(files[-1], t, x + rng.normal(0.0, 0.05, len(x)), f)
+        out = self.path / "out"
+        campaign = isolaw.calibrate(files, "power-masing", runs=1, replicates=0, out=out)
+        t, x, _ = arrays()
+        noisy = 1.5 * x + rng.normal(0.0, 0.05, len(x))
+        write_csv(self.path / "m.csv", t, noisy, header="time [s],displacement [mm]")
+        motion = isolaw.read_motion(self.path / "m.csv")
+        for device in ("lot", "a"):
+            words = ("simulate", "power-masing", "--from", out, "--device", device, "--motion", self.path / "m.csv")
+            lines = [line for line in program(*words).splitlines() if line and (line[0].isdigit() or line[0] == "-")]
+            expected = [float(line.split(",")[-1]) for line in lines]
+            with self.assertWarnsRegex(UserWarning, "beyond it nothing was measured"):
+                found = campaign.force("power-masing", device, motion)
+            np.testing.assert_array_equal(found, expected)
+        without = isolaw.force("power-masing", campaign.parameters("power-masing", "a"), motion)
+        self.assertGreater(np.abs(without - found).max(), 0.01)
+        record = campaign.fit_record("a")
+        again = campaign["power-masing"]["a"].force(isolaw.motion(record["disp_mm"], record["time_s"]))
+        np.testing.assert_allclose(again, campaign.force("power-masing", "a"), rtol=0.0, atol=1e-9)
+
+
 class Parts(OfALot):
+    def test_a_motion_has_no_model_and_no_box(self):
+        t, x, _ = arrays()
+        for function in (isolaw.Model, isolaw.box):
+            with self.assertRaisesRegex(isolaw.Error, "a motion without force"):
+                function("bilinear", isolaw.motion(x, t))
+
+    def test_numbers_of_numpy_are_numbers(self):
+        found = isolaw.inspect(self.files[0], rules="ntc-2018", design={"K_eff": np.float32(0.5)})
+        self.assertEqual(found["assessment"]["design"][0]["value"], 0.5)
+
+    def test_a_law_without_a_fit_has_no_plot(self):
+        t, x, f = arrays()
+        record = isolaw.record(x, f, name="timeless")
+        fit = isolaw.calibrate(record, ["bilinear", "jankowski"], runs=1, analysis=False)["jankowski"]["timeless"]
+        with self.assertRaisesRegex(isolaw.Error, "no usable run"):
+            fit.plot()
+
+    def test_damaged_bytes_of_a_store_are_faults(self):
+        for table, column in (("device", "recognised"), ("device", "tests"), ("run", "message"), ("setting", "json")):
+            copy = self.path / f"{table}-{column}"
+            shutil.copytree(self.out, copy)
+            with sqlite3.connect(copy / "campaign.sqlite") as store:
+                store.execute(f"UPDATE {table} SET {column} = CAST(X'BAFF' AS TEXT)")
+            with self.subTest(f"{table}.{column}"):
+                with self.assertRaises(isolaw.Error):
+                    isolaw.load(copy)
+                try:
+                    self.assertFalse(isolaw.check(copy)["sound"])
+                except isolaw.Error as error:
+                    self.assertTrue(error.complaints)
+
     def test_intervals_and_statistics_are_those_of_the_summary(self):
         fit = self.campaign["bilinear"]["a"]
         one = self.campaign.summary["laws"][0]["devices"][0]["parameters"]["K1"]

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "isolaw/campaign/contents.hpp"
+#include "isolaw/data/clean.hpp"
 #include "isolaw/fit/as_springs.hpp"
+#include "isolaw/laws/catalogue.hpp"
 #include "isolaw/study/ranges.hpp"
 
 namespace isolaw {
@@ -28,5 +30,10 @@ using campaign::whole_lot;
 // Returns the law as the best run fitted it to a device, or as it was fitted to the lot if `device` is `whole_lot`.
 // Throws Error if there is no such fit.
 FittedLaw fitted_law(campaign::Contents const& contents, std::string_view law, std::string_view device);
+// Returns sentences about displacements and velocities of a motion beyond those of the fit or of the tests.
+std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedLaw const& as_fitted,
+                                              data::FitRecord const& motion);
+// As beyond_what_is_known(), with a sentence about a motion that does not start at zero.
+std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& as_fitted, data::FitRecord const& motion);
 
 }  // namespace isolaw

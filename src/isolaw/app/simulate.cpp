@@ -37,12 +37,6 @@ namespace {
 
 constexpr int finest = 1000;  // the largest number of integration steps per sample
 
-double largest(std::vector<double> const& values) {
-  double found = 0.0;
-  for (double const value : values) found = std::max(found, std::abs(value));
-  return found;
-}
-
 struct Chosen {
   FittedLaw law;
   study::Doubts doubts;               // the campaign's doubts about the fitted law
@@ -180,33 +174,8 @@ void say_what_it_is(laws::LawEntry const& law, Chosen const& chosen, data::TestR
   if (chosen.law.refinement > 1) say("  integrated in {} steps per sample\n", chosen.law.refinement);
 }
 
-std::vector<std::string> beyond_what_is_known(laws::LawEntry const& law, FittedLaw const& chosen,
-                                              data::FitRecord const& path) {
-  std::vector<std::string> lines;
-  auto const add_beyond = [&](double reached, double fitted, double tested, std::string_view unit) {
-    constexpr double beyond = 1.02;
-    auto const add = [&](double known, std::string_view what, std::string_view so) {
-      lines.push_back(
-          fmt::format("warning: the history reaches {:.4g} {}, {} {:.4g} {}{}", reached, unit, what, known, unit, so));
-    };
-    bool const is_part = tested > beyond * fitted;
-    if (is_part && fitted > 0.0 && reached > beyond * fitted) add(fitted, "what the law was fitted to", "");
-    if (tested > 0.0 && reached > beyond * tested) add(tested, "the test", ": beyond it nothing was measured");
-  };
-  auto const& [tested, fitted] = chosen.ranges;
-  add_beyond(largest(path.disp_mm), fitted.disp_mm, tested.disp_mm, "mm");
-  if (!law.info.traits.rate_independent)
-    add_beyond(largest(path.vel_mm_s), fitted.vel_mm_s.value_or(0.0), tested.vel_mm_s.value_or(0.0), "mm/s");
-  return lines;
-}
-
-std::vector<std::string> cautions(laws::LawEntry const& law, FittedLaw const& chosen, data::FitRecord const& path) {
-  auto lines = beyond_what_is_known(law, chosen, path);
-  constexpr double at_zero = 1e-6;  // share of the largest displacement that counts as zero
-  if (double const x = path.disp_mm.front(); std::abs(x) > at_zero * largest(path.disp_mm))
-    lines.push_back(fmt::format(
-        "warning: the motion starts at {:.4g} mm: the device is taken as virgin there, its force as if it had come there without history; an analysis program starts at 0: put a path from 0 in front to compare",
-        x));
+std::vector<std::string> as_warnings(std::vector<std::string> lines) {
+  for (auto& line : lines) line.insert(0, "warning: ");
   return lines;
 }
 
@@ -414,7 +383,7 @@ int simulate_in_plane(SimulateArguments const& a, TwoDirections const& two, laws
   fit::LawInPlane const in_plane{&law, taken.parameters, taken.dead_band_mm, taken.refinement};
   auto const force_kN = fit::force_kN(law, in_plane.form(two.how, two.softening), motion);
   say_what_it_is(law, chosen, first);
-  auto lines = beyond_what_is_known(law, taken, reach);
+  auto lines = as_warnings(beyond_what_is_known(law, taken, reach));
   if (springs_line) lines.push_back(*springs_line);
   auto const open = left_open(in_plane, two, motion, !springs_line);
   lines.insert(lines.end(), open.begin(), open.end());
@@ -446,7 +415,7 @@ int simulate(SimulateArguments const& a) {
   fit::LawOnMotion const model(law, path, taken.integration, taken.turning_points, taken.refinement);
   auto const force_kN = model.force_kN(taken.parameters);
   say_what_it_is(law, chosen, motion);
-  auto const beyond = cautions(law, taken, path);
+  auto const beyond = as_warnings(cautions(law, taken, path));
   for (auto const& line : beyond) say("  {}\n", line);
   if (auto const bad = std::ranges::find_if_not(force_kN, [](double f) { return std::isfinite(f); });
       bad != force_kN.end())

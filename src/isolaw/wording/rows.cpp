@@ -138,8 +138,8 @@ std::span<Row const> rows() {
           outlier, "outlier", "outlier", caution, records, by_device, everywhere, none,
           "{devices} is an outlier in its lot: ~{property} {value:4 unit} ({percent:+.0f} % from the median)~."),
       campaign(not_compared, "not-compared", "outlier", caution, records, each_alone, everywhere, none,
-               "{devices} {is|are} in no search for outliers among the measured values: tested at another amplitude "
-               "than the usual {usual_mm:4}, by more than {allowed:3} %."),
+               "{devices} {is|are} in no search for outliers among the measured values, which come from cycles of another "
+               "amplitude than the usual {usual_mm:4}: it differs by more than {allowed:3} %."),
       campaign(at_bound, "at-bound", "at bound", caution, parameters, by_law, everywhere, law,
                "~{parameters} at its {side} bound on [all {all_devices} devices][{some}{devices}][ ({set} moves it)]~."),
       campaign(lot_law_at_bound, "lot-law-at-bound", "at bound", caution, parameters, by_law, everywhere, law,

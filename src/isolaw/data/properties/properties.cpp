@@ -591,6 +591,8 @@ Properties cyclic_properties(CycleView const& view) {
 }
 
 Properties cyclic_properties(TestRecord const& record) {
+  if (record.force_kN.size() != record.disp_mm.size())
+    throw Error({.where = record.file, .found = "a motion without force", .allowed = "a record of a test"});
   return properties_of(view_of(record), record.faults);
 }
 

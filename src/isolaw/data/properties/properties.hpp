@@ -138,6 +138,7 @@ CycleView view_of(TestRecord const& record);
 
 Properties cyclic_properties(CycleView const& view);
 // The result also has the faults of the record's signals. Cycles in blocks that a fault makes unusable do not count.
+// Throws Error for a motion without force.
 Properties cyclic_properties(TestRecord const& record);
 // A record without time has periods in samples.
 Properties cyclic_properties(std::span<double const> disp_mm, std::span<double const> force_kN);
