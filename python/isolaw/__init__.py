@@ -792,7 +792,8 @@ class Campaign(_Unchanging, _Mapping):
     def parameters(self, law, device):
         """Parameters of the best run on a device, or with device="lot" of the lot's law: a dict in the law's units.
 
-        Raises Error if the campaign has no parameters for the law and the device.
+        If a device has the name "lot", that is this device, here and wherever a device is named. Raises Error if the
+        campaign has no parameters for the law and the device.
         """
         return self._core.parameters(law, device)
 
