@@ -4,12 +4,11 @@ import json
 import pathlib
 import subprocess
 import tempfile
-import tomllib
 import unittest
 from xml.etree import ElementTree
 
 import isolaw
-from devices import BINARY
+from devices import BINARY, needs
 
 
 class Conditions(unittest.TestCase):
@@ -42,7 +41,10 @@ class Conditions(unittest.TestCase):
 
     # The tables of a lot file may be given as a dict and its tests as isolaw.Test. The results must be those of the
     # file.
+    @needs("tomllib")  # of Python 3.11
     def test_tables_give_what_the_lot_file_gives(self):
+        import tomllib
+
         tables = tomllib.loads(self.lot.read_text())
         for device in tables["device"]:
             device["test"] = [
@@ -74,7 +76,10 @@ class Conditions(unittest.TestCase):
             isolaw.Test("p1-warm.csv", order=1, temperature=20)
 
     # A test that lacks its temperature or its record must be refused with the reason, and the other tests must count.
+    @needs("tomllib")  # of Python 3.11
     def test_a_test_that_cannot_be_used_says_why(self):
+        import tomllib
+
         tables = tomllib.loads(self.lot.read_text())
         tables["device"][0]["test"][1].pop("temperature-C")
         tables["device"][1]["test"][1]["file"] = "no-such.csv"
