@@ -15,6 +15,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,6 +32,7 @@
 #include "isolaw/base/hash.hpp"
 #include "isolaw/base/printable.hpp"
 #include "isolaw/campaign/lot_conditions.hpp"
+#include "isolaw/campaign/named_device.hpp"
 #include "isolaw/campaign/setting_table.hpp"
 #include "isolaw/data/reading.hpp"
 #include "isolaw/laws/plane/in_plane.hpp"
@@ -41,6 +43,7 @@
 #include "isolaw/render/json/inspection_json.hpp"
 #include "isolaw/render/terminal/conditions_text.hpp"
 #include "isolaw/study/conditions.hpp"
+#include "isolaw/study/doubts.hpp"
 #include "isolaw/wording/table.hpp"
 
 namespace isolaw::python {
@@ -376,15 +379,29 @@ class Model {
   fit::LawOnRecord model_;
 };
 
-// Returns the force of a fitted law under another motion, computed as in its fit, and sentences about this motion.
+// Returns the doubts about a law as sentences. Throws Error if there is an objection to the law and `anyway` is false.
+std::vector<std::string> accepted_doubts(study::Doubts const& doubts, std::string_view law,
+                                         std::optional<std::string_view> device, bool anyway) {
+  study::require_no_objection(doubts, study::law_and_device_text(law, device), anyway);
+  auto sentences = wording::sentences(doubts.findings, wording::with_law);
+  if (doubts.objection) sentences.push_back(wording::remark(*doubts.objection));
+  return sentences;
+}
+
+// Returns the force of a fitted law under another motion, computed as in its fit, and the doubts about the law and this
+// motion as sentences. Throws Error if there is an objection to the law and `anyway` is false.
 nb::tuple force_under(Campaign const& campaign, std::string const& law_id, std::string const& device,
-                      Record const& motion) {
+                      Record const& motion, bool anyway) {
   auto const fitted = fitted_law(campaign.contents, law_id, device);
+  auto const one_device =
+      campaign::named_device(campaign.contents, device) ? std::optional<std::string_view>(device) : std::nullopt;
+  auto sentences = accepted_doubts(study::doubts(campaign.summary, law_id, one_device), law_id, one_device, anyway);
   auto const& law = laws::find_law(law_id);
   auto path = data::motion_of(motion.raw);
   path.dead_band_mm = fitted.dead_band_mm;
   fit::LawOnMotion const model(law, path, fitted.integration, fitted.turning_points, fitted.refinement);
-  return nb::make_tuple(array_of(model.force_kN(fitted.parameters)), cautions(law, fitted, path));
+  std::ranges::move(cautions(law, fitted, path), std::back_inserter(sentences));
+  return nb::make_tuple(array_of(model.force_kN(fitted.parameters)), sentences);
 }
 
 nb::dict runs_of(Campaign const& campaign, std::string const& law, std::string const& device) {
@@ -710,12 +727,8 @@ nb::dict law_for_opensees(std::string const& law_id, nb::object const& source, s
   if (nb::isinstance<Campaign>(source)) {
     auto const& campaign = nb::cast<Campaign const&>(source);
     auto const subject = programs::make_subject(campaign.contents, campaign.summary, law_id, device);
-    study::require_no_objection(
-        subject.doubts,
-        study::law_and_device_text(law_id, subject.lot ? std::nullopt : std::optional<std::string_view>(device)),
-        anyway);
-    warnings = wording::sentences(subject.doubts.findings, wording::with_law);
-    if (subject.doubts.objection) warnings.push_back(wording::remark(*subject.doubts.objection));
+    warnings = accepted_doubts(subject.doubts, law_id,
+                               subject.lot ? std::nullopt : std::optional<std::string_view>(device), anyway);
     warnings.insert(warnings.end(), subject.beyond_tests.begin(), subject.beyond_tests.end());
     parameters = subject.parameters;
     dead_band_mm = subject.dead_band_mm;

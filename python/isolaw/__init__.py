@@ -577,9 +577,9 @@ class Fit:
         """Force in kN of the best run at the samples of the cleaned record, shape (samples,): a read-only view."""
         return self._campaign.force(self._law, self.device)
 
-    def force(self, motion):
+    def force(self, motion, *, anyway=False):
         """Force in kN of the best run under another motion, as Campaign.force() computes it."""
-        return self._campaign._force_under(self._law, self.device, motion)
+        return self._campaign._force_under(self._law, self.device, motion, anyway)
 
     def plot(self, ax=None):
         """Draws the measured and the computed loop with Matplotlib. ax: axes to draw into. Returns the axes.
@@ -774,19 +774,20 @@ class Campaign(_Unchanging, _Mapping):
         """The cleaned, thinned record of the fit: a dict of views time_s, disp_mm and force_kN of shape (samples,)."""
         return {name: self._core.fit_channel(device, name) for name in ("time_s", "disp_mm", "force_kN")}
 
-    def force(self, law, device, motion=None):
+    def force(self, law, device, motion=None, *, anyway=False):
         """Force in kN of the best run at the samples of fit_record(device), shape (samples,): a read-only view.
 
         motion: a Record, or displacements in mm for a law that needs no time. The result is then the force under this
-        motion, as ``isolaw simulate --from`` computes it, and device may be "lot". Warns of a motion beyond the tests.
+        motion, as ``isolaw simulate --from`` computes it, and device may be "lot". Doubts about the law and a motion
+        beyond the tests are Python warnings. Raises Error for a law that should not be used, unless anyway is true.
         """
         if motion is None:
             return self._core.force(law, device)
-        return self._force_under(law, device, motion)
+        return self._force_under(law, device, motion, anyway)
 
-    def _force_under(self, law, device, motion):
-        force_kN, cautions = self._core.force_under(law, device, _a_motion(motion))
-        _warn(cautions, frames=4)
+    def _force_under(self, law, device, motion, anyway):
+        force_kN, doubts = self._core.force_under(law, device, _a_motion(motion), bool(anyway))
+        _warn(doubts, frames=4)
         return force_kN
 
     def parameters(self, law, device):

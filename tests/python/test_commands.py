@@ -230,6 +230,20 @@ class ForceOfAFit(InFolder):
         np.testing.assert_allclose(again, campaign.force("power-masing", "a"), rtol=0.0, atol=1e-9)
 
 
+class ForceOfABadLaw(InFolder):
+    def test_is_refused_as_simulate_refuses_it(self):
+        t, x, _ = arrays(cycles=6)
+        x = np.where(t < 6.0, 0.3, 1.0) * x
+        force = 0.5 * x + 4e-5 * x**3  # hardening, which the first three cycles do not show and a bilinear law cannot have
+        record = isolaw.record(x, np.where(np.abs(x) > 40.0, 6.0 * force, force) + 5.0 * np.sign(np.gradient(x)), t)
+        campaign = isolaw.calibrate(record, "bilinear", runs=1, analysis=False, fit_blocks="1")
+        motion = isolaw.motion(x, t)
+        with self.assertRaisesRegex(isolaw.Error, "its prediction is unusable"):
+            campaign["bilinear"]["record"].force(motion)
+        with self.assertWarnsRegex(UserWarning, "its prediction is unusable"):
+            campaign.force("bilinear", "record", motion, anyway=True)
+
+
 class Parts(OfALot):
     def test_a_motion_has_no_model_and_no_box(self):
         t, x, _ = arrays()
